@@ -1,0 +1,14 @@
+// An image that is looked up by texture coordinate: 8-bit RGB texels, row 0 at the top (v = 1).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace raytracer {
+
+struct Texture {
+    int width = 0, height = 0;           // texels, both >= 1
+    std::vector<std::uint8_t> texels;    // width * height * 3, row-major from the top left
+};
+
+}  // namespace raytracer
