@@ -34,24 +34,36 @@ void clipAxis(Chord& chord, Real origin, Real direction, Real low, Real high, st
         clip(chord, toHigh, toLow, highFace, lowFace);
 }
 
-// Roundings may turn the ends of a sliver around, and a rim that is met from outside in a single point belongs to
-// neither of its two faces (the assignment's conditions are strict).
+// Solids are closed: an edge or a rim that is met in a single point counts, though rounding may have put the exit there
+// before the entry.
 void closeChord(Chord& chord) {
-    chord.hit = chord.hit &&
-                (chord.entry < chord.exit || (chord.entry == chord.exit && chord.entryFace == chord.exitFace));
+    const Real slack = gamma(8) * std::max(std::abs(chord.entry), std::abs(chord.exit));
+    chord.hit = chord.hit && chord.entry <= chord.exit + slack;
+    if (chord.hit) chord.exit = std::max(chord.exit, chord.entry);
 }
 
-// |origin + t direction| = 1 about the point of closest approach, where nothing cancels however far the origin is
-// (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7). With two components,
-// the same for the cylinder.
+// |origin + t direction| = 1, by the textbook; with two components, the same for the cylinder. Its discriminant loses digits
+// with the square of the origin's distance, so a distant origin is first moved to the point of closest approach, where
+// nothing cancels (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7).
 template <class Vec>
-Chord unitBallChord(const Vec& origin, const Vec& direction) {
-    const Real squared = glm::dot(direction, direction);
-    const Real middle = -glm::dot(origin, direction) / squared;
-    const Vec closest = origin + middle * direction;
-    const Real discriminant = 1 - glm::dot(closest, closest);
-    const Real half = discriminant > 0 ? std::sqrt(discriminant / squared) : 0;
-    return {discriminant >= 0, middle - half, middle + half, 0, 0};
+Chord unitBallChord(Vec origin, const Vec& direction) {
+    const Real a = glm::dot(direction, direction);
+    Real b = glm::dot(origin, direction), c = glm::dot(origin, origin) - 1, shift = 0;
+    if (c > farSquared) {
+        shift = -b / a;
+        origin += shift * direction;
+        b = glm::dot(origin, direction);
+        c = glm::dot(origin, origin) - 1;
+    }
+    const Real discriminant = b * b - a * c;
+    const Real root = discriminant > 0 ? std::sqrt(discriminant) : 0;
+    return {discriminant >= 0, shift + (-b - root) / a, shift + (-b + root) / a, 0, 0};
+}
+
+// The factor that puts a point back onto the unit circle or sphere, from its squared distance: one Newton step for
+// 1 / sqrt where that is exact to rounding.
+Real backToUnit(Real squared) {
+    return std::abs(squared - 1) < coincidenceWindow ? Real(1.5) - squared / 2 : 1 / std::sqrt(squared);
 }
 
 Chord sphereChord(const ObjectRay& ray) { return unitBallChord(ray.origin, ray.direction); }
@@ -127,7 +139,7 @@ Chord cubeChord(const ObjectRay& ray) {
         else
             chord.hit = chord.hit && std::abs(origin) <= 1;
     }
-    chord.hit = chord.hit && chord.entry <= chord.exit;
+    closeChord(chord);
     return chord;
 }
 
@@ -190,8 +202,8 @@ void Solid::offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) con
 void Sphere::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray, query, sphereChord); }
 
 Intersection Sphere::surfaceAt(const Ray& ray, const Hit& hit) const {
-    const Vec3 p = normalized(pointObject(ray, hit));
-    Intersection intersection = surface(hit, p, p);
+    const Vec3 normal = pointObject(ray, hit), p = normal * backToUnit(glm::dot(normal, normal));
+    Intersection intersection = surface(hit, p, normal);
     if (wantsTexCoord()) intersection.texCoord = {turn(p), 1 - std::acos(glm::clamp(p.z, Real(-1), Real(1))) / pi};
     return intersection;
 }
@@ -204,11 +216,12 @@ void Cylinder::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray
 
 Intersection Cylinder::surfaceAt(const Ray& ray, const Hit& hit) const {
     Vec3 p = pointObject(ray, hit);
-    const Real r = radius(p);
+    const Real squared = p.x * p.x + p.y * p.y;
     const bool body = hit.primitive == 0;
-    if (body || r > 1) p.x /= r, p.y /= r;
+    Vec3 normal(p.x, p.y, 0);
+    if (body || squared > 1) p.x *= backToUnit(squared), p.y *= backToUnit(squared);
     p.z = body ? glm::clamp(p.z, Real(0), Real(1)) : Real(hit.primitive == 1);
-    const Vec3 normal = body ? Vec3(p.x, p.y, 0) : Vec3(0, 0, 2 * p.z - 1);
+    if (!body) normal = Vec3(0, 0, 2 * p.z - 1);
     Intersection intersection = surface(hit, p, normal);
     if (wantsTexCoord()) intersection.texCoord = body ? Vec2(turn(p), p.z) : capTexCoord(p);
     return intersection;

@@ -33,6 +33,14 @@ inline constexpr Real coincidenceWindow = [] {
     return window;
 }();
 
+// From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at most a fifth
+// of the digits in the textbook's discriminant.
+inline constexpr Real farSquared = [] {
+    Real squared = 1;
+    for (int bit = 0; bit < std::numeric_limits<Real>::digits / 5; ++bit) squared *= 2;
+    return squared;
+}();
+
 inline Vec3 abs(const Vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 inline Real maxComponent(const Vec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
 inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
@@ -44,12 +52,12 @@ inline Mat3 abs(const Mat3& m) { return Mat3(abs(m[0]), abs(m[1]), abs(m[2])); }
 inline Vec3 normalized(const Vec3& v) {
     constexpr Real small = std::numeric_limits<Real>::min() / (unitRoundoff * unitRoundoff);
     const Real squared = glm::dot(v, v);
-    if (squared > small && squared < 1 / small) return v / std::sqrt(squared);
+    if (squared > small && squared < 1 / small) return v * (1 / std::sqrt(squared));
     const Real largest = maxComponent(abs(v));
     if (!(largest > 0) || !(largest < infinity)) return Vec3(0);
     const int exponent = std::ilogb(largest);
     const Vec3 scaled(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent));
-    return scaled / std::sqrt(glm::dot(scaled, scaled));
+    return scaled * (1 / std::sqrt(glm::dot(scaled, scaled)));
 }
 
 // x^n for x in [0, 1]. Integers by repeated squaring, the same bits on every machine (libm's pow is not), others by pow.
