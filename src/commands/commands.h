@@ -1,0 +1,13 @@
+// The subcommands: each parses its own arguments, calls the library and returns the process's exit status
+// (0 success, 1 a comparison or goal not met, 2 bad input or usage).
+#pragma once
+
+namespace raytracer::commands {
+
+// raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS [options]: the default, without a name of its own.
+int render(int argc, char** argv);
+
+// raytracer compare A B [options]: how much two pictures differ.
+int compare(int argc, char** argv);
+
+}  // namespace raytracer::commands
