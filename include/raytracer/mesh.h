@@ -1,0 +1,67 @@
+// A triangle mesh as a shape: watertight intersection.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "raytracer/mesh_file.h"
+#include "raytracer/shape.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// The ray's part of the watertight test (Woop, Benthin and Wald, JCGT 2013): the axes permuted and sheared so that the
+// ray becomes the z axis.
+struct ShearedRay {
+    explicit ShearedRay(const ObjectRay& ray);
+
+    Vec3 origin;
+    int x, y, z;  // which object axis is which; z has the largest component of the direction
+    Real shearX, shearY, scaleZ;
+};
+
+// The geometry that shapes with the same OBJ file share.
+class TriangleMesh {
+  public:
+    explicit TriangleMesh(std::shared_ptr<const MeshData> data);
+
+    std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(data_->triangleCount()); }
+    std::array<Vec3, 3> corners(std::uint32_t triangle) const;
+    std::array<Vec2, 3> texCoords(std::uint32_t triangle) const;
+
+    // Where the line meets the triangle: t, and the weights of its corners. Exact about the inside: of the triangles around an
+    // edge or a vertex of a closed mesh that the line passes through, it meets as many as if it passed by an
+    // infinitesimal to the side.
+    struct LineHit {
+        bool hit = false;
+        Real t = 0;
+        Real weight[3] = {0, 0, 0};
+    };
+    LineHit intersectLine(const ShearedRay& ray, std::uint32_t triangle) const;
+
+  private:
+    std::shared_ptr<const MeshData> data_;
+    std::vector<Vec3> positions_;
+};
+
+class Mesh final : public Shape {
+  public:
+    Mesh(const Transform& transform, const Material& material, std::uint32_t index,
+         std::shared_ptr<const TriangleMesh> triangles)
+        : Shape(transform, material, index), triangles_(std::move(triangles)) {}
+
+    void intersect(const Ray& ray, HitQuery& query) const override;
+    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t triangle) const override;
+
+  private:
+    void intersectTriangle(const Ray& ray, const ObjectRay& object, const ShearedRay& sheared, std::uint32_t triangle,
+                           HitQuery& query) const;
+    Vec3 normalObject(std::uint32_t triangle) const;  // by the cross product, not of unit length
+
+    std::shared_ptr<const TriangleMesh> triangles_;
+};
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

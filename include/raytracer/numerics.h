@@ -1,0 +1,87 @@
+// Rounding errors and the arithmetic that is built to survive them. The only file that owns a tolerance.
+//
+// Every bound here is relative: a multiple of the unit roundoff of Real and of the magnitudes that went into a result.
+// None is a length, so none prefers a unit of length.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "raytracer/types.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// u: the largest relative error of one correctly rounded operation.
+inline constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
+inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+// gamma_n = n u / (1 - n u): the bound on the relative error of a product of n factors (1 + d), |d| <= u. Higham,
+// Accuracy and Stability of Numerical Algorithms, lemma 3.1; pbrt, section "Managing Rounding Error".
+constexpr Real gamma(int n) {
+    return static_cast<Real>(n) * unitRoundoff / (1 - static_cast<Real>(n) * unitRoundoff);
+}
+
+// Two hits whose t differ by less than this factor might be one place where two surfaces coincide, so they are looked
+// at more closely (HitQuery). Half of the digits: far above the rounding error of any t that is worth its name, far
+// below what a picture shows. It decides nothing but whether to look.
+inline constexpr Real coincidenceWindow = [] {
+    Real window = 1;
+    for (int bit = 0; bit < std::numeric_limits<Real>::digits / 2; ++bit) window /= 2;
+    return window;
+}();
+
+// From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at most a fifth
+// of the digits in the textbook's discriminant.
+inline constexpr Real farSquared = [] {
+    Real squared = 1;
+    for (int bit = 0; bit < std::numeric_limits<Real>::digits / 5; ++bit) squared *= 2;
+    return squared;
+}();
+
+inline Vec3 abs(const Vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+inline Real maxComponent(const Vec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
+inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
+
+inline Mat3 abs(const Mat3& m) { return Mat3(abs(m[0]), abs(m[1]), abs(m[2])); }
+
+// v / |v|, at any magnitude: where the squared length would lose digits by under- or overflow, v is first brought to
+// the order of 1 by a power of two. The zero vector stays zero.
+inline Vec3 normalized(const Vec3& v) {
+    constexpr Real small = std::numeric_limits<Real>::min() / (unitRoundoff * unitRoundoff);
+    const Real squared = glm::dot(v, v);
+    if (squared > small && squared < 1 / small) return v * (1 / std::sqrt(squared));
+    const Real largest = maxComponent(abs(v));
+    if (!(largest > 0) || !(largest < infinity)) return Vec3(0);
+    const int exponent = std::ilogb(largest);
+    const Vec3 scaled(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent));
+    return scaled * (1 / std::sqrt(glm::dot(scaled, scaled)));
+}
+
+// x^n for x in [0, 1]. Integers by repeated squaring, the same bits on every machine (libm's pow is not), others by pow.
+inline Real power(Real x, Real n) {
+    constexpr Real largestCounted = 16777216;  // 2^24: every such integer is exact in every Real
+    if (n != std::floor(n) || n > largestCounted) return std::pow(x, n);
+    Real result = 1;
+    for (auto bits = static_cast<unsigned>(n); bits != 0; bits >>= 1) {
+        if (bits & 1u) result *= x;
+        x *= x;
+    }
+    return result;
+}
+
+// The sign of a * b - c * d, exact unless a product underflows: rounding is monotone, so unequal rounded products are
+// in the order of the exact ones; where they are equal, their rounding errors (exact by fma) decide. The idea of the
+// exact fallback is Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2013, section 3.3.
+inline int signOfDifferenceOfProducts(Real a, Real b, Real c, Real d) {
+    const Real ab = a * b, cd = c * d;
+    if (ab > cd) return 1;
+    if (ab < cd) return -1;
+    const Real abError = std::fma(a, b, -ab), cdError = std::fma(c, d, -cd);
+    return (abError > cdError) - (abError < cdError);
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

@@ -1,0 +1,73 @@
+// What the user asks of a render, and what it counted.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <glm/vec3.hpp>
+
+namespace raytracer {
+
+enum class Precision { Float, Double, Extended };
+
+// What a pixel shows: the light model, or one of the stages on the way to it.
+enum class Pass {
+    Color,    // the light model
+    Raycast,  // color_diffuse of the closest hit
+    Normals,  // (N + 1) / 2 of the unit exterior normal; a miss is 54/255
+};
+
+// The terms of the light model; one that is off is left out of the sum.
+struct Terms {
+    bool ambient = true, diffuse = true, specular = true;
+    bool shadows = true;      // coloured by refractive shapes, whether or not `refraction` is on
+    bool reflections = true, refraction = true;
+    bool textures = true;
+};
+
+// A rectangle of pixels: x0 <= x < x1, y0 <= y < y1, (0, 0) at the top left.
+struct PixelRectangle {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+};
+
+struct ImageSize {
+    int width = 1, height = 1;
+};
+
+struct RenderOptions {
+    ImageSize size;              // of the whole picture
+    PixelRectangle crop;         // the part to render
+    int max_recursion = 3;
+    Pass pass = Pass::Color;
+    bool shadows = true, refraction = true;  // the terms that are not a matter of the materials' colours
+    int threads = 0;             // 0: one for each processor
+};
+
+// Rays cast and intersection tests made (of shapes and triangles, not of boxes).
+struct RenderCounts {
+    std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
+    std::uint64_t tests = 0;
+
+    RenderCounts& operator+=(const RenderCounts& other);
+};
+
+// Takes the picture. Called from several threads at once, for disjoint runs of pixels.
+class PixelSink {
+  public:
+    virtual ~PixelSink() = default;
+
+    // The colours (linear RGB, unclamped) of the pixels (x, y), (x + 1, y), ... of the whole picture.
+    virtual void write(int x, int y, std::span<const glm::dvec3> colors) = 0;
+};
+
+// Told from time to time how much of the work is done, from one thread at a time.
+class ProgressListener {
+  public:
+    virtual ~ProgressListener() = default;
+    virtual void progress(double fraction) = 0;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,33 @@
+// The core's interface: a scene, built in one of the precisions, that can be rendered.
+#pragma once
+
+#include <memory>
+
+#include "raytracer/render_options.h"
+#include "raytracer/scene_description.h"
+
+namespace raytracer {
+
+// Thread-safe: a Renderer does not change once it is made.
+class Renderer {
+  public:
+    virtual ~Renderer() = default;
+
+    // Every pixel of options.crop goes to the sink exactly once; it depends on the scene, options and its place alone.
+    virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
+                                ProgressListener* progress = nullptr) const = 0;
+};
+
+// Builds the scene's shapes and trees. The description may be dropped afterwards.
+std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision);
+
+// The longer side of the film gets longEdge pixels, the other lround(longEdge * short / long), at least 1.
+ImageSize imageSize(const CameraDescription& camera, int longEdge);
+
+// Takes the terms that are a matter of the materials' colours out of the scene: what is left is rendered as it is.
+void keepTerms(SceneDescription& scene, const Terms& terms);
+
+// Reads every material as not refractive.
+void makeOpaque(SceneDescription& scene);
+
+}  // namespace raytracer

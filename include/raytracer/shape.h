@@ -1,0 +1,147 @@
+// The shapes of the assignment: where a ray meets them, and what their surface is like there.
+//
+// Two stages. `intersect` finds hits and offers them to a HitQuery as {t, shape, primitive}; `surfaceAt` computes
+// position, normal, texture coordinate and error bound once, for the hit that won.
+#pragma once
+
+#include <cstdint>
+
+#include "raytracer/hit_query.h"
+#include "raytracer/material.h"
+#include "raytracer/transform.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// A hit, complete. All in world space.
+struct Intersection {
+    bool valid = false;
+    Real t = 0;             // in units of the ray's direction
+    Vec3 position{0};       // on the surface: put back onto it in object space
+    Vec3 normal{0};         // unit length, towards the shape's exterior whatever the side that the ray comes from
+    Vec2 texCoord{0};       // (u, v), v up; only where the material has a texture
+    const Material* material = nullptr;
+
+    const Shape* shape = nullptr;
+    std::uint32_t primitive = 0;
+    Vec3 positionError{0};  // bound on the distance of `position` from the surface, for each axis
+};
+
+class Shape {
+  public:
+    Shape(const Transform& transform, const Material& material, std::uint32_t index)
+        : transform_(transform), material_(&material), index_(index) {}
+    virtual ~Shape() = default;
+    Shape(const Shape&) = delete;
+    Shape& operator=(const Shape&) = delete;
+
+    // Offers to the query the hits with t >= 0 that could matter to it: a convex shape its nearest, a mesh one for each
+    // triangle. Never the point that the ray leaves (Departure): a ray that leaves a convex solid outwards does not meet it
+    // again, one that enters it comes out exactly once, a plane or triangle never meets its own ray; and of another
+    // shape that goes through the ray's origin (touches) the root at the origin is dropped.
+    virtual void intersect(const Ray& ray, HitQuery& query) const = 0;
+
+    // The surface at a hit that `intersect` offered for this ray.
+    virtual Intersection surfaceAt(const Ray& ray, const Hit& hit) const = 0;
+
+    // Whether the world point, known to within pointError for each axis, may lie on this shape's surface (on the plane of that
+    // primitive, for a mesh).
+    virtual bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const = 0;
+
+    // The assignment's interface: the nearest hit of this shape alone, complete.
+    Intersection rayIntersect(const Ray& ray) const;
+
+    const Transform& transform() const { return transform_; }
+    const Material& material() const { return *material_; }
+    std::uint32_t index() const { return index_; }  // place in the scene file: the first of coincident shapes wins
+
+  protected:
+    // The point of an object-space surface, in the world: the common part of every surfaceAt.
+    Intersection surface(const Hit& hit, const Vec3& pointObject, const Vec3& normalObject) const;
+    bool wantsTexCoord() const { return material_->diffuse_texture != nullptr; }
+
+    Transform transform_;
+
+  private:
+    const Material* material_;
+    std::uint32_t index_;
+};
+
+// The part of a line inside a convex solid, in object-space t.
+struct Chord {
+    bool hit = false;
+    Real entry = 0, exit = 0;  // entry <= exit where hit; exit is meaningful for a line through the inside regardless
+    std::uint32_t entryFace = 0, exitFace = 0;
+};
+
+// A convex solid: one chord a line. Faces are numbered in the order of the assignment.
+class Solid : public Shape {
+  public:
+    using Shape::Shape;
+    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const final;
+
+  protected:
+    // What a chord means for a ray: entry or exit, or neither because the ray starts there.
+    template <class ChordFinder>
+    void offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) const;
+    Vec3 pointObject(const Ray& ray, const Hit& hit) const;
+
+    // A signed measure of the distance from the surface, negative inside, at most the Euclidean distance in object units.
+    virtual Real surfaceOffset(const Vec3& pointObject) const = 0;
+};
+
+// x^2 + y^2 + z^2 = 1.
+class Sphere final : public Solid {
+  public:
+    using Solid::Solid;
+    void intersect(const Ray& ray, HitQuery& query) const override;
+    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+
+  private:
+    Real surfaceOffset(const Vec3& pointObject) const override;
+};
+
+// x^2 + y^2 = 1, 0 < z < 1 (face 0), top z = 1 (1), bottom z = 0 (2).
+class Cylinder final : public Solid {
+  public:
+    using Solid::Solid;
+    void intersect(const Ray& ray, HitQuery& query) const override;
+    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+
+  private:
+    Real surfaceOffset(const Vec3& pointObject) const override;
+};
+
+// x^2 + y^2 = (1 - z)^2, 0 < z <= 1 (face 0), bottom z = 0 (1).
+class Cone final : public Solid {
+  public:
+    using Solid::Solid;
+    void intersect(const Ray& ray, HitQuery& query) const override;
+    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+
+  private:
+    Real surfaceOffset(const Vec3& pointObject) const override;
+};
+
+// -1 <= x, y, z <= 1; faces x = 1 (0), x = -1 (1), y = 1 (2), y = -1 (3), z = 1 (4), z = -1 (5).
+class Cube final : public Solid {
+  public:
+    using Solid::Solid;
+    void intersect(const Ray& ray, HitQuery& query) const override;
+    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+
+  private:
+    Real surfaceOffset(const Vec3& pointObject) const override;
+};
+
+// z = 0.
+class Plane final : public Shape {
+  public:
+    using Shape::Shape;
+    void intersect(const Ray& ray, HitQuery& query) const override;
+    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const override;
+};
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

@@ -1,0 +1,33 @@
+// The number type of the core, chosen at compile time.
+//
+// The core's sources are compiled three times, for float, double and long double, each into an inline namespace of its
+// own, so that one binary holds all three without a template parameter in the code. `renderer.h` is the interface that
+// picks one at run time. A file that does not say which (a test) gets double.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#if defined(RAYTRACER_PRECISION_float)
+#define RAYTRACER_PRECISION_NAMESPACE float_precision
+#define RAYTRACER_REAL float
+#elif defined(RAYTRACER_PRECISION_extended)
+#define RAYTRACER_PRECISION_NAMESPACE extended_precision
+#define RAYTRACER_REAL long double
+#else
+#define RAYTRACER_PRECISION_NAMESPACE double_precision
+#define RAYTRACER_REAL double
+#endif
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+using Real = RAYTRACER_REAL;
+using Vec2 = glm::vec<2, Real, glm::defaultp>;
+using Vec3 = glm::vec<3, Real, glm::defaultp>;
+using Mat3 = glm::mat<3, 3, Real, glm::defaultp>;  // columns
+using Color = Vec3;                                // linear RGB, not clamped
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

@@ -1,0 +1,160 @@
+// raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS: the picture of a scene.
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include <sys/resource.h>
+
+#include "commands/commands.h"
+#include "commands/render_arguments.h"
+#include "raytracer/json_writer.h"
+#include "raytracer/picture.h"
+#include "raytracer/progress_bar.h"
+#include "raytracer/scene_loader.h"
+
+namespace raytracer::commands {
+
+namespace {
+
+constexpr const char* footer = R"(The other commands:
+  raytracer compare|grade|explain|tradeoff --help
+
+Examples:
+  raytracer scenes/spheres_cylinder.json out.png 600
+  raytracer scenes/stress_test.json out.png 600 --only ambient,diffuse    two terms of the light model
+  raytracer scenes/cone_cube.json normals.png 600 --pass normals          a stage picture
+  raytracer scenes/texture.json out.png 2000 --crop 500,500,700,700       a detail, as in the whole picture
+  raytracer scenes/refraction.json out.pfm 600 --stats                    linear float32, and what it cost)";
+
+// Seconds between calls.
+class Stopwatch {
+  public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> elapsed = now - start_;
+        start_ = now;
+        return elapsed.count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Timings {
+    double load = 0, build = 0, render = 0, write = 0;  // seconds of wall time
+};
+
+long peakMemoryBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss * 1024;  // Linux counts KiB
+}
+
+void printStats(const RenderCounts& counts, const Timings& timings, const RenderOptions& options) {
+    JsonWriter json;
+    json.beginObject();
+    json.key("width").value(options.crop.width());
+    json.key("height").value(options.crop.height());
+    json.key("rays").beginObject();
+    json.key("primary").value(counts.primary);
+    json.key("shadow").value(counts.shadow);
+    json.key("reflection").value(counts.reflection);
+    json.key("refraction").value(counts.refraction);
+    json.endObject();
+    json.key("intersection_tests").value(counts.tests);
+    json.key("seconds").beginObject();
+    json.key("load").value(timings.load);
+    json.key("build").value(timings.build);
+    json.key("render").value(timings.render);
+    json.key("write").value(timings.write);
+    json.endObject();
+    json.key("peak_memory_bytes").value(peakMemoryBytes());
+    json.endObject();
+    std::printf("%s\n", json.text().c_str());
+}
+
+int usageError(const std::string& message) {
+    std::fprintf(stderr, "raytracer: %s\n", message.c_str());
+    return 2;
+}
+
+// What is wrong with the place to write to, before any work is done; empty if nothing is.
+std::string outputProblem(const std::filesystem::path& out) {
+    const std::string ending = out.extension().string();
+    if (ending != ".png" && ending != ".pfm") return out.string() + ": expected a name that ends in .png or .pfm";
+    const std::filesystem::path folder = out.has_parent_path() ? out.parent_path() : ".";
+    if (!std::filesystem::is_directory(folder)) return out.string() + ": no folder " + folder.string() + " to write to";
+    return {};
+}
+
+template <class Sink, class Write>
+RenderCounts renderTo(const std::string& out, const Renderer& renderer, const RenderOptions& options, bool quiet,
+                      Timings& timings, Write write) {
+    Stopwatch watch;
+    Sink sink(options.crop);
+    std::optional<ProgressBar> bar;
+    if (!quiet) bar.emplace();
+    const RenderCounts counts = renderer.render(options, sink, bar ? &*bar : nullptr);
+    bar.reset();
+    timings.render = watch.lap();
+    try {
+        write(out, sink.image());
+    } catch (const ImageError& error) {
+        throw ImageError(out + ": " + error.what());
+    }
+    timings.write = watch.lap();
+    return counts;
+}
+
+LoadedScene loadAndWarn(const RenderArguments& arguments) {
+    LoadedScene scene = loadScene(arguments.scene, arguments.strict);
+    if (!arguments.quiet)
+        for (const std::string& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    return scene;
+}
+
+int renderPicture(const RenderArguments& arguments, const std::string& out, bool stats) {
+    if (const std::string problem = outputProblem(out); !problem.empty()) return usageError(problem);
+    Timings timings;
+    Stopwatch watch;
+    SceneDescription description = loadAndWarn(arguments).description;
+    timings.load = watch.lap();
+    const RenderOptions options = arguments.prepare(description);
+    const auto renderer = makeRenderer(description, arguments.precisionChosen());
+    timings.build = watch.lap();
+    const bool floats = std::filesystem::path(out).extension() == ".pfm";
+    const RenderCounts counts =
+        floats ? renderTo<FloatSink>(out, *renderer, options, arguments.quiet, timings, writePfm)
+               : renderTo<ByteSink>(out, *renderer, options, arguments.quiet, timings, writePng);
+    if (stats) printStats(counts, timings, options);
+    return 0;
+}
+
+}  // namespace
+
+int render(int argc, char** argv) {
+    CLI::App app("Renders a scene to a picture.", "raytracer");
+    RenderArguments arguments;
+    std::string out;
+    bool stats = false;
+    arguments.addTo(app);
+    app.add_option("IMAGE_OUT", out, "The picture: .png, or .pfm (linear float32, not clamped)")->required();
+    app.add_option("LONG_EDGE_PIXELS", arguments.longEdge, "Pixels along the longer side of the film")
+        ->required()->check(CLI::Range(1, 65536));
+    app.add_flag("--stats", stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
+    app.footer(footer);
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return renderPicture(arguments, out, stats);
+    } catch (const SceneError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+    } catch (const ImageError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+    } catch (const std::invalid_argument& error) {
+        return usageError(error.what());
+    }
+    return 2;
+}
+
+}  // namespace raytracer::commands

@@ -1,0 +1,35 @@
+// The options that say what a picture is: shared by every command that renders.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "raytracer/renderer.h"
+
+namespace raytracer::commands {
+
+struct RenderArguments {
+    std::string scene;
+    int longEdge = 0;
+    int max_recursion = 3;
+    std::string only;          // comma-separated terms; empty: all
+    bool opaque = false;
+    std::string pass = "color";
+    std::string precision = "double";
+    std::string crop;          // x0,y0,x1,y1; empty: the whole picture
+    int threads = 0;
+    bool strict = false;
+    bool quiet = false;
+
+    void addTo(CLI::App& app);
+
+    // The terms named by `only`. Throws std::invalid_argument with a line for the user.
+    Terms terms() const;
+    Precision precisionChosen() const;
+
+    // Applies `only` and `opaque` to the scene and fills in the options for it. Throws std::invalid_argument.
+    RenderOptions prepare(SceneDescription& scene) const;
+};
+
+}  // namespace raytracer::commands

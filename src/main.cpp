@@ -1,0 +1,34 @@
+// raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS [options], or raytracer COMMAND ...
+#include <cstdio>
+#include <exception>
+#include <string_view>
+
+#include "commands/commands.h"
+
+namespace {
+
+struct Command {
+    std::string_view name;
+    int (*run)(int argc, char** argv);
+};
+
+constexpr Command commandTable[] = {
+    {"render", raytracer::commands::render},
+};
+
+int dispatch(int argc, char** argv) {
+    for (const Command& command : commandTable)
+        if (argc > 1 && command.name == argv[1]) return command.run(argc - 1, argv + 1);
+    return raytracer::commands::render(argc, argv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return dispatch(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "raytracer: %s\n", error.what());
+        return 2;
+    }
+}

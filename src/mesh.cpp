@@ -1,0 +1,133 @@
+#include "raytracer/mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+namespace {
+
+// On which side of the edge p -> q the origin lies, +1 or -1, as if the origin were displaced by (e, e^2) with e
+// infinitesimal: never 0 unless p == q, and opposite for q -> p. (Simulation of Simplicity, Edelsbrunner and Mucke 1990.)
+int sideOfEdge(Real px, Real py, Real qx, Real qy) {
+    const int sign = signOfDifferenceOfProducts(px, qy, py, qx);
+    if (sign != 0) return sign;
+    if (py != qy) return py > qy ? 1 : -1;
+    return (qx > px) - (qx < px);
+}
+
+}  // namespace
+
+ShearedRay::ShearedRay(const ObjectRay& ray) : origin(ray.origin) {
+    const Vec3 size = abs(ray.direction);
+    z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    x = (z + 1) % 3;
+    y = (z + 2) % 3;
+    if (ray.direction[z] < 0) std::swap(x, y);  // keeps the winding
+    shearX = ray.direction[x] / ray.direction[z];
+    shearY = ray.direction[y] / ray.direction[z];
+    scaleZ = 1 / ray.direction[z];
+}
+
+TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data) : data_(std::move(data)) {
+    positions_.assign(data_->positions.begin(), data_->positions.end());
+}
+
+std::array<Vec3, 3> TriangleMesh::corners(std::uint32_t triangle) const {
+    const std::uint32_t* index = &data_->positionIndex[std::size_t{3} * triangle];
+    return {positions_[index[0]], positions_[index[1]], positions_[index[2]]};
+}
+
+std::array<Vec2, 3> TriangleMesh::texCoords(std::uint32_t triangle) const {
+    std::array<Vec2, 3> result{};
+    if (data_->texCoordIndex.empty()) return result;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t index = data_->texCoordIndex[std::size_t{3} * triangle + corner];
+        if (index != MeshData::noTexCoord) result[corner] = Vec2(data_->texCoords[index]);
+    }
+    return result;
+}
+
+TriangleMesh::LineHit TriangleMesh::intersectLine(const ShearedRay& ray, std::uint32_t triangle) const {
+    const std::array<Vec3, 3> corner = corners(triangle);
+    Real px[3], py[3], pz[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 relative = corner[i] - ray.origin;
+        px[i] = relative[ray.x] - ray.shearX * relative[ray.z];
+        py[i] = relative[ray.y] - ray.shearY * relative[ray.z];
+        pz[i] = ray.scaleZ * relative[ray.z];
+    }
+    // All three edges must have the origin on the same side. A rounded difference that is not zero has the right sign.
+    const Real u = px[2] * py[1] - py[2] * px[1], v = px[0] * py[2] - py[0] * px[2],
+               w = px[1] * py[0] - py[1] * px[0];
+    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
+    if (u == 0 || v == 0 || w == 0) {
+        const int side = sideOfEdge(px[2], py[2], px[1], py[1]);
+        if (side == 0 || side != sideOfEdge(px[0], py[0], px[2], py[2]) ||
+            side != sideOfEdge(px[1], py[1], px[0], py[0]))
+            return {};
+    }
+    const Real sum = u + v + w;
+    if (sum == 0) return {};
+    LineHit result{true, 0, {u / sum, v / sum, w / sum}};
+    result.t = result.weight[0] * pz[0] + result.weight[1] * pz[1] + result.weight[2] * pz[2];
+    return result;
+}
+
+Vec3 Mesh::normalObject(std::uint32_t triangle) const {
+    const auto corner = triangles_->corners(triangle);
+    return glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+}
+
+void Mesh::intersect(const Ray& ray, HitQuery& query) const {
+    const ObjectRay object = transform_.toObject(ray);
+    const ShearedRay sheared(object);
+    for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount() && !query.done(); ++triangle)
+        intersectTriangle(ray, object, sheared, triangle, query);
+}
+
+void Mesh::intersectTriangle(const Ray& ray, const ObjectRay& object, const ShearedRay& sheared, std::uint32_t triangle,
+                             HitQuery& query) const {
+    ++query.tests;
+    const TriangleMesh::LineHit line = triangles_->intersectLine(sheared, triangle);
+    if (!line.hit) return;
+    Real t = line.t * transform_.worldPerObjectT();
+    if (!(t <= query.limit())) return;
+    const Departure& departure = ray.departure;
+    if (departure.shape == this && departure.primitive == triangle) return;
+    if (departure.shape && touches(ray.origin, departure.positionError, triangle)) {
+        // The triangle goes through the ray's origin. It counts only as the way out of this mesh for a ray that starts
+        // just under its surface, at an edge; rounding may put that way out behind the origin.
+        const bool wayOut = departure.shape == this && departure.inside &&
+                            glm::dot(normalObject(triangle), object.direction) > 0;
+        if (!wayOut) return;
+        t = std::max(t, Real(0));
+    }
+    if (t >= 0) query.offer(t, *this, triangle);
+}
+
+Intersection Mesh::surfaceAt(const Ray& ray, const Hit& hit) const {
+    const auto line = triangles_->intersectLine(ShearedRay(transform_.toObject(ray)), hit.primitive);
+    const auto corner = triangles_->corners(hit.primitive);
+    const Vec3 p = line.weight[0] * corner[0] + line.weight[1] * corner[1] + line.weight[2] * corner[2];
+    Intersection intersection = surface(hit, p, normalObject(hit.primitive));
+    // p is a sum that may cancel: its error goes with its terms.
+    const Vec3 terms = abs(line.weight[0] * corner[0]) + abs(line.weight[1] * corner[1]) + abs(line.weight[2] * corner[2]);
+    intersection.positionError += transform_.pointError(terms);
+    if (wantsTexCoord()) {
+        const auto uv = triangles_->texCoords(hit.primitive);
+        intersection.texCoord = line.weight[0] * uv[0] + line.weight[1] * uv[1] + line.weight[2] * uv[2];
+    }
+    return intersection;
+}
+
+bool Mesh::touches(const Vec3& point, const Vec3& pointError, std::uint32_t triangle) const {
+    const auto corner = triangles_->corners(triangle);
+    const Vec3 normal = normalObject(triangle), relative = transform_.pointToObject(point) - corner[0];
+    const Vec3 error = transform_.objectError(point, pointError) + gamma(6) * (abs(relative) + abs(corner[0]));
+    return std::abs(glm::dot(normal, relative)) <= glm::dot(abs(normal), error);
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

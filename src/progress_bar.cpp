@@ -1,0 +1,42 @@
+#include "raytracer/progress_bar.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <unistd.h>
+
+namespace raytracer {
+
+namespace {
+constexpr int barWidth = 40;                                   // characters
+constexpr std::chrono::milliseconds quietStart{1000};          // shorter work needs no bar
+constexpr std::chrono::milliseconds betweenFrames{100};
+}  // namespace
+
+ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+    if (drawn_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressBar::progress(double fraction) {
+    const auto now = Clock::now();
+    if (!terminal_ || now - start_ < quietStart || now - last_ < betweenFrames) return;
+    last_ = now;
+    drawn_ = true;
+    const std::chrono::duration<double> elapsed = now - start_;
+    std::fprintf(stderr, "\r\033[K%s", line(fraction, elapsed.count()).c_str());
+    std::fflush(stderr);
+}
+
+std::string ProgressBar::line(double fraction, double elapsedSeconds) {
+    const int filled = static_cast<int>(fraction * barWidth);
+    const double left = fraction > 0 ? elapsedSeconds * (1 - fraction) / fraction : 0;
+    const long seconds = std::lround(left);
+    char tail[64];
+    std::snprintf(tail, sizeof tail, "] %3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
+    return "[" + std::string(static_cast<std::size_t>(filled), '#') +
+           std::string(static_cast<std::size_t>(barWidth - filled), ' ') + tail;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,94 @@
+#include "raytracer/scene_builder.h"
+
+#include <map>
+
+#include "raytracer/mesh.h"
+#include "raytracer/renderer.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+namespace {
+
+Material buildMaterial(const MaterialDescription& description, const SceneDescription& scene) {
+    Material material;
+    material.color_ambient = Color(description.color_ambient);
+    material.color_diffuse = Color(description.color_diffuse);
+    material.color_specular = Color(description.color_specular);
+    material.shininess = static_cast<Real>(description.shininess);
+    material.reflective = description.reflective;
+    material.color_reflect = Color(description.color_reflect);
+    material.refractive = description.refractive;
+    material.color_refract = Color(description.color_refract);
+    material.index_of_refraction = static_cast<Real>(description.index_of_refraction);
+    if (description.use_diffuse_texture)
+        for (const TextureDescription& texture : scene.textures)
+            if (texture.name == description.diffuse_texture) material.diffuse_texture = texture.texture.get();
+    return material;
+}
+
+Light buildLight(const LightDescription& description, const SceneFrame& frame) {
+    long double position[3];
+    frame.pointToFrame(description.position, position);
+    return {Vec3(static_cast<Real>(position[0]), static_cast<Real>(position[1]), static_cast<Real>(position[2])),
+            Color(description.color), Color(description.color_ambient)};
+}
+
+// Shapes that name the same OBJ file share its triangles.
+using MeshCache = std::map<const MeshData*, std::shared_ptr<const TriangleMesh>>;
+
+std::unique_ptr<Shape> buildShape(const ShapeDescription& description, const Transform& transform,
+                                  const Material& material, std::uint32_t index, MeshCache& meshes) {
+    switch (description.type) {
+        case ShapeDescription::Type::Sphere: return std::make_unique<Sphere>(transform, material, index);
+        case ShapeDescription::Type::Plane: return std::make_unique<Plane>(transform, material, index);
+        case ShapeDescription::Type::Cylinder: return std::make_unique<Cylinder>(transform, material, index);
+        case ShapeDescription::Type::Cone: return std::make_unique<Cone>(transform, material, index);
+        case ShapeDescription::Type::Cube: return std::make_unique<Cube>(transform, material, index);
+        case ShapeDescription::Type::Mesh: break;
+    }
+    auto& triangles = meshes[description.mesh.get()];
+    if (!triangles) triangles = std::make_shared<TriangleMesh>(description.mesh);
+    return std::make_unique<Mesh>(transform, material, index, triangles);
+}
+
+class SceneRenderer final : public Renderer {
+  public:
+    explicit SceneRenderer(const SceneDescription& description) : scene_(buildScene(description)) {}
+
+    RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const override {
+        return scene_->render(options, sink, progress);
+    }
+
+  private:
+    std::unique_ptr<const Scene> scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> buildScene(const SceneDescription& description) {
+    auto scene = std::make_unique<Scene>();
+    std::vector<Affine> affines;
+    for (const TransformDescription& transform : description.transforms) affines.push_back(compose(transform));
+    const SceneFrame frame = chooseFrame(description, affines);
+    std::vector<Transform> transforms;
+    for (const Affine& affine : affines) transforms.emplace_back(frame.toFrame(affine));
+
+    scene->camera = Camera(description.camera, frame);
+    for (const TextureDescription& texture : description.textures) scene->textures.push_back(texture.texture);
+    for (const MaterialDescription& material : description.materials)
+        scene->materials.push_back(buildMaterial(material, description));
+    for (const LightDescription& light : description.lights) scene->lights.push_back(buildLight(light, frame));
+    MeshCache meshes;
+    for (const ShapeDescription& shape : description.shapes)
+        scene->shapes.push_back(buildShape(shape, transforms[shape.transform], scene->materials[shape.material],
+                                           static_cast<std::uint32_t>(scene->shapes.size()), meshes));
+    return scene;
+}
+
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& description) {
+    return std::make_unique<SceneRenderer>(description);
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

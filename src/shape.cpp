@@ -1,0 +1,301 @@
+#include "raytracer/shape.h"
+
+#include <algorithm>
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+namespace {
+
+constexpr Real pi = static_cast<Real>(3.14159265358979323846264338327950288L);
+
+// The angle about the z axis as a fraction of a turn, in [0, 1).
+Real turn(const Vec3& p) {
+    const Real u = std::atan2(p.y, p.x) / (2 * pi);
+    return u < 0 ? u + 1 : u;
+}
+
+Vec2 capTexCoord(const Vec3& p) { return {(p.x + 1) / 2, (p.y + 1) / 2}; }
+
+Real radius(const Vec3& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
+
+// Narrows the chord to low <= origin + t * direction <= high, along one axis. Ties keep the face that is there, which
+// the caller has put there because it comes first.
+void clip(Chord& chord, Real entry, Real exit, std::uint32_t entryFace, std::uint32_t exitFace) {
+    if (entry > chord.entry) chord.entry = entry, chord.entryFace = entryFace;
+    if (exit < chord.exit) chord.exit = exit, chord.exitFace = exitFace;
+}
+
+void clipAxis(Chord& chord, Real origin, Real direction, Real low, Real high, std::uint32_t lowFace, std::uint32_t highFace) {
+    const Real toLow = (low - origin) / direction, toHigh = (high - origin) / direction;
+    if (direction > 0)
+        clip(chord, toLow, toHigh, lowFace, highFace);
+    else
+        clip(chord, toHigh, toLow, highFace, lowFace);
+}
+
+// Solids are closed: an edge or a rim that is met in a single point counts, though rounding may have put the exit there
+// before the entry.
+void closeChord(Chord& chord) {
+    const Real slack = gamma(8) * std::max(std::abs(chord.entry), std::abs(chord.exit));
+    chord.hit = chord.hit && chord.entry <= chord.exit + slack;
+    if (chord.hit) chord.exit = std::max(chord.exit, chord.entry);
+}
+
+// |origin + t direction| = 1, by the textbook; with two components, the same for the cylinder. Its discriminant loses digits
+// with the square of the origin's distance, so a distant origin is first moved to the point of closest approach, where
+// nothing cancels (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7).
+template <class Vec>
+Chord unitBallChord(Vec origin, const Vec& direction) {
+    const Real a = glm::dot(direction, direction);
+    Real b = glm::dot(origin, direction), c = glm::dot(origin, origin) - 1, shift = 0;
+    if (c > farSquared) {
+        shift = -b / a;
+        origin += shift * direction;
+        b = glm::dot(origin, direction);
+        c = glm::dot(origin, origin) - 1;
+    }
+    const Real discriminant = b * b - a * c;
+    const Real root = discriminant > 0 ? std::sqrt(discriminant) : 0;
+    return {discriminant >= 0, shift + (-b - root) / a, shift + (-b + root) / a, 0, 0};
+}
+
+// The factor that puts a point back onto the unit circle or sphere, from its squared distance: one Newton step for
+// 1 / sqrt where that is exact to rounding.
+Real backToUnit(Real squared) {
+    return std::abs(squared - 1) < coincidenceWindow ? Real(1.5) - squared / 2 : 1 / std::sqrt(squared);
+}
+
+Chord sphereChord(const ObjectRay& ray) { return unitBallChord(ray.origin, ray.direction); }
+
+Chord cylinderChord(const ObjectRay& ray) {
+    const Vec2 origin(ray.origin), direction(ray.direction);
+    Chord chord{true, -infinity, infinity, 0, 0};
+    if (direction != Vec2(0))
+        chord = unitBallChord(origin, direction);
+    else
+        chord.hit = glm::dot(origin, origin) < 1;
+    if (ray.direction.z != 0)
+        clipAxis(chord, ray.origin.z, ray.direction.z, 0, 1, 2, 1);
+    else
+        chord.hit = chord.hit && ray.origin.z > 0 && ray.origin.z < 1;
+    closeChord(chord);
+    return chord;
+}
+
+// x^2 + y^2 - w^2 = 0 with w = 1 - z, the height below the apex: A t^2 + 2 B t + C = 0.
+struct ConeRoots {
+    bool real;       // a point of the line is on the double cone
+    bool steep;      // A < 0: the line runs inside one nappe, then outside, then inside the other
+    Real low, high;  // the roots, low <= high
+};
+
+ConeRoots coneRoots(const Vec3& p, const Vec3& d) {
+    const Real a = d.x * d.x + d.y * d.y - d.z * d.z;
+    const Real b = p.x * d.x + p.y * d.y - p.z * d.z;
+    const Real r = radius(p), c = (r - p.z) * (r + p.z);
+    // B^2 - A C by Lagrange's identity for this form: products of differences instead of a difference of products.
+    const Vec3 m = glm::cross(p, d);
+    const Real h = std::sqrt(m.x * m.x + m.y * m.y);
+    const Real discriminant = (h - std::abs(m.z)) * (h + std::abs(m.z));
+    const Real root = std::sqrt(std::max(discriminant, Real(0)));
+    const Real q = -(b + std::copysign(root, b));
+    const bool real = discriminant >= 0 || a < 0;  // a steep line always passes the level of the apex, outside
+    if (q == 0) return {real && a != 0, a < 0, 0, 0};
+    const Real first = q / a, second = c / q;  // a == 0: the first is infinite, on the side where the line stays outside
+    return {real, a < 0, std::min(first, second), std::max(first, second)};
+}
+
+Chord coneChord(const ObjectRay& ray) {
+    // From the closest approach to the middle of the axis, so that the coefficients are of order 1 (Haines et al.).
+    const Vec3 fromMiddle = ray.origin - Vec3(0, 0, Real(0.5));
+    const Real shift = -glm::dot(fromMiddle, ray.direction) / glm::dot(ray.direction, ray.direction);
+    const Vec3 closest = ray.origin + shift * ray.direction;
+    const Vec3 p(closest.x, closest.y, 1 - closest.z), d(ray.direction.x, ray.direction.y, -ray.direction.z);
+
+    const ConeRoots roots = coneRoots(p, d);
+    Chord chord{roots.real, roots.low, roots.high, 0, 0};
+    if (roots.steep) {  // the part in the nappe below the apex
+        chord.entry = d.z > 0 ? roots.high : -infinity;
+        chord.exit = d.z > 0 ? infinity : roots.low;
+    }
+    if (d.z != 0)  // w = 0 is no face but the apex, which belongs to the body
+        clipAxis(chord, p.z, d.z, 0, 1, 0, 1);
+    else
+        chord.hit = chord.hit && p.z >= 0 && p.z < 1;
+    closeChord(chord);
+    chord.entry += shift;
+    chord.exit += shift;
+    return chord;
+}
+
+Chord cubeChord(const ObjectRay& ray) {
+    Chord chord{true, -infinity, infinity, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Real origin = ray.origin[axis], direction = ray.direction[axis];
+        const auto highFace = static_cast<std::uint32_t>(2 * axis), lowFace = highFace + 1;
+        if (direction != 0)
+            clipAxis(chord, origin, direction, -1, 1, lowFace, highFace);
+        else
+            chord.hit = chord.hit && std::abs(origin) <= 1;
+    }
+    closeChord(chord);
+    return chord;
+}
+
+}  // namespace
+
+Intersection Shape::rayIntersect(const Ray& ray) const {
+    HitQuery query;
+    intersect(ray, query);
+    return query.found() ? surfaceAt(ray, query.nearest()) : Intersection{};
+}
+
+Intersection Shape::surface(const Hit& hit, const Vec3& pointObject, const Vec3& normalObject) const {
+    Intersection intersection;
+    intersection.valid = true;
+    intersection.t = hit.t;
+    intersection.position = transform_.pointToWorld(pointObject);
+    intersection.positionError = transform_.pointError(pointObject);
+    intersection.normal = normalized(transform_.normalToWorld(normalObject));
+    intersection.material = material_;
+    intersection.shape = this;
+    intersection.primitive = hit.primitive;
+    return intersection;
+}
+
+bool Solid::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
+    const Vec3 error = transform_.objectError(point, pointError);
+    return std::abs(surfaceOffset(transform_.pointToObject(point))) <= error.x + error.y + error.z;
+}
+
+Vec3 Solid::pointObject(const Ray& ray, const Hit& hit) const {
+    const ObjectRay object = transform_.toObject(ray);
+    return object.origin + (hit.t / transform_.worldPerObjectT()) * object.direction;
+}
+
+template <class ChordFinder>
+void Solid::offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) const {
+    const bool leavesThis = ray.departure.shape == this;
+    if (leavesThis && !ray.departure.inside) return;
+    ++query.tests;
+    const Chord chord = chordOf(transform_.toObject(ray));
+    const Real scale = transform_.worldPerObjectT();
+    if (leavesThis) return query.offer(std::max(Real(0), chord.exit * scale), *this, chord.exitFace);
+    if (!chord.hit || !(chord.exit >= 0)) return;
+
+    bool entering = chord.entry >= 0;
+    if ((entering ? chord.entry : chord.exit) * scale > query.limit()) return;
+    if (ray.departure.shape && touches(ray.origin, ray.departure.positionError, 0)) {
+        // One of the chord's ends is the ray's origin: the one nearer to it. Only the other counts.
+        if (std::abs(chord.exit) < std::abs(chord.entry)) return;
+        entering = false;
+    }
+    if (entering)
+        query.offer(chord.entry * scale, *this, chord.entryFace);
+    else
+        query.offer(chord.exit * scale, *this, chord.exitFace);
+}
+
+// Sphere
+
+void Sphere::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray, query, sphereChord); }
+
+Intersection Sphere::surfaceAt(const Ray& ray, const Hit& hit) const {
+    const Vec3 normal = pointObject(ray, hit), p = normal * backToUnit(glm::dot(normal, normal));
+    Intersection intersection = surface(hit, p, normal);
+    if (wantsTexCoord()) intersection.texCoord = {turn(p), 1 - std::acos(glm::clamp(p.z, Real(-1), Real(1))) / pi};
+    return intersection;
+}
+
+Real Sphere::surfaceOffset(const Vec3& p) const { return glm::length(p) - 1; }
+
+// Cylinder
+
+void Cylinder::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray, query, cylinderChord); }
+
+Intersection Cylinder::surfaceAt(const Ray& ray, const Hit& hit) const {
+    Vec3 p = pointObject(ray, hit);
+    const Real squared = p.x * p.x + p.y * p.y;
+    const bool body = hit.primitive == 0;
+    Vec3 normal(p.x, p.y, 0);
+    if (body || squared > 1) p.x *= backToUnit(squared), p.y *= backToUnit(squared);
+    p.z = body ? glm::clamp(p.z, Real(0), Real(1)) : Real(hit.primitive == 1);
+    if (!body) normal = Vec3(0, 0, 2 * p.z - 1);
+    Intersection intersection = surface(hit, p, normal);
+    if (wantsTexCoord()) intersection.texCoord = body ? Vec2(turn(p), p.z) : capTexCoord(p);
+    return intersection;
+}
+
+Real Cylinder::surfaceOffset(const Vec3& p) const {
+    return std::max(radius(p) - 1, std::max(-p.z, p.z - 1));
+}
+
+// Cone
+
+void Cone::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray, query, coneChord); }
+
+Intersection Cone::surfaceAt(const Ray& ray, const Hit& hit) const {
+    Vec3 p = pointObject(ray, hit);
+    const bool body = hit.primitive == 0;
+    p.z = body ? glm::clamp(p.z, Real(0), Real(1)) : Real(0);
+    const Real r = radius(p), w = 1 - p.z;
+    if (r > 0 && (body || r > 1)) p.x *= w / r, p.y *= w / r;
+    Vec3 normal(0, 0, -1);
+    if (body) normal = w > 0 && r > 0 ? Vec3(p.x, p.y, w) : Vec3(0, 0, 1);  // at the apex the gradient vanishes
+    Intersection intersection = surface(hit, p, normal);
+    if (wantsTexCoord()) intersection.texCoord = body ? Vec2(turn(p), p.z) : capTexCoord(p);
+    return intersection;
+}
+
+Real Cone::surfaceOffset(const Vec3& p) const {
+    constexpr auto perpendicular = static_cast<Real>(0.70710678118654752440084436210484904L);  // sqrt(1/2): a slope of 45 degrees
+    return std::max((radius(p) - (1 - p.z)) * perpendicular, -p.z);
+}
+
+// Cube
+
+void Cube::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray, query, cubeChord); }
+
+Intersection Cube::surfaceAt(const Ray& ray, const Hit& hit) const {
+    const int axis = static_cast<int>(hit.primitive / 2);
+    const Real side = hit.primitive % 2 == 0 ? 1 : -1;
+    Vec3 p = glm::clamp(pointObject(ray, hit), Real(-1), Real(1)), normal(0);
+    p[axis] = normal[axis] = side;
+    Intersection intersection = surface(hit, p, normal);
+    if (wantsTexCoord()) {
+        const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+        intersection.texCoord = {(p[first] + 1) / 2, (p[second] + 1) / 2};
+    }
+    return intersection;
+}
+
+Real Cube::surfaceOffset(const Vec3& p) const { return maxComponent(abs(p)) - 1; }
+
+// Plane
+
+void Plane::intersect(const Ray& ray, HitQuery& query) const {
+    if (ray.departure.shape == this) return;
+    ++query.tests;
+    const ObjectRay object = transform_.toObject(ray);
+    const Real t = -object.origin.z / object.direction.z * transform_.worldPerObjectT();
+    if (!(t >= 0 && t <= query.limit()) || object.direction.z == 0) return;
+    if (ray.departure.shape && touches(ray.origin, ray.departure.positionError, 0)) return;
+    query.offer(t, *this, 0);
+}
+
+Intersection Plane::surfaceAt(const Ray& ray, const Hit& hit) const {
+    const ObjectRay object = transform_.toObject(ray);
+    Vec3 p = object.origin + (hit.t / transform_.worldPerObjectT()) * object.direction;
+    p.z = 0;
+    Intersection intersection = surface(hit, p, {0, 0, 1});
+    if (wantsTexCoord()) intersection.texCoord = capTexCoord(p) - glm::floor(capTexCoord(p));
+    return intersection;
+}
+
+bool Plane::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
+    return std::abs(transform_.pointToObject(point).z) <= transform_.objectError(point, pointError).z;
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer
