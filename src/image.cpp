@@ -1,0 +1,184 @@
+#include "raytracer/image.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string_view>
+
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include "raytracer/file_bytes.h"
+
+namespace raytracer {
+namespace {
+
+// Measured by bench/png_levels.cpp (Notes.txt).
+constexpr int pngFilter = 2;
+constexpr int deflateLevel = 4;
+
+constexpr std::size_t channels = 3;
+constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
+
+using Decoded = std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>;
+
+Decoded decode(const FileBytes& file, int& width, int& height) {
+    if (file.size() > largestStbSize) throw ImageError("cannot decode: the file is over 2 GiB");
+    int channelsInFile = 0;
+    stbi_uc* const pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.begin()),
+                                                  static_cast<int>(file.size()), &width, &height, &channelsInFile,
+                                                  static_cast<int>(channels));
+    if (!pixels) throw ImageError(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
+    return {pixels, &stbi_image_free};
+}
+
+// stb fills the rest of a JPEG that stops in the middle with grey. In a picture's data 0xff is never followed by 0xd9,
+// so those two are its end marker.
+bool isTruncatedJpeg(std::string_view file) {
+    return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
+}
+
+// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a little larger
+// than both, so half of what int holds is surely enough.
+void requireEncodable(const ByteImage& image) {
+    const std::size_t rowBytes = static_cast<std::size_t>(image.width) * channels + 1;
+    if (rowBytes * static_cast<std::size_t>(image.height) > largestStbSize / 2)
+        throw ImageError("cannot write: the picture is too large for PNG");
+}
+
+std::vector<char> encodePng(const ByteImage& image) {
+    stbi_write_force_png_filter = pngFilter;
+    stbi_write_png_compression_level = deflateLevel;
+    std::vector<char> png;
+    const auto append = [](void* to, void* bytes, int count) {
+        const auto* const begin = static_cast<const char*>(bytes);
+        static_cast<std::vector<char>*>(to)->assign(begin, begin + count);
+    };
+    if (!stbi_write_png_to_func(append, &png, image.width, image.height, static_cast<int>(channels),
+                                image.pixels.data(), 0))
+        throw ImageError("cannot write: not enough memory");
+    return png;
+}
+
+void write(const std::string& path, std::span<const std::span<const char>> parts) try {
+    writeFile(path, parts);
+} catch (const FileError& error) {
+    throw ImageError(error.what());
+}
+
+// The header of a PFM: "PF", width, height, scale, whose sign tells the byte order (negative: little endian) and whose
+// size is a unit that no program agrees on, so it is read past; one blank; then the rows, bottom row first.
+struct PfmHeader {
+    int width = 0, height = 0;
+    std::endian order = std::endian::little;
+    const char* rows = nullptr;
+};
+
+std::string_view nextWord(const char*& p, const char* end) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const auto isBlank = [&](char c) { return blanks.find(c) != blanks.npos; };
+    const char* const begin = std::find_if_not(p, end, isBlank);
+    p = std::find_if(begin, end, isBlank);
+    return {begin, p};
+}
+
+template <class Number>
+Number parseWhole(std::string_view word, const char* what) {
+    Number number{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size())
+        throw ImageError(std::string("not a PFM picture: its ") + what + " is no number");
+    return number;
+}
+
+PfmHeader readPfmHeader(const FileBytes& file) {
+    const char* p = file.begin();
+    if (nextWord(p, file.end()) != "PF") throw ImageError("not a colour PFM picture: it does not begin with \"PF\"");
+    PfmHeader header;
+    header.width = parseWhole<int>(nextWord(p, file.end()), "width");
+    header.height = parseWhole<int>(nextWord(p, file.end()), "height");
+    const double scale = parseWhole<double>(nextWord(p, file.end()), "scale");
+    if (header.width < 1 || header.height < 1) throw ImageError("not a PFM picture: it has no pixels");
+    header.order = scale < 0 ? std::endian::little : std::endian::big;
+    header.rows = std::min(p + 1, file.end());
+    return header;
+}
+
+std::size_t pixelBytes(const PfmHeader& header) {
+    return static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) * channels * sizeof(float);
+}
+
+// GCC and Clang see the byte swap in this.
+float swapBytes(float value) {
+    auto bytes = std::bit_cast<std::array<char, sizeof value>>(value);
+    std::ranges::reverse(bytes);
+    return std::bit_cast<float>(bytes);
+}
+
+FloatImage decodePfm(const FileBytes& file) {
+    const PfmHeader header = readPfmHeader(file);
+    const auto left = static_cast<std::size_t>(file.end() - header.rows);
+    if (left < pixelBytes(header)) throw ImageError("broken PFM picture: it ends before its last pixel");
+    FloatImage image{header.width, header.height, std::vector<float>(pixelBytes(header) / sizeof(float))};
+    const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
+    const char* row = header.rows + pixelBytes(header);
+    for (float* to = image.pixels.data(); row != header.rows; to += rowBytes / sizeof(float))
+        std::memcpy(to, row -= rowBytes, rowBytes);
+    if (header.order != std::endian::native)
+        std::ranges::transform(image.pixels, image.pixels.begin(), swapBytes);
+    return image;
+}
+
+}  // namespace
+
+// Equal to lround, whose call costs more than all of this: the subtraction is exact (Sterbenz).
+std::uint8_t toByte(double channel) {
+    if (!(channel > 0)) return 0;
+    const double scaled = 255 * std::min(channel, 1.0);
+    const int whole = static_cast<int>(scaled);
+    return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5));
+}
+
+ByteImage readImage(const std::string& path) try {
+    const FileBytes file(path);
+    ByteImage image;
+    const Decoded pixels = decode(file, image.width, image.height);
+    if (isTruncatedJpeg({file.begin(), file.end()})) throw ImageError("broken JPEG picture: it has no end marker");
+    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
+    image.pixels.assign(pixels.get(), pixels.get() + count);
+    return image;
+} catch (const FileError& error) {
+    throw ImageError(error.what());
+}
+
+FloatImage readPfm(const std::string& path) try {
+    return decodePfm(FileBytes(path));
+} catch (const FileError& error) {
+    throw ImageError(error.what());
+}
+
+void writePng(const std::string& path, const ByteImage& image) {
+    requireEncodable(image);
+    const std::vector<char> png = encodePng(image);
+    const std::span<const char> whole = png;
+    write(path, {&whole, 1});
+}
+
+void writePfm(const std::string& path, const FloatImage& image) {
+    const char* const scale = std::endian::native == std::endian::little ? "-1.0" : "1.0";
+    const std::string header =
+        "PF\n" + std::to_string(image.width) + ' ' + std::to_string(image.height) + '\n' + scale + '\n';
+    const std::size_t rowFloats = static_cast<std::size_t>(image.width) * channels;
+    std::vector<std::span<const char>> parts{header};
+    for (auto y = static_cast<std::size_t>(image.height); y-- > 0;)
+        parts.emplace_back(reinterpret_cast<const char*>(image.pixels.data() + y * rowFloats),
+                           rowFloats * sizeof(float));
+    write(path, parts);
+}
+
+}  // namespace raytracer
