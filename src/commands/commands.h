@@ -7,4 +7,7 @@ namespace raytracer::commands {
 // raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS [options]: the default, without a name of its own.
 int render(int argc, char** argv);
 
+// raytracer compare A B [options]: how much two pictures differ.
+int compare(int argc, char** argv);
+
 }  // namespace raytracer::commands

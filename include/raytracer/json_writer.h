@@ -1,0 +1,62 @@
+// Writes JSON, for --stats, --json and the reports: a string that grows from left to right.
+//
+//     JsonWriter json;
+//     json.beginObject();
+//     json.key("size").beginArray().value(600).value(400).endArray();
+//     json.endObject();
+//     puts(json.text().c_str());
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raytracer {
+
+// The caller keeps the grammar (in an object every value has its key, what begins ends); nothing is checked. Objects
+// take a line for each key, arrays of plain values a single line.
+class JsonWriter {
+  public:
+    JsonWriter& beginObject() { return begin('{'); }
+    JsonWriter& endObject() { return end('}'); }
+    JsonWriter& beginArray() { return begin('['); }
+    JsonWriter& endArray() { return end(']'); }
+
+    JsonWriter& key(std::string_view name);
+
+    // Text is UTF-8. A number reads back as the very same double; what JSON has no number for (infinities, NaN) is null.
+    JsonWriter& value(std::string_view text);
+    JsonWriter& value(const char* text) { return value(std::string_view(text)); }
+    JsonWriter& value(double number);
+    template <std::integral Number>
+    JsonWriter& value(Number number) {
+        if constexpr (std::same_as<Number, bool>) return plain(number ? "true" : "false");
+        else return plain(std::to_string(number));
+    }
+    JsonWriter& null() { return plain("null"); }
+
+    const std::string& text() const { return text_; }
+
+  private:
+    struct Container {
+        bool empty = true;
+        bool lines = false;  // its elements take a line each
+    };
+
+    JsonWriter& begin(char bracket);
+    JsonWriter& end(char bracket);
+    JsonWriter& plain(std::string_view token);
+    void separate(bool onItsOwnLine);
+    void newLine();
+
+    std::string text_;
+    std::vector<Container> open_;
+    bool afterKey_ = false;
+};
+
+// `text` with quotes around it and what JSON forbids in a string escaped; also "<", so that it can stand in a <script>.
+std::string jsonString(std::string_view text);
+
+}  // namespace raytracer

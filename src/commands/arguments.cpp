@@ -1,0 +1,24 @@
+#include "commands/arguments.h"
+
+namespace raytracer::commands {
+
+std::optional<int> parseArguments(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& end) {
+        return app.exit(end) == 0 ? 0 : 2;
+    }
+    return std::nullopt;
+}
+
+void addThresholds(CLI::App& app, Thresholds& thresholds) {
+    app.add_option("--max-pixels", thresholds.maxPixels, "Exit status 1 where more pixels than this differ (0)");
+    app.add_option("--tolerance", thresholds.tolerance,
+                   "A pixel differs for --max-pixels where a channel does by more than this, of 255 (0)")
+        ->check(CLI::Range(0, 255));
+    app.add_option("--min-score", thresholds.minScore,
+                   "Exit status 1 where the score is lower; alone, it decides without regard to the pixels")
+        ->check(CLI::Range(0, 100));
+}
+
+}  // namespace raytracer::commands

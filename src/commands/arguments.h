@@ -1,0 +1,19 @@
+// What the commands' command lines have in common.
+#pragma once
+
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "raytracer/compare.h"
+
+namespace raytracer::commands {
+
+// Parses the command line. Where the process is to end with that, its exit status: 0 for --help, 2 for wrong usage
+// (CLI11 has numbers of its own above 100), which has been said on stderr.
+std::optional<int> parseArguments(CLI::App& app, int argc, char** argv);
+
+// --max-pixels, --tolerance, --min-score: the options that decide what counts as the same picture.
+void addThresholds(CLI::App& app, Thresholds& thresholds);
+
+}  // namespace raytracer::commands

@@ -1,0 +1,124 @@
+// raytracer compare A B: how much two pictures differ.
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "commands/arguments.h"
+#include "commands/commands.h"
+#include "raytracer/compare.h"
+#include "raytracer/json_writer.h"
+
+namespace raytracer::commands {
+
+namespace {
+
+constexpr const char* footer = R"(What the numbers mean:
+  score    the course autograder's: each pixel is held against the 3 x 3 pixels around it in the
+           other picture, so that an edge may be off by one; 100 - 1000 * mean / 255
+  speckle  pixels that stand alone in one picture and not in the other, which the score can't see
+  PSNR     20 log10(255 / RMSE); from about 50 dB on, nobody sees the difference
+  In PFM pictures mean, RMSE and maximum are of the linear floats (PSNR: of 1 / RMSE), the rest of
+  the bytes that the floats would be in a PNG.
+
+Exit status: 0 the same, 1 not, 2 they can't be compared (missing, broken, different sizes).
+Without an option the same means that no pixel differs.
+
+Examples:
+  raytracer compare mine.png reference.png
+  raytracer compare mine.png reference.png --diff difference.png
+  raytracer compare mine.png reference.png --tolerance 1 --max-pixels 3   up to 3 pixels off by more than 1
+  raytracer compare mine.png reference.png --min-score 95                 as the autograder sees it
+  raytracer compare mine.pfm reference.pfm --json                         for a script to read)";
+
+struct CompareArguments {
+    std::string a, b, diff;
+    bool json = false;
+    Thresholds thresholds;
+
+    void addTo(CLI::App& app) {
+        app.add_option("A", a, "A picture: .png, or .pfm (linear float32)")->required();
+        app.add_option("B", b, "A picture of the same size")->required();
+        app.add_option("--diff", diff, "Write the difference as a picture: black where equal, 64 + 8 d where off by d");
+        app.add_flag("--json", json, "Print the numbers as JSON");
+        addThresholds(app, thresholds);
+        app.footer(footer);
+    }
+};
+
+void printJson(const Comparison& c, bool same) {
+    JsonWriter json;
+    json.beginObject();
+    json.key("width").value(c.width);
+    json.key("height").value(c.height);
+    json.key("differing").value(c.pixelsOver(0));
+    json.key("differing_by_more_than_1").value(c.pixelsOver(1));
+    json.key("differing_by_more_than_8").value(c.pixelsOver(8));
+    json.key("mean").value(c.mean);
+    json.key("rmse").value(c.rmse);
+    json.key("psnr").value(c.psnr);  // null: infinite, the pictures are equal
+    json.key("maximum").value(c.maximum);
+    json.key("worst").beginArray().value(c.worstX).value(c.worstY).endArray();
+    json.key("score").value(c.score);
+    json.key("speckle").value(c.speckle);
+    json.key("within").value(same);
+    json.endObject();
+    std::printf("%s\n", json.text().c_str());
+}
+
+void printCount(const char* name, std::uint64_t count, const Comparison& c) {
+    const double pixels = static_cast<double>(c.width) * c.height;
+    std::printf("  %-20s %10llu  (%.3g %%)\n", name, static_cast<unsigned long long>(count),
+                100 * static_cast<double>(count) / pixels);
+}
+
+void printText(const Comparison& c) {
+    std::printf("%d x %d pixels\n", c.width, c.height);
+    printCount("pixels that differ", c.pixelsOver(0), c);
+    printCount("by more than 1", c.pixelsOver(1), c);
+    printCount("by more than 8", c.pixelsOver(8), c);
+    printCount("speckle", c.speckle, c);
+    std::printf("  %-20s %10.6g\n  %-20s %10.6g\n", "mean", c.mean, "RMSE", c.rmse);
+    if (std::isinf(c.psnr))
+        std::printf("  %-20s %10s\n", "PSNR", c.psnr > 0 ? "infinite" : "-infinite");
+    else
+        std::printf("  %-20s %10.4g dB\n", "PSNR", c.psnr);
+    std::printf("  %-20s %10.6g  at (%d, %d)\n", "maximum", c.maximum, c.worstX, c.worstY);
+    std::printf("  %-20s %10d\n", "score", c.score);
+}
+
+void writeDifference(const std::string& path, const Picture& a, const Picture& b) {
+    try {
+        writePng(path, amplifiedDifference(toBytes(a), toBytes(b)));
+    } catch (const ImageError& error) {
+        throw ImageError(path + ": " + error.what());
+    }
+}
+
+int comparePictures(const CompareArguments& arguments) {
+    const Picture a = readPicture(arguments.a), b = readPicture(arguments.b);
+    const Comparison comparison = compareImages(a, b);
+    const bool same = within(comparison, arguments.thresholds);
+    if (!arguments.diff.empty()) writeDifference(arguments.diff, a, b);
+    if (arguments.json)
+        printJson(comparison, same);
+    else
+        printText(comparison);
+    return same ? 0 : 1;
+}
+
+}  // namespace
+
+int compare(int argc, char** argv) {
+    CLI::App app("Says how much two pictures differ.", "raytracer compare");
+    CompareArguments arguments;
+    arguments.addTo(app);
+    if (const auto status = parseArguments(app, argc, argv)) return *status;
+    try {
+        return comparePictures(arguments);
+    } catch (const ImageError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
+}
+
+}  // namespace raytracer::commands
