@@ -6,6 +6,7 @@
 
 #include <sys/resource.h>
 
+#include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/render_arguments.h"
 #include "raytracer/json_writer.h"
@@ -144,7 +145,7 @@ int render(int argc, char** argv) {
         ->required()->check(CLI::Range(1, 65536));
     app.add_flag("--stats", stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     app.footer(footer);
-    CLI11_PARSE(app, argc, argv);
+    if (const auto status = parseArguments(app, argc, argv)) return *status;
     try {
         return renderPicture(arguments, out, stats);
     } catch (const SceneError& error) {
