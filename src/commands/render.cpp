@@ -64,6 +64,7 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     json.key("refraction").value(counts.refraction);
     json.endObject();
     json.key("intersection_tests").value(counts.tests);
+    json.key("cutoff_bound").value(counts.cutoffBound);
     json.key("seconds").beginObject();
     json.key("load").value(timings.load);
     json.key("build").value(timings.build);
