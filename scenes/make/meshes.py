@@ -61,7 +61,59 @@ def mountains():
     save("mountains", "a low-poly mountain range", positions, texcoords, faces)
 
 
-MAKERS = [mountains]
+def quads(columns, rows):
+    """Corners (i, j) of the quads of a grid, anticlockwise for i to the right and j up."""
+    for i in range(columns):
+        for j in range(rows):
+            yield (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
+
+
+def torus():
+    """Radii .7 and .3 around z; u along the ring, v around the tube."""
+    ring, tube = 64, 24
+    positions, texcoords, faces = [], [], []
+    for i in range(ring):
+        for j in range(tube):
+            a, b = 2 * np.pi * i / ring, 2 * np.pi * j / tube
+            r = .7 + .3 * np.cos(b)
+            positions.append((r * np.cos(a), r * np.sin(a), .3 * np.sin(b)))
+    for i in range(ring + 1):
+        for j in range(tube + 1):
+            texcoords.append((i / ring, j / tube))
+    for corners in quads(ring, tube):
+        faces.append([(i % ring * tube + j % tube, i * (tube + 1) + j) for i, j in corners])
+    save("torus", "a torus", positions, texcoords, faces)
+
+
+def shell():
+    """A sea snail: a tube around a conical spiral, axis z up, about 1 unit tall; u along the spiral, v around the tube."""
+    steps, tube, turns = 150, 22, 5.2
+    positions, texcoords, faces = [], [], []
+    for i in range(steps + 1):
+        t = i / steps
+        angle = 2 * np.pi * turns * t
+        grow = .055 ** t                       # each turn is a copy of the last, smaller
+        for j in range(tube + 1):
+            b = 2 * np.pi * j / tube
+            flute = 1 + .05 * np.cos(22 * np.pi * turns * t) * (np.cos(b) > -.2)
+            out = grow * (.30 + .30 * flute * np.cos(b))
+            up = 1.02 - grow * (.84 - .36 * flute * np.sin(b) - .10 * np.cos(b))
+            if j < tube:
+                positions.append((out * np.cos(angle), out * np.sin(angle), up))
+            texcoords.append((t, j / tube))
+    for (i, j), (k, _), _, (_, m) in quads(steps, tube):
+        loop = [(i, j), (k, j), (k, m), (i, m)]
+        faces.append([(a * tube + b % tube, a * (tube + 1) + b) for a, b in loop])
+    for ring, order in ((0, 1), (steps, -1)):  # lids at the mouth and at the tip
+        positions.append(np.mean(positions[ring * tube:(ring + 1) * tube], axis=0))
+        texcoords.append((ring / steps, .5))
+        for j in range(tube):
+            pair = [(ring * tube + (j + 1) % tube, ring * (tube + 1) + j + 1), (ring * tube + j, ring * (tube + 1) + j)][::order]
+            faces.append([(len(positions) - 1, len(texcoords) - 1)] + pair)
+    save("shell", "a sea snail's shell", positions, texcoords, faces)
+
+
+MAKERS = [mountains, torus, shell]
 
 if __name__ == "__main__":
     OUT.mkdir(exist_ok=True)
