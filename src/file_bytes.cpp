@@ -113,7 +113,6 @@ FileBytes::~FileBytes() {
 void writeFile(const std::string& path, std::span<const std::span<const char>> parts) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (std::filesystem::is_directory(status)) fail("cannot write", EISDIR);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
         writeParts(path, 0, parts);
     } else {

@@ -44,8 +44,8 @@ Decoded decode(const FileBytes& file, int& width, int& height) {
     return {pixels, &stbi_image_free};
 }
 
-// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a little larger
-// than both, so half of what int holds is surely enough.
+// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a little
+// larger than both, so half of what int holds is surely enough.
 void requireEncodable(const ByteImage& image) {
     const std::size_t rowBytes = static_cast<std::size_t>(image.width) * channels + 1;
     if (rowBytes * static_cast<std::size_t>(image.height) > largestStbSize / 2)

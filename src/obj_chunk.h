@@ -1,5 +1,6 @@
-// One chunk of an OBJ file: whole lines of its text. Every chunk is first counted, then parsed knowing what stands above
-// it and in the whole file, so that chunks can be parsed at the same time, in any order, with the errors of one pass.
+// One chunk of an OBJ file: whole lines of its text. Every chunk is first counted, then parsed knowing what stands
+// above it and in the whole file, so that chunks can be parsed at the same time, in any order, with the errors of one
+// pass.
 #pragma once
 
 #include <cstddef>

@@ -27,8 +27,8 @@ public:
     }
 
     std::size_t fileCount() const {
-        const auto count = std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator());
-        return static_cast<std::size_t>(count);
+        const std::filesystem::directory_iterator begin(path_), end;
+        return static_cast<std::size_t>(std::distance(begin, end));
     }
 
 private:

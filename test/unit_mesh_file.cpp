@@ -94,7 +94,8 @@ TEST_CASE("OBJ text as programs write it") {
 }
 
 TEST_CASE("OBJ numbers are correctly rounded") {
-    const MeshData mesh = parse("v 0.30000000000000004 9007199254740993 1e-400\nv 4.9e-324 -1e23 0.1\nv 0 0 0\nf 1 2 3");
+    const MeshData mesh =
+        parse("v 0.30000000000000004 9007199254740993 1e-400\nv 4.9e-324 -1e23 0.1\nv 0 0 0\nf 1 2 3");
     CHECK(mesh.positions[0] == glm::dvec3(0.30000000000000004, 9007199254740992.0, 0));
     CHECK(mesh.positions[1] == glm::dvec3(4.9e-324, -1e23, 0.1));
 }
@@ -121,7 +122,8 @@ TEST_CASE("A broken OBJ is told with the line") {
     SECTION("indices") {
         check(square + "f 1 2 5\n", "line 5: there is no vertex 5: the file has 4");
         check(square + "f 1 2 -5\nv 0 0 0\n", "line 5: there is no vertex -5: above this line stand 4");
-        check(square + "f 1/1 2/1 3/1\nvt 0 0\nf 1/1 2/2 3/1", "line 7: there is no texture coordinate 2: the file has 1");
+        check(square + "f 1/1 2/1 3/1\nvt 0 0\nf 1/1 2/2 3/1",
+              "line 7: there is no texture coordinate 2: the file has 1");
         check(square + "f 1/-1 2/-1 3/-1\nvt 0 0\n",
               "line 5: there is no texture coordinate -1: above this line stand 0");
         check(square + "f 1//1 2//1 3//1", "line 5: there is no normal 1: the file has 0");
