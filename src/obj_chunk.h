@@ -18,7 +18,7 @@ struct ObjCounts {
     ObjCounts& operator+=(const ObjCounts& other);
 };
 
-// As MeshData's; texCoordIndex is empty when no corner in the chunk has a vt.
+// As MeshData's, but texCoordIndex ends with the last triangle that has texture coordinates.
 struct ObjTriangles {
     std::vector<std::uint32_t> positionIndex, texCoordIndex;
 };
