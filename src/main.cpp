@@ -13,7 +13,7 @@ struct Command {
 };
 
 constexpr Command commandTable[] = {
-    {"render", raytracer::commands::render},
+    {"compare", raytracer::commands::compare},
 };
 
 int dispatch(int argc, char** argv) {

@@ -53,6 +53,7 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
     reflection += other.reflection;
     refraction += other.refraction;
     tests += other.tests;
+    cutoffBound = std::max(cutoffBound, other.cutoffBound);
     return *this;
 }
 

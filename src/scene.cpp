@@ -28,14 +28,14 @@ Intersection Scene::closestIntersection(const Ray& ray, RenderContext& context) 
     return hit.shape ? hit.shape->surfaceAt(ray, hit) : Intersection{};
 }
 
-Color Scene::rayColor(const Ray& ray, int max_recursion, RenderContext& context) const {
+Color Scene::rayColor(const Ray& ray, const RayPath& path, RenderContext& context) const {
     const Intersection hit = closestIntersection(ray, context);
     if (!hit.valid) return Color(0);
-    const ShadingPoint point(ray, hit);
+    const ShadingPoint point(ray, hit, context.options->bilinear);
     Color color = lightColor(point, context);
-    if (max_recursion > 0) {
-        color += reflectedColor(point, max_recursion, context);
-        color += refractedColor(point, max_recursion, context);
+    if (path.max_recursion > 0) {
+        color += reflectedColor(point, path, context);
+        color += refractedColor(point, path, context);
     }
     return color;
 }
@@ -64,23 +64,58 @@ Color Scene::shadowFactor(const ShadingPoint& point, const Vec3& toLight, const 
     return material.refractive ? material.color_refract : Color(0);
 }
 
-Color Scene::reflectedColor(const ShadingPoint& point, int max_recursion, RenderContext& context) const {
+Color Scene::reflectedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const {
     const Material& material = *point.hit->material;
     if (!material.reflective || isBlack(material.color_reflect)) return Color(0);
+    const RayPath onwards{path.weight * material.color_reflect, path.max_recursion - 1};
+    if (!isWorthCasting(onwards, context)) return Color(0);
     ++context.counts.reflection;
     const Ray reflected = point.leave(reflectedDirection(point), ShadingPoint::Side::Near);
-    return material.color_reflect * rayColor(reflected, max_recursion - 1, context);
+    return material.color_reflect * rayColor(reflected, onwards, context);
 }
 
-Color Scene::refractedColor(const ShadingPoint& point, int max_recursion, RenderContext& context) const {
+Color Scene::refractedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const {
     const Material& material = *point.hit->material;
     Vec3 direction;
     if (!context.options->refraction || !material.refractive || isBlack(material.color_refract) ||
         !refractedDirection(point, direction))
         return Color(0);
+    const RayPath onwards{path.weight * material.color_refract, path.max_recursion - 1};
+    if (!isWorthCasting(onwards, context)) return Color(0);
     ++context.counts.refraction;
     const Ray refracted = point.leave(direction, ShadingPoint::Side::Far);
-    return material.color_refract * rayColor(refracted, max_recursion - 1, context);
+    return material.color_refract * rayColor(refracted, onwards, context);
+}
+
+bool Scene::isWorthCasting(const RayPath& path, RenderContext& context) const {
+    if (!context.brightest) return true;
+    const Color most = abs(path.weight) * context.brightest[path.max_recursion];
+    const auto change = static_cast<double>(maxComponent(most));
+    if (change >= context.options->cutoff) return true;
+    context.dropped += change;
+    return false;
+}
+
+std::vector<Color> Scene::brightestColors(int max_recursion) const {
+    Color ambient(0), lit(0), shadow(1);
+    for (const Light& light : lights) {
+        ambient += abs(light.color_ambient);
+        lit += abs(light.color);
+    }
+    for (const Material& material : materials)
+        if (material.refractive) shadow = glm::max(shadow, abs(material.color_refract));
+    std::vector<Color> brightest;
+    for (Color onwards(0); static_cast<int>(brightest.size()) <= max_recursion; onwards = brightest.back()) {
+        Color most(0);
+        for (const Material& m : materials) {
+            Color color = abs(m.color_ambient) * ambient + (abs(m.color_diffuse) + abs(m.color_specular)) * lit * shadow;
+            if (m.reflective) color += abs(m.color_reflect) * onwards;
+            if (m.refractive) color += abs(m.color_refract) * onwards;
+            most = glm::max(most, color);
+        }
+        brightest.push_back(most);
+    }
+    return brightest;
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

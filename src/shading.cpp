@@ -10,16 +10,28 @@ namespace {
 // v mirrored at the unit vector n: 2 (n.v) n - v.
 Vec3 mirrored(const Vec3& v, const Vec3& n) { return 2 * glm::dot(n, v) * n - v; }
 
+// The texel of a column and row that are whole numbers, kept within the image.
+Color texel(const Texture& texture, Real column, Real row) {
+    const auto within = [](Real place, int count) {
+        return static_cast<std::size_t>(glm::clamp(place, Real(0), static_cast<Real>(count - 1)));
+    };
+    const std::size_t index = within(row, texture.height) * static_cast<std::size_t>(texture.width) +
+                              within(column, texture.width);
+    const std::uint8_t* rgb = &texture.texels[3 * index];
+    return Color(rgb[0], rgb[1], rgb[2]) / Real(255);
+}
+
 }  // namespace
 
-ShadingPoint::ShadingPoint(const Ray& ray, const Intersection& intersection)
+ShadingPoint::ShadingPoint(const Ray& ray, const Intersection& intersection, bool bilinear)
     : hit(&intersection),
       V(normalized(-ray.direction)),
       N(intersection.normal),
       entering(glm::dot(V, intersection.normal) >= 0),
       K_D(intersection.material->color_diffuse) {
     if (!entering) N = -N;
-    if (const Texture* texture = intersection.material->diffuse_texture) K_D *= lookUp(*texture, intersection.texCoord);
+    if (const Texture* texture = intersection.material->diffuse_texture)
+        K_D *= bilinear ? lookUpBilinear(*texture, intersection.texCoord) : lookUp(*texture, intersection.texCoord);
 }
 
 Ray ShadingPoint::leave(const Vec3& direction, Side side) const {
@@ -60,15 +72,17 @@ bool refractedDirection(const ShadingPoint& point, Vec3& direction) {
 }
 
 Color lookUp(const Texture& texture, const Vec2& texCoord) {
-    const auto nearest = [](Real fraction, int count) {
-        const Real texel = std::floor(fraction * static_cast<Real>(count));
-        return static_cast<int>(glm::clamp(texel, Real(0), static_cast<Real>(count - 1)));
-    };
-    const int column = nearest(texCoord.x, texture.width), row = nearest(1 - texCoord.y, texture.height);
-    const std::size_t texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(texture.width) +
-                              static_cast<std::size_t>(column);
-    const std::uint8_t* rgb = &texture.texels[3 * texel];
-    return Color(rgb[0], rgb[1], rgb[2]) / Real(255);
+    return texel(texture, std::floor(texCoord.x * static_cast<Real>(texture.width)),
+                 std::floor((1 - texCoord.y) * static_cast<Real>(texture.height)));
+}
+
+Color lookUpBilinear(const Texture& texture, const Vec2& texCoord) {
+    const Real x = texCoord.x * static_cast<Real>(texture.width) - Real(0.5);
+    const Real y = (1 - texCoord.y) * static_cast<Real>(texture.height) - Real(0.5);
+    const Real left = std::floor(x), top = std::floor(y);
+    const Color upper = glm::mix(texel(texture, left, top), texel(texture, left + 1, top), x - left);
+    const Color lower = glm::mix(texel(texture, left, top + 1), texel(texture, left + 1, top + 1), x - left);
+    return glm::mix(upper, lower, y - top);
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -44,12 +44,19 @@ struct RenderOptions {
     Pass pass = Pass::Color;
     bool shadows = true, refraction = true;  // the terms that are not a matter of the materials' colours
     int threads = 0;             // 0: one for each processor
+
+    // The knobs that trade speed for accuracy.
+    int samples = 1;     // samples x samples rays a pixel on a regular grid, box-filtered; 1: its centre
+    double adaptive = 0; // > 0: all samples only where the corners of the pixel's own grid differ by more than this
+    double cutoff = 0;   // a reflected or refracted ray that can change its pixel by less than this is not cast
+    bool bilinear = false;  // textures: the four nearest texels, weighted, instead of the nearest one
 };
 
 // Rays cast and intersection tests made (of shapes and triangles, not of boxes).
 struct RenderCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t tests = 0;
+    double cutoffBound = 0;  // the most that rays not cast for RenderOptions::cutoff can have changed any one pixel
 
     RenderCounts& operator+=(const RenderCounts& other);
 };

@@ -15,7 +15,15 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 // A render's own state while it follows rays; one for each thread.
 struct RenderContext {
     const RenderOptions* options;
+    const Color* brightest = nullptr;  // by max_recursion: Scene::brightestColors; only for a cutoff
     RenderCounts counts;
+    double dropped = 0;  // the most that rays not cast so far can have changed the pixel
+};
+
+// What a ray's colour is multiplied by on its way to the pixel, and how often it may be reflected or refracted.
+struct RayPath {
+    Color weight{1};
+    int max_recursion = 0;
 };
 
 class Scene {
@@ -31,10 +39,14 @@ class Scene {
 
     // The colour seen along a ray:
     // K_R I_R + K_T I_T + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L). A miss is black.
-    Color rayColor(const Ray& ray, int max_recursion, RenderContext& context) const;
+    Color rayColor(const Ray& ray, const RayPath& path, RenderContext& context) const;
 
-    // The colour of a point of the picture in pixels, (0, 0) at the top left.
+    // The colour of a point of the picture in pixels, (0, 0) at the top left; and of a pixel, the mean of its samples.
     Color pointColor(Real x, Real y, RenderContext& context) const;
+    Color pixelColor(int x, int y, RenderContext& context) const;
+
+    // The most that a ray's colour can be, by the materials' and lights' colours alone: for max_recursion 0, 1, ...
+    std::vector<Color> brightestColors(int max_recursion) const;
 
     // Every pixel of options.crop to the sink, by tiles on options.threads threads (render.cpp).
     RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const;
@@ -44,8 +56,9 @@ class Scene {
     Hit closestHit(const Ray& ray, HitQuery& query, RenderContext& context) const;
     Color shadowFactor(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const;
     Color lightColor(const ShadingPoint& point, RenderContext& context) const;
-    Color reflectedColor(const ShadingPoint& point, int max_recursion, RenderContext& context) const;
-    Color refractedColor(const ShadingPoint& point, int max_recursion, RenderContext& context) const;
+    Color reflectedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;
+    Color refractedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;
+    bool isWorthCasting(const RayPath& path, RenderContext& context) const;
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

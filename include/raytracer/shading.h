@@ -8,7 +8,7 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 // A hit as the light model sees it: the symbols of the assignment.
 struct ShadingPoint {
-    ShadingPoint(const Ray& ray, const Intersection& hit);
+    ShadingPoint(const Ray& ray, const Intersection& hit, bool bilinear);
 
     const Intersection* hit;
     Vec3 V;         // unit, towards the ray's origin
@@ -37,6 +37,9 @@ bool refractedDirection(const ShadingPoint& point, Vec3& direction);
 
 // The nearest texel.
 Color lookUp(const Texture& texture, const Vec2& texCoord);
+
+// The four texels around, weighted by nearness; beyond the image's edge its last ones.
+Color lookUpBilinear(const Texture& texture, const Vec2& texCoord);
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

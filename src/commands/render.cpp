@@ -6,6 +6,7 @@
 
 #include <sys/resource.h>
 
+#include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/render_arguments.h"
 #include "raytracer/json_writer.h"
@@ -63,6 +64,7 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     json.key("refraction").value(counts.refraction);
     json.endObject();
     json.key("intersection_tests").value(counts.tests);
+    json.key("cutoff_bound").value(counts.cutoffBound);
     json.key("seconds").beginObject();
     json.key("load").value(timings.load);
     json.key("build").value(timings.build);
@@ -144,7 +146,7 @@ int render(int argc, char** argv) {
         ->required()->check(CLI::Range(1, 65536));
     app.add_flag("--stats", stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     app.footer(footer);
-    CLI11_PARSE(app, argc, argv);
+    if (const auto status = parseArguments(app, argc, argv)) return *status;
     try {
         return renderPicture(arguments, out, stats);
     } catch (const SceneError& error) {

@@ -60,6 +60,15 @@ void RenderArguments::addTo(CLI::App& app) {
         ->check(CLI::IsMember({"color", "raycast", "normals"}))->capture_default_str();
     app.add_option("--precision", precision, "Arithmetic: float, double or extended (long double)")
         ->check(CLI::IsMember({"float", "double", "extended"}))->capture_default_str();
+    app.add_option("--samples", samples, "N x N rays a pixel on a regular grid, averaged; 1: through its centre")
+        ->check(CLI::Range(1, 256))->capture_default_str();
+    app.add_option("--adaptive", adaptive,
+                   "Take all N x N samples only where the corners of the pixel's grid differ by more than this (0 to 1)")
+        ->check(CLI::NonNegativeNumber)->capture_default_str();
+    app.add_option("--cutoff", cutoff, "Do not cast a ray that can change its pixel by less than this (0 to 1)")
+        ->check(CLI::NonNegativeNumber)->capture_default_str();
+    app.add_option("--texture-filter", textureFilter, "Texture look-up: nearest or bilinear")
+        ->check(CLI::IsMember({"nearest", "bilinear"}))->capture_default_str();
     app.add_option("--crop", crop, "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
     app.add_option("--threads", threads, "Number of threads; 0: one for each processor")
         ->check(CLI::Range(0, 4096))->capture_default_str();
@@ -99,6 +108,10 @@ RenderOptions RenderArguments::prepare(SceneDescription& description) const {
     options.shadows = chosen.shadows;
     options.refraction = chosen.refraction;
     options.threads = threads;
+    options.samples = samples;
+    options.adaptive = adaptive;
+    options.cutoff = cutoff;
+    options.bilinear = textureFilter == "bilinear";
     return options;
 }
 

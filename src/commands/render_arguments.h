@@ -19,6 +19,10 @@ struct RenderArguments {
     std::string precision = "double";
     std::string crop;          // x0,y0,x1,y1; empty: the whole picture
     int threads = 0;
+    int samples = 1;
+    double adaptive = 0;
+    double cutoff = 0;
+    std::string textureFilter = "nearest";
     bool strict = false;
     bool quiet = false;
 
