@@ -14,6 +14,7 @@ struct Command {
 
 constexpr Command commandTable[] = {
     {"compare", raytracer::commands::compare},
+    {"grade", raytracer::commands::grade},
 };
 
 int dispatch(int argc, char** argv) {

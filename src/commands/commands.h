@@ -10,4 +10,7 @@ int render(int argc, char** argv);
 // raytracer compare A B [options]: how much two pictures differ.
 int compare(int argc, char** argv);
 
+// raytracer grade DIR [options]: scenes with reference pictures, painted (by us or another program) and compared.
+int grade(int argc, char** argv);
+
 }  // namespace raytracer::commands
