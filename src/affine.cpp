@@ -108,10 +108,11 @@ struct Elimination {
 };
 
 void Elimination::choosePivot(int step) {
+    const auto size = [&](int row, int i) { return std::abs(left[row][pivotColumn[i]]); };
     int bestRow = step, best = step;
     for (int row = step; row < 3; ++row)
         for (int i = step; i < 3; ++i)
-            if (std::abs(left[row][pivotColumn[i]]) > std::abs(left[bestRow][pivotColumn[best]])) bestRow = row, best = i;
+            if (size(row, i) > size(bestRow, best)) bestRow = row, best = i;
     std::swap(left[step], left[bestRow]);
     std::swap(right[step], right[bestRow]);
     std::swap(pivotColumn[step], pivotColumn[best]);

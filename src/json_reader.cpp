@@ -47,18 +47,20 @@ std::string placeInText(std::string_view text, std::size_t offset) {
 
 // The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it throws.
 class JsonReader {
+    using Kind = JsonDocument::Kind;
+
   public:
     JsonReader(JsonDocument& document, std::string_view text) : document_(document), text_(text) {}
 
-    bool null() { return addValue(JsonDocument::Kind::Null); }
-    bool boolean(bool value) { return addValue(JsonDocument::Kind::Boolean, value); }
-    bool number_integer(std::int64_t value) { return addValue(JsonDocument::Kind::Number, static_cast<double>(value)); }
-    bool number_unsigned(std::uint64_t value) { return addValue(JsonDocument::Kind::Number, static_cast<double>(value)); }
-    bool number_float(double value, const std::string&) { return addValue(JsonDocument::Kind::Number, value); }
+    bool null() { return addValue(Kind::Null); }
+    bool boolean(bool value) { return addValue(Kind::Boolean, value); }
+    bool number_integer(std::int64_t value) { return addValue(Kind::Number, static_cast<double>(value)); }
+    bool number_unsigned(std::uint64_t value) { return addValue(Kind::Number, static_cast<double>(value)); }
+    bool number_float(double value, const std::string&) { return addValue(Kind::Number, value); }
     bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in JSON text
 
     bool string(const std::string& text) {
-        addValue(JsonDocument::Kind::String);
+        addValue(Kind::String);
         document_.nodes_.back().string = document_.strings_.add(text);
         return true;
     }
@@ -68,8 +70,8 @@ class JsonReader {
         return true;
     }
 
-    bool start_object(std::size_t) { return open(JsonDocument::Kind::Object); }
-    bool start_array(std::size_t) { return open(JsonDocument::Kind::Array); }
+    bool start_object(std::size_t) { return open(Kind::Object); }
+    bool start_array(std::size_t) { return open(Kind::Array); }
 
     bool end_object() {
         requireDistinctKeys(open_);
@@ -87,8 +89,8 @@ class JsonReader {
 
   private:
     std::uint32_t size() const { return static_cast<std::uint32_t>(document_.nodes_.size()); }
-    bool addValue(JsonDocument::Kind kind, double number = 0);
-    bool open(JsonDocument::Kind kind);
+    bool addValue(Kind kind, double number = 0);
+    bool open(Kind kind);
     void requireDistinctKeys(std::uint32_t object);
     [[noreturn]] void failAtNextValue(const std::string& message);
 
@@ -99,13 +101,13 @@ class JsonReader {
     std::vector<std::uint32_t> keysOfObject_;
 };
 
-bool JsonReader::addValue(JsonDocument::Kind kind, double number) {
+bool JsonReader::addValue(Kind kind, double number) {
     if (document_.nodes_.size() == std::numeric_limits<std::uint32_t>::max()) throw JsonError(": too many values");
     document_.nodes_.push_back({.number = number, .key = key_, .parent = open_, .end = size() + 1, .kind = kind});
     return true;
 }
 
-bool JsonReader::open(JsonDocument::Kind kind) {
+bool JsonReader::open(Kind kind) {
     addValue(kind);
     open_ = size() - 1;
     return true;
@@ -123,7 +125,7 @@ void JsonReader::requireDistinctKeys(std::uint32_t object) {
 }
 
 void JsonReader::failAtNextValue(const std::string& message) {
-    addValue(JsonDocument::Kind::Null);
+    addValue(Kind::Null);
     document_.fail(size() - 1, message);
 }
 

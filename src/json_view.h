@@ -1,5 +1,5 @@
-// A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that what() of the JsonError
-// that it throws says so: ": /camera/eye: expected 3 numbers, found an array of 2".
+// A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that the JsonError that
+// it throws says so: ": /camera/eye: expected 3 numbers, found an array of 2".
 #pragma once
 
 #include <cstddef>

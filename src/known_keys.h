@@ -1,5 +1,5 @@
-// Objects whose keys the format knows. A key that it does not know is a warning with the nearest one that it knows, or an
-// error when strict; a required key that is missing is an error with the unknown one that may have been meant.
+// Objects whose keys the format knows. A key that it does not know is a warning with the nearest one that it knows, or
+// an error when strict; a required key that is missing is an error with the unknown one that may have been meant.
 #pragma once
 
 #include <cstddef>

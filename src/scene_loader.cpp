@@ -70,7 +70,7 @@ void SceneReader::readMaterials(JsonView materials) {
         const MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
         materials_.add(name ? std::string_view(name->string()) : defaultMaterialName, name.value_or(json));
-        // A material that is not textured may name whatever it likes; readMaterial has seen that one that is has a name.
+        // One that is not textured may name whatever it likes; readMaterial has seen that one that is names something.
         auto& texture = textureOfMaterial_.emplace_back();
         if (material.use_diffuse_texture) texture = textures_.find(*json.find("diffuse_texture"));
     }
