@@ -58,11 +58,13 @@ std::string percent(double part, int whole) { return number(100 * part / whole, 
 std::string ring(const GradeResult& result) {
     const auto& c = result.comparison;
     if (!c || c->maximum == 0) return {};
-    return "<i style=\"left:" + percent(c->worstX + 0.5, c->width) + ";top:" + percent(c->worstY + 0.5, c->height) + "\"></i>";
+    const std::string left = percent(c->worstX + 0.5, c->width), top = percent(c->worstY + 0.5, c->height);
+    return "<i style=\"left:" + left + ";top:" + top + "\"></i>";
 }
 
 std::string picture(const char* kind, const std::string& png, const std::string& overlay = {}) {
-    if (png.empty()) return std::string("<div class=\"picture\"><span class=\"none\">no picture</span>") + kind + "</div>\n";
+    if (png.empty())
+        return std::string("<div class=\"picture\"><span class=\"none\">no picture</span>") + kind + "</div>\n";
     return std::string("<button class=\"picture\" data-kind=\"") + kind + "\"><span><img alt=\"" + kind +
            "\" decoding=\"async\" src=\"data:image/png;base64," + base64(png) + "\">" + overlay + "</span>" + kind +
            "</button>\n";
@@ -139,7 +141,8 @@ std::vector<Group> groupsOf(std::span<const GradeResult> results) {
 }
 
 std::string summary(std::span<const GradeResult> results, const Thresholds& thresholds) {
-    const auto good = std::count_if(results.begin(), results.end(), [&](const auto& r) { return within(r, thresholds); });
+    const auto good = std::count_if(results.begin(), results.end(),
+                                    [&](const GradeResult& result) { return within(result, thresholds); });
     const double sum = std::accumulate(results.begin(), results.end(), 0.0,
                                        [](double total, const GradeResult& r) { return total + r.score(); });
     const double mean = results.empty() ? 0 : sum / static_cast<double>(results.size());

@@ -100,7 +100,8 @@ function arrange() {
   cards.sort(orders[$("sort").value]);
   const wanted = $("filter").value.toLowerCase();
   for (const card of cards)
-    card.hidden = !card.dataset.name.toLowerCase().includes(wanted) || ($("offOnly").checked && card.className === "same");
+    card.hidden = !card.dataset.name.toLowerCase().includes(wanted) ||
+      ($("offOnly").checked && card.className === "same");
   const groups = new Map();
   for (const card of cards) {
     const group = $("grouped").checked ? card.dataset.group : "";
@@ -239,7 +240,8 @@ stage.addEventListener("pointerdown", event => {
 });
 stage.addEventListener("pointermove", event => {
   const corner = stage.getBoundingClientRect();
-  tell(Math.floor((event.clientX - corner.left - left) / scale), Math.floor((event.clientY - corner.top - top_) / scale));
+  const toPixel = position => Math.floor(position / scale);
+  tell(toPixel(event.clientX - corner.left - left), toPixel(event.clientY - corner.top - top_));
   if (!grip) return;
   const dx = event.clientX - grip.x, dy = event.clientY - grip.y;
   grip.moved ||= Math.hypot(dx, dy) > 4;

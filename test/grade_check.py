@@ -7,6 +7,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -93,6 +94,20 @@ def check_cli(program, folder):
     page = (folder / "report.html").read_text()
     check(page.count("<article") == 9 and "crashed: Segmentation fault" in page and "about to fall" in page, "the report")
     check_statuses(program, folder)
+    check_interrupt(program, folder)
+
+
+def check_interrupt(program, folder):
+    """Ctrl-C ends the program that is being graded, too."""
+    write_program(folder / "sleeper", "echo $$ > pid; exec sleep 60\n")
+    grader = subprocess.Popen([program, "grade", "exam", "--program", "./sleeper"], cwd=folder, stdout=subprocess.DEVNULL)
+    pid = folder / "pid"
+    while not (pid.exists() and pid.read_text().strip()):
+        time.sleep(0.01)
+    grader.send_signal(signal.SIGINT)
+    check(grader.wait(10) == -signal.SIGINT, "an interrupt ends the grading")
+    time.sleep(0.1)
+    check(not Path(f"/proc/{pid.read_text().strip()}").exists(), "an interrupt ends the program")
 
 
 def check_statuses(program, folder):

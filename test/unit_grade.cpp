@@ -160,6 +160,14 @@ TEST_CASE("grade: of what a program prints, the end is kept") {
     CHECK(result.output.find("\n99999\n100000\n") != std::string::npos);
 }
 
+TEST_CASE("grade: the shell's remark on a crash is left out of what the program printed") {
+    const TemporaryFolder folder;
+    const GradeResult result = gradeCase(blackCase(folder), programPainter("sh -c 'echo falling; kill -SEGV $$'", 10), 0);
+    CHECK(result.message == "crashed: Segmentation fault");
+    CHECK(result.output == "falling\n");
+    CHECK(gradeCase(blackCase(folder), programPainter("sh -c 'kill -SEGV $$'", 10), 0).output.empty());
+}
+
 TEST_CASE("child process: how it ends") {
     const TemporaryFolder folder;
     const std::string log = folder.file("log");
