@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -71,6 +72,13 @@ std::string endOf(const std::string& path) {
     return start > 0 ? "... " + text : text;
 }
 
+// The shell tells on stderr, too, of a signal that killed the program; the message has that already.
+void dropShellsRemark(std::string& output, const ProcessEnd& end) {
+    const std::size_t last = output.find_last_of('\n', output.empty() ? 0 : output.size() - 2);
+    const std::size_t start = last == std::string::npos ? 0 : last + 1;
+    if (end.signal && output.find(strsignal(end.signal), start) != std::string::npos) output.erase(start);
+}
+
 std::string bytesOf(const std::string& path) {
     const FileBytes file(path);
     return {file.begin(), file.end()};
@@ -132,8 +140,10 @@ Painter programPainter(std::string command, double timeoutSeconds) {
     return [=](const GradeCase& test, int longEdge, const std::string& out) {
         const std::string log = out + ".log";
         const ProcessEnd end = runProcess(command, {test.scene, out, std::to_string(longEdge)}, log, timeoutSeconds);
+        std::string output = endOf(log);
+        dropShellsRemark(output, end);
         // A program that says it failed but wrote a picture is graded by the picture, as the course does.
-        return Painted{end.timedOut || end.signal != 0, end.description(), endOf(log)};
+        return Painted{end.timedOut || end.signal != 0, end.description(), std::move(output)};
     };
 }
 

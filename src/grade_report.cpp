@@ -52,10 +52,22 @@ std::string attribute(const char* name, const std::string& value) {
     return std::string(" ") + name + "=\"" + escaped(value) + "\"";
 }
 
-std::string picture(const char* kind, const char* title, const std::string& png) {
-    if (png.empty()) return std::string("<div class=\"picture none\"><span>no picture</span>") + title + "</div>\n";
-    return std::string("<button class=\"picture\" data-kind=\"") + kind + "\"><img alt=\"" + kind +
-           "\" decoding=\"async\" src=\"data:image/png;base64," + base64(png) + "\">" + title + "</button>\n";
+std::string percent(double part, int whole) { return number(100 * part / whole, "%.3f") + "%"; }
+
+// A ring around the worst pixel, which alone would be lost in a small picture.
+std::string ring(const GradeResult& result) {
+    const auto& c = result.comparison;
+    if (!c || c->maximum == 0) return {};
+    const std::string left = percent(c->worstX + 0.5, c->width), top = percent(c->worstY + 0.5, c->height);
+    return "<i style=\"left:" + left + ";top:" + top + "\"></i>";
+}
+
+std::string picture(const char* kind, const std::string& png, const std::string& overlay = {}) {
+    if (png.empty())
+        return std::string("<div class=\"picture\"><span class=\"none\">no picture</span>") + kind + "</div>\n";
+    return std::string("<button class=\"picture\" data-kind=\"") + kind + "\"><span><img alt=\"" + kind +
+           "\" decoding=\"async\" src=\"data:image/png;base64," + base64(png) + "\">" + overlay + "</span>" + kind +
+           "</button>\n";
 }
 
 std::string numberRow(const char* name, const std::string& value) {
@@ -73,8 +85,8 @@ std::string numbers(const GradeResult& result) {
         html += numberRow("mean", number(c->mean));
         html += numberRow("RMSE", number(c->rmse));
         html += numberRow("PSNR", number(c->psnr) + " dB");
-        html += numberRow("maximum", number(c->maximum) + " at (" + std::to_string(c->worstX) + ", " +
-                                         std::to_string(c->worstY) + ")");
+        const std::string place = " at (" + std::to_string(c->worstX) + ", " + std::to_string(c->worstY) + ")";
+        html += numberRow("maximum", number(c->maximum) + (c->maximum > 0 ? place : ""));
     }
     return html + numberRow("time", number(result.seconds, "%.2f") + " s") + "</dl>\n";
 }
@@ -96,13 +108,18 @@ std::string attributes(const GradeResult& result) {
     return html;
 }
 
+// "near": off, but in a way that the score does not see.
+std::string verdict(const GradeResult& result, const Thresholds& thresholds) {
+    if (within(result, thresholds)) return "same";
+    return result.score() == 100 ? "near" : "off";
+}
+
 std::string card(const GradeResult& result, const Thresholds& thresholds) {
-    const bool same = within(result, thresholds);
-    return "<article class=\"" + std::string(same ? "same" : "off") + "\"" + attributes(result) + ">\n<header><h3>" +
+    return "<article class=\"" + verdict(result, thresholds) + "\"" + attributes(result) + ">\n<header><h3>" +
            escaped(result.test.name) + "</h3><output title=\"the autograder's score, of 100\">" +
            std::to_string(result.score()) + "</output></header>\n<div class=\"pictures\">" +
-           picture("reference", "reference", result.referencePng) + picture("ours", "ours", result.ourPng) +
-           picture("difference", "difference", result.differencePng) + "</div>\n" + numbers(result) + message(result) +
+           picture("reference", result.referencePng) + picture("ours", result.ourPng) +
+           picture("difference", result.differencePng, ring(result)) + "</div>\n" + numbers(result) + message(result) +
            "</article>\n";
 }
 
@@ -124,7 +141,8 @@ std::vector<Group> groupsOf(std::span<const GradeResult> results) {
 }
 
 std::string summary(std::span<const GradeResult> results, const Thresholds& thresholds) {
-    const auto good = std::count_if(results.begin(), results.end(), [&](const auto& r) { return within(r, thresholds); });
+    const auto good = std::count_if(results.begin(), results.end(),
+                                    [&](const GradeResult& result) { return within(result, thresholds); });
     const double sum = std::accumulate(results.begin(), results.end(), 0.0,
                                        [](double total, const GradeResult& r) { return total + r.score(); });
     const double mean = results.empty() ? 0 : sum / static_cast<double>(results.size());

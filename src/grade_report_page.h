@@ -5,9 +5,9 @@ namespace raytracer {
 
 constexpr const char* reportStyle = R"css(
 :root { color-scheme: light dark; --ink: #1b1d21; --soft: #666c77; --paper: #f4f5f7; --card: #fff; --line: #d8dbe0;
-  --good: #1a7f45; --bad: #b3261e; --accent: #2457c5; }
+  --good: #1a7f45; --near: #8a6100; --bad: #b3261e; --accent: #2457c5; }
 @media (prefers-color-scheme: dark) { :root { --ink: #e6e8ec; --soft: #9aa1ad; --paper: #14161a; --card: #1e2127;
-  --line: #343943; --good: #58c98a; --bad: #ff8a80; --accent: #8ab0ff; } }
+  --line: #343943; --good: #58c98a; --near: #e5b94e; --bad: #ff8a80; --accent: #8ab0ff; } }
 * { box-sizing: border-box; }
 body { margin: 0; font: 15px/1.45 system-ui, sans-serif; color: var(--ink); background: var(--paper); }
 .page { position: sticky; top: 0; z-index: 1; padding: .7rem 1.2rem; background: var(--card);
@@ -20,18 +20,21 @@ h2 { font-size: 1rem; margin: 1.6rem 0 .6rem; color: var(--soft); text-transform
 article { background: var(--card); border: 1px solid var(--line); border-left: .35rem solid var(--good);
   border-radius: .4rem; padding: .7rem .9rem; margin: 0 0 .8rem; display: grid; gap: .5rem 1.2rem;
   grid-template-columns: minmax(0, 3fr) minmax(13rem, 1fr); content-visibility: auto; contain-intrinsic-height: 18rem; }
-article.off { border-left-color: var(--bad); }
+article.near { border-left-color: var(--near); } article.off { border-left-color: var(--bad); }
 article > header { grid-column: 1 / -1; display: flex; gap: 1rem; align-items: baseline; }
 h3 { font-size: 1rem; margin: 0; overflow-wrap: anywhere; }
 article output { font-weight: 700; font-size: 1.3rem; margin-left: auto; color: var(--good); }
-article.off output { color: var(--bad); }
+article.near output { color: var(--near); } article.off output { color: var(--bad); }
 .pictures { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: .6rem; align-items: start; }
 .picture { border: 0; padding: 0; background: none; font: inherit; font-size: .85rem; color: var(--soft);
-  cursor: zoom-in; text-align: center; border-radius: .2rem; }
-.picture img, .picture span { display: block; width: 100%; max-height: 24rem; object-fit: contain; background: #000; }
-.none span { aspect-ratio: 1; max-height: 12rem; background: var(--paper); border: 1px dashed var(--line);
-  display: grid; place-items: center; }
-.none { cursor: default; }
+  text-align: center; border-radius: .2rem; }
+button.picture { cursor: zoom-in; }
+.picture span { display: block; position: relative; width: fit-content; margin: auto; line-height: 0; }
+.picture img { max-width: 100%; max-height: 24rem; min-height: 1rem; background: #000; }
+.picture i { position: absolute; width: 1.1rem; height: 1.1rem; margin: -.55rem; border: 2px solid #fff;
+  border-radius: 50%; opacity: .75; }
+.picture .none { width: 100%; aspect-ratio: 1; max-height: 12rem; border: 1px dashed var(--line); display: grid;
+  place-items: center; }
 :focus-visible { outline: 3px solid var(--accent); outline-offset: 2px; }
 dl { margin: 0; display: grid; grid-template-columns: auto 1fr; gap: 0 .8rem; align-content: start;
   font-variant-numeric: tabular-nums; }
@@ -48,7 +51,7 @@ dialog[open] { display: grid; grid-template-rows: auto 1fr auto; }
 dialog p { margin: 0; padding: .5rem 1rem; display: flex; gap: 1.5rem; flex-wrap: wrap; align-items: baseline; }
 #kind { font-weight: 700; padding: 0 .6rem; border-radius: .3rem; color: #14161a; min-width: 6.5rem; text-align: center; }
 #kind.reference { background: #ffd479; } #kind.ours { background: #8fd0ff; } #kind.difference { background: #ff9db0; }
-#values { font-variant-numeric: tabular-nums; margin-left: auto; }
+#values { font-variant-numeric: tabular-nums; margin-left: auto; white-space: pre; }
 #stage { position: relative; overflow: hidden; cursor: crosshair; touch-action: none; background: #3a3d44; }
 #stage img { position: absolute; left: 0; top: 0; transform-origin: 0 0; image-rendering: pixelated; max-width: none;
   visibility: hidden; }
@@ -97,7 +100,8 @@ function arrange() {
   cards.sort(orders[$("sort").value]);
   const wanted = $("filter").value.toLowerCase();
   for (const card of cards)
-    card.hidden = !card.dataset.name.toLowerCase().includes(wanted) || ($("offOnly").checked && card.className === "same");
+    card.hidden = !card.dataset.name.toLowerCase().includes(wanted) ||
+      ($("offOnly").checked && card.className === "same");
   const groups = new Map();
   for (const card of cards) {
     const group = $("grouped").checked ? card.dataset.group : "";
@@ -134,11 +138,12 @@ function lookAt(x, y, newScale) {
   left = Math.round(stage.clientWidth / 2 - x * scale);
   top_ = Math.round(stage.clientHeight / 2 - y * scale);
 }
-function showAll() {
-  const [w, h] = size(), fit = Math.min(stage.clientWidth / w, stage.clientHeight / h);
-  lookAt(w / 2, h / 2, fit >= 1 ? Math.floor(fit) : fit);
+function fit() {
+  const [w, h] = size(), exact = Math.min(stage.clientWidth / w, stage.clientHeight / h);
+  return exact >= 1 ? Math.floor(exact) : exact;
 }
-const closeUp = () => Math.max(8, Math.floor(Math.min(stage.clientWidth, stage.clientHeight) / 48));
+const showAll = () => lookAt(size()[0] / 2, size()[1] / 2, fit());
+const closeUp = () => Math.max(8, 2 * fit(), Math.floor(Math.min(stage.clientWidth, stage.clientHeight) / 48));
 function showWorst() {
   if (!card.dataset.worst || card.dataset.error === "0") return showAll();
   const [x, y] = worst();
@@ -206,17 +211,20 @@ main.addEventListener("click", event => {
   const button = event.target.closest("button.picture");
   if (button) open_(button.closest("article"), button.dataset.kind);
 });
-viewer.addEventListener("close", () => {
+function leave() {
+  viewer.close();
   blink(false);
   const button = card.querySelector(`button[data-kind="${kind}"]`);
   card.scrollIntoView({ block: "nearest" });
   if (button) button.focus();
-});
+}
+viewer.addEventListener("close", leave);  // by other means than the key
 const keys = {
   " ": swap, Enter: swap, b: () => blink(!blinking), "1": () => show("reference"), "2": () => show("ours"),
   "3": () => show("difference"), d: () => show(kind === "difference" ? "ours" : "difference"),
   z: () => scale === closeUp() ? showAll() : showWorst(), "+": () => zoomBy(2), "=": () => zoomBy(2),
   "-": () => zoomBy(0.5), ArrowRight: () => step(1), ArrowLeft: () => step(-1), n: () => step(1), p: () => step(-1),
+  Escape: leave,
 };
 viewer.addEventListener("keydown", event => {
   const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
@@ -232,7 +240,8 @@ stage.addEventListener("pointerdown", event => {
 });
 stage.addEventListener("pointermove", event => {
   const corner = stage.getBoundingClientRect();
-  tell(Math.floor((event.clientX - corner.left - left) / scale), Math.floor((event.clientY - corner.top - top_) / scale));
+  const toPixel = position => Math.floor(position / scale);
+  tell(toPixel(event.clientX - corner.left - left), toPixel(event.clientY - corner.top - top_));
   if (!grip) return;
   const dx = event.clientX - grip.x, dy = event.clientY - grip.y;
   grip.moved ||= Math.hypot(dx, dy) > 4;

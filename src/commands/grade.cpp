@@ -122,7 +122,8 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
 
 // True if all are as their references.
 bool printSummary(const std::vector<GradeResult>& results, const GradePlan& plan, const Thresholds& thresholds) {
-    const auto good = std::count_if(results.begin(), results.end(), [&](const auto& r) { return within(r, thresholds); });
+    const auto good = std::count_if(results.begin(), results.end(),
+                                    [&](const GradeResult& result) { return within(result, thresholds); });
     double sum = 0;
     for (const GradeResult& result : results) sum += result.score();
     std::printf("%lld of %zu pictures as the reference, mean score %.1f\n", static_cast<long long>(good), results.size(),
