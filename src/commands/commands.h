@@ -10,4 +10,7 @@ int render(int argc, char** argv);
 // raytracer compare A B [options]: how much two pictures differ.
 int compare(int argc, char** argv);
 
+// raytracer explain SCENE X Y LONG_EDGE_PIXELS [options]: the tree of rays behind one pixel.
+int explain(int argc, char** argv);
+
 }  // namespace raytracer::commands

@@ -1,0 +1,136 @@
+// JsonDocument from text, by the events of nlohmann's parser.
+#include <algorithm>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "json_document.h"
+
+namespace raytracer {
+namespace {
+
+bool isLexical(std::string_view message) {
+    return message.find("; last read: '") != message.npos;
+}
+
+// "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'text'; expected this":
+// the library's own words, without its preamble and without a quotation that may be as long as the file.
+std::string shortened(std::string message) {
+    if (const auto reason = message.find(" - "); reason != message.npos) message.erase(0, reason + 3);
+    const auto quotation = message.find("; last read: '");
+    if (quotation == message.npos) return message;
+    const auto expected = message.rfind("'; expected ");
+    const std::string rest = expected == message.npos ? "" : message.substr(expected + 1);
+    return message.substr(0, quotation) + rest;
+}
+
+// ":LINE:COLUMN: ", both from 1, the column in characters, as editors count.
+std::string placeInText(std::string_view text, std::size_t offset) {
+    std::string_view before = text.substr(0, std::min(offset, text.size()));
+    if (before.starts_with("\xef\xbb\xbf")) before.remove_prefix(3);  // a byte order mark has no width
+    const auto line = std::ranges::count(before, '\n') + 1;
+    before.remove_prefix(before.rfind('\n') + 1);  // npos + 1 is 0
+    const auto startsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+    const auto column = std::ranges::count_if(before, startsCharacter) + 1;
+    return ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
+}
+
+}  // namespace
+
+// The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it throws.
+class JsonReader {
+  public:
+    JsonReader(JsonDocument& document, std::string_view text) : document_(document), text_(text) {}
+
+    bool null() { return addValue(JsonDocument::Kind::Null); }
+    bool boolean(bool value) { return addValue(JsonDocument::Kind::Boolean, value); }
+    bool number_integer(std::int64_t value) { return addValue(JsonDocument::Kind::Number, static_cast<double>(value)); }
+    bool number_unsigned(std::uint64_t value) { return addValue(JsonDocument::Kind::Number, static_cast<double>(value)); }
+    bool number_float(double value, const std::string&) { return addValue(JsonDocument::Kind::Number, value); }
+    bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in JSON text
+
+    bool string(const std::string& text) {
+        addValue(JsonDocument::Kind::String);
+        document_.nodes_.back().string = document_.strings_.add(text);
+        return true;
+    }
+
+    bool key(const std::string& text) {
+        key_ = document_.strings_.add(text);
+        return true;
+    }
+
+    bool start_object(std::size_t) { return open(JsonDocument::Kind::Object); }
+    bool start_array(std::size_t) { return open(JsonDocument::Kind::Array); }
+
+    bool end_object() {
+        requireDistinctKeys(open_);
+        return end_array();
+    }
+
+    bool end_array() {
+        JsonDocument::Node& node = document_.nodes_[open_];
+        node.end = size();
+        open_ = node.parent;
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error);
+
+  private:
+    std::uint32_t size() const { return static_cast<std::uint32_t>(document_.nodes_.size()); }
+    bool addValue(JsonDocument::Kind kind, double number = 0);
+    bool open(JsonDocument::Kind kind);
+    void requireDistinctKeys(std::uint32_t object);
+    [[noreturn]] void failAtNextValue(const std::string& message);
+
+    JsonDocument& document_;
+    std::string_view text_;
+    std::uint32_t open_ = 0;  // the innermost container
+    std::uint32_t key_ = 0;   // the next value's, if that container is an object
+    std::vector<std::uint32_t> keysOfObject_;
+};
+
+bool JsonReader::addValue(JsonDocument::Kind kind, double number) {
+    if (document_.nodes_.size() == std::numeric_limits<std::uint32_t>::max()) throw JsonError(": too many values");
+    document_.nodes_.push_back({.number = number, .key = key_, .parent = open_, .end = size() + 1, .kind = kind});
+    return true;
+}
+
+bool JsonReader::open(JsonDocument::Kind kind) {
+    addValue(kind);
+    open_ = size() - 1;
+    return true;
+}
+
+// Once for each object rather than at each key, so that an object of a million keys takes no quadratic time.
+void JsonReader::requireDistinctKeys(std::uint32_t object) {
+    keysOfObject_.clear();
+    for (std::uint32_t i = object + 1; i < size(); i = document_.nodes_[i].end)
+        keysOfObject_.push_back(document_.nodes_[i].key);
+    std::ranges::sort(keysOfObject_);
+    const auto twice = std::ranges::adjacent_find(keysOfObject_);
+    if (twice != keysOfObject_.end())
+        document_.fail(object, "expected each key once, found " + inQuotes(document_.strings_[*twice]) + " twice");
+}
+
+void JsonReader::failAtNextValue(const std::string& message) {
+    addValue(JsonDocument::Kind::Null);
+    document_.fail(size() - 1, message);
+}
+
+bool JsonReader::parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error) {
+    constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
+    if (error.id == numberOverflow)
+        failAtNextValue("expected a number within +-1.8e308, found " + token.substr(0, 40));
+    // The position is behind the token. One that the lexer refused is wrong at its last character, else at its first.
+    const std::size_t length = isLexical(error.what()) ? 1 : token.size();
+    throw JsonError(placeInText(text_, position - std::min(position, length)) + shortened(error.what()));
+}
+
+JsonDocument::JsonDocument(const char* begin, const char* end) {
+    JsonReader reader(*this, {begin, end});
+    nlohmann::json::sax_parse(begin, end, &reader);
+}
+
+}  // namespace raytracer
