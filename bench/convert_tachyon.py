@@ -34,7 +34,7 @@ def write(scene, size, out, lose):
 def write_camera(camera, size, out, lose):
     """Its frame is left-handed and of unit vectors: the film is mirrored, and scaled to distance 1."""
     lengths = [numpy.linalg.norm(axis) for axis in (camera.u, camera.v, camera.w)]
-    if abs(camera.v @ camera.w) > 1e-12 * lengths[1] * lengths[2]:
+    if abs(camera.v @ camera.w) > 1e-6 * lengths[1] * lengths[2]:
         lose("the camera's look and up aren't at right angles: up is turned until they are")
     distance = camera.focal_length * lengths[2] if camera.perspective else 1.0
     x_scale, y_scale = lengths[0] / distance, lengths[1] / distance
