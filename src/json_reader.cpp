@@ -9,10 +9,6 @@
 namespace raytracer {
 namespace {
 
-bool isLexical(std::string_view message) {
-    return message.find("; last read: '") != message.npos;
-}
-
 // "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'text'; expected this":
 // the library's own words, without its preamble and without a quotation that may be as long as the file.
 std::string shortened(std::string message) {
@@ -22,6 +18,18 @@ std::string shortened(std::string message) {
     const auto expected = message.rfind("'; expected ");
     const std::string rest = expected == message.npos ? "" : message.substr(expected + 1);
     return message.substr(0, quotation) + rest;
+}
+
+// The parser's position is behind what it does not like: a token, named by its first character here, or the last
+// character of something that is no token. Only of strings and numbers is the text that it keeps the token's alone.
+std::size_t charactersBack(std::string_view message, std::string_view token) {
+    const bool isText = message.starts_with("unexpected string") || message.starts_with("unexpected number");
+    return isText ? token.size() : 1;
+}
+
+// What Windows writes as "Unicode" is no JSON, and the parser would only see a strange character.
+void requireNoUtf16(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) throw JsonError(": expected UTF-8, found UTF-16");
 }
 
 // ":LINE:COLUMN: ", both from 1, the column in characters, as editors count.
@@ -122,13 +130,13 @@ void JsonReader::failAtNextValue(const std::string& message) {
 bool JsonReader::parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error) {
     constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
     if (error.id == numberOverflow)
-        failAtNextValue("expected a number within +-1.8e308, found " + token.substr(0, 40));
-    // The position is behind the token. One that the lexer refused is wrong at its last character, else at its first.
-    const std::size_t length = isLexical(error.what()) ? 1 : token.size();
-    throw JsonError(placeInText(text_, position - std::min(position, length)) + shortened(error.what()));
+        failAtNextValue("expected a finite number, found " + token.substr(0, 40));
+    const std::string message = shortened(error.what());
+    throw JsonError(placeInText(text_, position - std::min(position, charactersBack(message, token))) + message);
 }
 
 JsonDocument::JsonDocument(const char* begin, const char* end) {
+    requireNoUtf16({begin, end});
     JsonReader reader(*this, {begin, end});
     nlohmann::json::sax_parse(begin, end, &reader);
 }
