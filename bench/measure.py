@@ -14,6 +14,7 @@ class Usage:
     system: float  # seconds of CPU in the kernel
     wall: float
     peak: float  # MiB resident; not less than what this Python itself holds (memory_floor)
+    said: str  # the end of what it wrote
 
 
 class Failed(Exception):
@@ -52,11 +53,12 @@ def run(command, cwd=None):
     limit.cancel()
     listener.join()
     os.close(read_end)
+    text = said.decode(errors="replace")
     if status != 0:
         code = os.waitstatus_to_exitcode(status)
-        words = said.decode(errors="replace").strip().splitlines()
+        words = text.strip().splitlines()
         raise Failed(f"{os.path.basename(str(command[0]))} ended with {code}: {words[-1] if words else 'no message'}")
-    return Usage(used.ru_utime, used.ru_stime, wall, used.ru_maxrss / 1024)
+    return Usage(used.ru_utime, used.ru_stime, wall, used.ru_maxrss / 1024, text)
 
 
 def memory_floor():
