@@ -106,8 +106,19 @@ def check_interrupt(program, folder):
         time.sleep(0.01)
     grader.send_signal(signal.SIGINT)
     check(grader.wait(10) == -signal.SIGINT, "an interrupt ends the grading")
-    time.sleep(0.1)
-    check(not Path(f"/proc/{pid.read_text().strip()}").exists(), "an interrupt ends the program")
+    check(ends(pid.read_text().strip()), "an interrupt ends the program")
+
+
+def ends(pid, seconds=10):
+    """Whether the process is gone, or dead and not yet asked after, within that time."""
+    for _ in range(100 * seconds):
+        try:
+            if Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z":
+                return True
+        except (FileNotFoundError, ProcessLookupError):
+            return True
+        time.sleep(0.01)
+    return False
 
 
 def check_statuses(program, folder):
