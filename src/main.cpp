@@ -14,6 +14,7 @@ struct Command {
 
 constexpr Command commandTable[] = {
     {"compare", raytracer::commands::compare},
+    {"explain", raytracer::commands::explain},
     {"grade", raytracer::commands::grade},
 };
 

@@ -120,7 +120,7 @@ RenderCounts Scene::render(const RenderOptions& options, PixelSink& sink, Progre
     RenderCounts counts;
     const std::vector<Color> brightest = options.cutoff > 0 ? brightestColors(options.max_recursion) : std::vector<Color>();
     const auto work = [&] {
-        RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), {}};
+        RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), nullptr, {}};
         for (PixelRectangle tile; tiles.next(tile); tiles.done()) renderTile(*this, tile, context, sink);
         const std::lock_guard lock(mutex);
         counts += context.counts;

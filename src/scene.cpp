@@ -29,14 +29,17 @@ Intersection Scene::closestIntersection(const Ray& ray, RenderContext& context) 
 }
 
 Color Scene::rayColor(const Ray& ray, const RayPath& path, RenderContext& context) const {
+    if (context.observer) context.observer->enter(ray, path);
+    Color color(0);
     const Intersection hit = closestIntersection(ray, context);
-    if (!hit.valid) return Color(0);
-    const ShadingPoint point(ray, hit, context.options->bilinear);
-    Color color = lightColor(point, context);
-    if (path.max_recursion > 0) {
-        color += reflectedColor(point, path, context);
-        color += refractedColor(point, path, context);
+    if (hit.valid) {
+        const ShadingPoint point(ray, hit, context.options->bilinear);
+        if (context.observer) context.observer->meet(point);
+        color += lightColor(point, context);
+        if (hit.material->reflective) color += reflectedColor(point, path, context);
+        if (hit.material->refractive) color += refractedColor(point, path, context);
     }
+    if (context.observer) context.observer->leave(color);
     return color;
 }
 
@@ -44,47 +47,67 @@ Color Scene::lightColor(const ShadingPoint& point, RenderContext& context) const
     Color color(0);
     for (const Light& light : lights) {
         const DirectLight direct = directLight(point, light);
-        color += direct.ambient;
-        if (isBlack(direct.lit)) continue;
-        color += context.options->shadows ? direct.lit * shadowFactor(point, direct.toLight, light, context) : direct.lit;
+        Color sum = direct.ambient;
+        Shadow shadow;
+        const bool asked = context.options->shadows && !isBlack(direct.lit());
+        if (asked) shadow = castShadow(point, direct.toLight, light, context);
+        sum += direct.lit() * shadow.factor;
+        if (context.observer) context.observer->light(direct, asked ? &shadow : nullptr, sum);
+        color += sum;
     }
     return color;
 }
 
 // S_L: only the closest hit before the light counts.
-Color Scene::shadowFactor(const ShadingPoint& point, const Vec3& toLight, const Light& light,
-                          RenderContext& context) const {
+Shadow Scene::castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const {
     ++context.counts.shadow;
     const Ray ray = point.leave(toLight, ShadingPoint::Side::Near);
     const RayEnd end{light.position};
     HitQuery query(end, false);
     const Hit hit = closestHit(ray, query, context);
-    if (!hit.shape) return Color(1);
+    if (!hit.shape) return {};
     const Material& material = hit.shape->material();
-    return material.refractive ? material.color_refract : Color(0);
+    return {material.refractive ? material.color_refract : Color(0), hit.shape};
 }
 
 Color Scene::reflectedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const {
     const Material& material = *point.hit->material;
-    if (!material.reflective || isBlack(material.color_reflect)) return Color(0);
-    const RayPath onwards{path.weight * material.color_reflect, path.max_recursion - 1};
-    if (!isWorthCasting(onwards, context)) return Color(0);
+    const RayPath onwards{path.weight * material.color_reflect, path.max_recursion - 1, RayKind::Reflection};
+    if (const NotCast reason = whyNotReflected(material, onwards, context); reason != NotCast::Nothing) {
+        if (context.observer) context.observer->notCast(onwards.kind, reason);
+        return Color(0);
+    }
     ++context.counts.reflection;
     const Ray reflected = point.leave(reflectedDirection(point), ShadingPoint::Side::Near);
     return material.color_reflect * rayColor(reflected, onwards, context);
 }
 
 Color Scene::refractedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const {
+    if (!context.options->refraction) return Color(0);
     const Material& material = *point.hit->material;
+    const RayPath onwards{path.weight * material.color_refract, path.max_recursion - 1, RayKind::Refraction};
     Vec3 direction;
-    if (!context.options->refraction || !material.refractive || isBlack(material.color_refract) ||
-        !refractedDirection(point, direction))
+    if (const NotCast reason = whyNotRefracted(point, onwards, direction, context); reason != NotCast::Nothing) {
+        if (context.observer) context.observer->notCast(onwards.kind, reason);
         return Color(0);
-    const RayPath onwards{path.weight * material.color_refract, path.max_recursion - 1};
-    if (!isWorthCasting(onwards, context)) return Color(0);
+    }
     ++context.counts.refraction;
     const Ray refracted = point.leave(direction, ShadingPoint::Side::Far);
     return material.color_refract * rayColor(refracted, onwards, context);
+}
+
+NotCast Scene::whyNotReflected(const Material& material, const RayPath& onwards, RenderContext& context) const {
+    if (onwards.max_recursion < 0) return NotCast::MaxRecursion;
+    if (isBlack(material.color_reflect)) return NotCast::Black;
+    return isWorthCasting(onwards, context) ? NotCast::Nothing : NotCast::Cutoff;
+}
+
+NotCast Scene::whyNotRefracted(const ShadingPoint& point, const RayPath& onwards, Vec3& direction,
+                               RenderContext& context) const {
+    if (onwards.max_recursion < 0) return NotCast::MaxRecursion;
+    if (isBlack(point.hit->material->color_refract)) return NotCast::Black;
+    if (!refractedDirection(point, direction)) return NotCast::TotalInternalReflection;
+    return isWorthCasting(onwards, context) ? NotCast::Nothing : NotCast::Cutoff;
 }
 
 bool Scene::isWorthCasting(const RayPath& path, RenderContext& context) const {

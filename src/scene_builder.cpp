@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "raytracer/explain.h"
 #include "raytracer/mesh.h"
 #include "raytracer/renderer.h"
 
@@ -60,6 +61,10 @@ class SceneRenderer final : public Renderer {
         return scene_->render(options, sink, progress);
     }
 
+    RayExplanation explain(const RenderOptions& options, int x, int y) const override {
+        return explainPixel(*scene_, options, x, y);
+    }
+
   private:
     std::unique_ptr<const Scene> scene_;
 };
@@ -74,6 +79,7 @@ std::unique_ptr<Scene> buildScene(const SceneDescription& description) {
     std::vector<Transform> transforms;
     for (const Affine& affine : affines) transforms.emplace_back(frame.toFrame(affine));
 
+    scene->frame = frame;
     scene->camera = Camera(description.camera, frame);
     for (const TextureDescription& texture : description.textures) scene->textures.push_back(texture.texture);
     for (const MaterialDescription& material : description.materials)

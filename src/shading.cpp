@@ -53,9 +53,9 @@ DirectLight directLight(const ShadingPoint& point, const Light& light) {
     const Vec3 L = normalized(result.toLight);
     result.N_L = glm::dot(point.N, L);
     result.V_R = glm::clamp(glm::dot(point.V, mirrored(L, point.N)), Real(0), Real(1));
-    result.lit = point.K_D * light.color * result.N_L;
+    result.diffuse = point.K_D * light.color * result.N_L;
     if (result.V_R > 0 && !isBlack(material.color_specular))
-        result.lit += material.color_specular * light.color * power(result.V_R, material.shininess);
+        result.specular = material.color_specular * light.color * power(result.V_R, material.shininess);
     return result;
 }
 

@@ -106,8 +106,19 @@ def check_interrupt(program, folder):
         time.sleep(0.01)
     grader.send_signal(signal.SIGINT)
     check(grader.wait(10) == -signal.SIGINT, "an interrupt ends the grading")
-    time.sleep(0.1)
-    check(not Path(f"/proc/{pid.read_text().strip()}").exists(), "an interrupt ends the program")
+    check(has_ended(pid.read_text().strip()), "an interrupt ends the program")
+
+
+def has_ended(pid):
+    """Within two seconds: gone, or dead and waiting for init to take note."""
+    for _ in range(100):
+        try:
+            if Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z":
+                return True
+        except FileNotFoundError:
+            return True
+        time.sleep(0.02)
+    return False
 
 
 def check_statuses(program, folder):

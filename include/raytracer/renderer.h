@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "raytracer/explanation.h"
 #include "raytracer/render_options.h"
 #include "raytracer/scene_description.h"
 
@@ -16,6 +17,10 @@ class Renderer {
     // Every pixel of options.crop goes to the sink exactly once; it depends on the scene, options and its place alone.
     virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
                                 ProgressListener* progress = nullptr) const = 0;
+
+    // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for it when
+    // options.samples is 1.
+    virtual RayExplanation explain(const RenderOptions& options, int x, int y) const = 0;
 };
 
 // Builds the scene's shapes and trees. The description may be dropped afterwards.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "raytracer/camera.h"
+#include "raytracer/observer.h"
 #include "raytracer/render_options.h"
-#include "raytracer/shading.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -16,6 +16,7 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 struct RenderContext {
     const RenderOptions* options;
     const Color* brightest = nullptr;  // by max_recursion: Scene::brightestColors; only for a cutoff
+    Observer* observer = nullptr;
     RenderCounts counts;
     double dropped = 0;  // the most that rays not cast so far can have changed the pixel
 };
@@ -24,10 +25,12 @@ struct RenderContext {
 struct RayPath {
     Color weight{1};
     int max_recursion = 0;
+    RayKind kind = RayKind::Primary;
 };
 
 class Scene {
   public:
+    SceneFrame frame;
     Camera camera;
     std::vector<Material> materials;  // shapes point into it: complete before the first shape is made
     std::vector<Light> lights;
@@ -54,10 +57,12 @@ class Scene {
   private:
     void traverse(const Ray& ray, HitQuery& query, RenderContext& context) const;
     Hit closestHit(const Ray& ray, HitQuery& query, RenderContext& context) const;
-    Color shadowFactor(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const;
+    Shadow castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const;
     Color lightColor(const ShadingPoint& point, RenderContext& context) const;
     Color reflectedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;
     Color refractedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;
+    NotCast whyNotReflected(const Material& material, const RayPath& onwards, RenderContext& context) const;
+    NotCast whyNotRefracted(const ShadingPoint& point, const RayPath& onwards, Vec3& direction, RenderContext& context) const;
     bool isWorthCasting(const RayPath& path, RenderContext& context) const;
 };
 

@@ -23,9 +23,11 @@ struct ShadingPoint {
 
 // One light's share: K_A I_AL, which always counts, and K_D I_L (N.L) + K_S I_L (V.R)^n, which a shadow takes away.
 struct DirectLight {
-    Color ambient{0}, lit{0};
+    Color ambient{0}, diffuse{0}, specular{0};
     Vec3 toLight{0};      // from the point to the light, world units
     Real N_L = 0, V_R = 0;  // 0 where the light is behind the surface or reflected away from the viewer
+
+    Color lit() const { return diffuse + specular; }
 };
 DirectLight directLight(const ShadingPoint& point, const Light& light);
 

@@ -1,5 +1,11 @@
 #include "commands/arguments.h"
 
+#include <cstdio>
+#include <stdexcept>
+
+#include "raytracer/image.h"
+#include "raytracer/scene_loader.h"
+
 namespace raytracer::commands {
 
 std::optional<int> parseArguments(CLI::App& app, int argc, char** argv) {
@@ -9,6 +15,19 @@ std::optional<int> parseArguments(CLI::App& app, int argc, char** argv) {
         return app.exit(end) == 0 ? 0 : 2;
     }
     return std::nullopt;
+}
+
+int reportErrors(const std::function<int()>& command) {
+    try {
+        return command();
+    } catch (const SceneError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+    } catch (const ImageError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+    } catch (const std::invalid_argument& error) {
+        std::fprintf(stderr, "raytracer: %s\n", error.what());
+    }
+    return 2;
 }
 
 void addThresholds(CLI::App& app, Thresholds& thresholds) {

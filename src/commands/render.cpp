@@ -76,11 +76,6 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     std::printf("%s\n", json.text().c_str());
 }
 
-int usageError(const std::string& message) {
-    std::fprintf(stderr, "raytracer: %s\n", message.c_str());
-    return 2;
-}
-
 // What is wrong with the place to write to, before any work is done; empty if nothing is.
 std::string outputProblem(const std::filesystem::path& out) {
     const std::string ending = out.extension().string();
@@ -117,7 +112,7 @@ LoadedScene loadAndWarn(const RenderArguments& arguments) {
 }
 
 int renderPicture(const RenderArguments& arguments, const std::string& out, bool stats) {
-    if (const std::string problem = outputProblem(out); !problem.empty()) return usageError(problem);
+    if (const std::string problem = outputProblem(out); !problem.empty()) throw ImageError(problem);
     Timings timings;
     Stopwatch watch;
     SceneDescription description = loadAndWarn(arguments).description;
@@ -147,16 +142,7 @@ int render(int argc, char** argv) {
     app.add_flag("--stats", stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     app.footer(footer);
     if (const auto status = parseArguments(app, argc, argv)) return *status;
-    try {
-        return renderPicture(arguments, out, stats);
-    } catch (const SceneError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-    } catch (const ImageError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-    } catch (const std::invalid_argument& error) {
-        return usageError(error.what());
-    }
-    return 2;
+    return reportErrors([&] { return renderPicture(arguments, out, stats); });
 }
 
 }  // namespace raytracer::commands

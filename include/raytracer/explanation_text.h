@@ -1,0 +1,18 @@
+// An explanation for people, and the same for programs.
+#pragma once
+
+#include <string>
+
+#include "raytracer/explanation.h"
+#include "raytracer/scene_description.h"
+
+namespace raytracer {
+
+// `scene` as it was rendered: its names are shown, and its colours are those of the sums.
+std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene);
+std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene);
+
+// "sphere", "plane", ...
+const char* typeName(ShapeDescription::Type type);
+
+}  // namespace raytracer
