@@ -8,6 +8,9 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
+// So many triangles are as fast without a tree (Notes.txt).
+constexpr std::uint32_t listLimit = 8;
+
 // On which side of the edge p -> q the origin lies, +1 or -1, as if the origin were displaced by (e, e^2) with e
 // infinitesimal: never 0 unless p == q, and opposite for q -> p. (Simulation of Simplicity, Edelsbrunner and Mucke 1990.)
 int sideOfEdge(Real px, Real py, Real qx, Real qy) {
@@ -30,13 +33,22 @@ ShearedRay::ShearedRay(const ObjectRay& ray) : origin(ray.origin) {
     scaleZ = 1 / ray.direction[z];
 }
 
-TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data) : data_(std::move(data)) {
-    positions_.assign(data_->positions.begin(), data_->positions.end());
+TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options) : data_(std::move(data)) {
+    if constexpr (!std::is_same_v<Real, double>) positions_.assign(data_->positions.begin(), data_->positions.end());
+    Vec3 low(infinity), high(-infinity);
+    for (std::uint32_t i = 0; i < data_->positions.size(); ++i) {
+        low = glm::min(low, position(i));
+        high = glm::max(high, position(i));
+    }
+    center_ = low / Real(2) + high / Real(2);
+    size_ = glm::max(high - center_, center_ - low);
+    if (options.accelerator == Accelerator::Bvh && triangleCount() > listLimit)
+        bvh_ = Bvh::ofTriangles(data_->positions, data_->positionIndex, options.threads);
 }
 
 std::array<Vec3, 3> TriangleMesh::corners(std::uint32_t triangle) const {
     const std::uint32_t* index = &data_->positionIndex[std::size_t{3} * triangle];
-    return {positions_[index[0]], positions_[index[1]], positions_[index[2]]};
+    return {position(index[0]), position(index[1]), position(index[2])};
 }
 
 std::array<Vec2, 3> TriangleMesh::texCoords(std::uint32_t triangle) const {
@@ -82,29 +94,46 @@ Vec3 Mesh::normalObject(std::uint32_t triangle) const {
 
 void Mesh::intersect(const Ray& ray, HitQuery& query) const {
     const ObjectRay object = transform_.toObject(ray);
-    const ShearedRay sheared(object);
+    const Vec3 coordinates = glm::max(abs(object.origin), abs(triangles_->center()) + triangles_->size());
+    const MeshRay meshRay(ray, object, maxComponent(coordinates));
+    const Bvh& bvh = triangles_->bvh();
+    if (!bvh.empty()) {
+        // The roundings of the watertight test; of float positions, which the tree has as they were; and wayOut's allowance.
+        constexpr Real roundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
+        const Real slack = (64 * roundoff + (startsInside(ray) ? 2 * coincidenceWindow : 0)) * meshRay.reach;
+        BvhCursor cursor(bvh, {glm::dvec3(object.origin), glm::dvec3(object.direction), static_cast<double>(slack)});
+        if (cursor.usable()) {
+            while (!query.done() && cursor.next(static_cast<double>(query.limit() * transform_.objectPerWorldT())))
+                for (const std::uint32_t triangle : cursor.primitives()) intersectTriangle(meshRay, triangle, query);
+            return;
+        }
+    }
     for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount() && !query.done(); ++triangle)
-        intersectTriangle(ray, object, sheared, triangle, query);
+        intersectTriangle(meshRay, triangle, query);
 }
 
-void Mesh::intersectTriangle(const Ray& ray, const ObjectRay& object, const ShearedRay& sheared, std::uint32_t triangle,
-                             HitQuery& query) const {
+void Mesh::intersectTriangle(const MeshRay& meshRay, std::uint32_t triangle, HitQuery& query) const {
     ++query.tests;
-    const TriangleMesh::LineHit line = triangles_->intersectLine(sheared, triangle);
+    const TriangleMesh::LineHit line = triangles_->intersectLine(meshRay.sheared, triangle);
     if (!line.hit) return;
     Real t = line.t * transform_.worldPerObjectT();
     if (!(t <= query.limit())) return;
-    const Departure& departure = ray.departure;
+    const Departure& departure = meshRay.ray.departure;
     if (departure.shape == this && departure.primitive == triangle) return;
-    if (departure.shape && touches(ray.origin, departure.positionError, triangle)) {
+    if (departure.shape && touches(meshRay.ray.origin, departure.positionError, triangle)) {
         // The triangle goes through the ray's origin. It counts only as the way out of this mesh for a ray that starts
-        // just under its surface, at an edge; rounding may put that way out behind the origin.
-        const bool wayOut = departure.shape == this && departure.inside &&
-                            glm::dot(normalObject(triangle), object.direction) > 0;
+        // just under its surface, at an edge; rounding may put that way out behind the origin, a little.
+        const Vec3& direction = meshRay.object.direction;
+        const bool wayOut = startsInside(meshRay.ray) && glm::dot(normalObject(triangle), direction) > 0 &&
+                            -line.t * maxComponent(abs(direction)) <= coincidenceWindow * meshRay.reach;
         if (!wayOut) return;
         t = std::max(t, Real(0));
     }
     if (t >= 0) query.offer(t, *this, triangle);
+}
+
+bool Mesh::bounds(FloatBox& box) const {
+    return widened(triangles_->center(), triangles_->size(), abs(transform_.linear()) * triangles_->size(), box);
 }
 
 Intersection Mesh::surfaceAt(const Ray& ray, const Hit& hit) const {

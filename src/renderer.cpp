@@ -7,22 +7,22 @@ namespace raytracer {
 
 // Each is defined by the core's scene_builder.cpp, compiled for that precision.
 namespace float_precision {
-std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene);
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
 }
 namespace double_precision {
-std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene);
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
 }
 namespace extended_precision {
-std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene);
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
 }
 
-std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision) {
+std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision, const BuildOptions& options) {
     switch (precision) {
-        case Precision::Float: return float_precision::makeCoreRenderer(scene);
-        case Precision::Extended: return extended_precision::makeCoreRenderer(scene);
+        case Precision::Float: return float_precision::makeCoreRenderer(scene, options);
+        case Precision::Extended: return extended_precision::makeCoreRenderer(scene, options);
         case Precision::Double: break;
     }
-    return double_precision::makeCoreRenderer(scene);
+    return double_precision::makeCoreRenderer(scene, options);
 }
 
 ImageSize imageSize(const CameraDescription& camera, int longEdge) {

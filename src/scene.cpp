@@ -1,13 +1,18 @@
 #include "raytracer/scene.h"
 
+#include <algorithm>
+
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
+void Scene::index(const BuildOptions& options) {
+    tree_ = ShapeTree(shapes, options);
+    hasRefractiveShape_ = std::any_of(shapes.begin(), shapes.end(),
+                                      [](const auto& shape) { return shape->material().refractive; });
+}
+
 void Scene::traverse(const Ray& ray, HitQuery& query, RenderContext& context) const {
-    for (const auto& shape : shapes) {
-        shape->intersect(ray, query);
-        if (query.done()) break;
-    }
+    tree_.intersect(ray, query);
     context.counts.tests += query.tests;
 }
 
@@ -58,12 +63,12 @@ Color Scene::lightColor(const ShadingPoint& point, RenderContext& context) const
     return color;
 }
 
-// S_L: only the closest hit before the light counts.
+// S_L: only the closest hit before the light counts; where none is refractive, any will do. (An observer is told which.)
 Shadow Scene::castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const {
     ++context.counts.shadow;
     const Ray ray = point.leave(toLight, ShadingPoint::Side::Near);
     const RayEnd end{light.position};
-    HitQuery query(end, false);
+    HitQuery query(end, !hasRefractiveShape_ && !context.observer);
     const Hit hit = closestHit(ray, query, context);
     if (!hit.shape) return {};
     const Material& material = hit.shape->material();

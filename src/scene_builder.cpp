@@ -39,7 +39,7 @@ Light buildLight(const LightDescription& description, const SceneFrame& frame) {
 using MeshCache = std::map<const MeshData*, std::shared_ptr<const TriangleMesh>>;
 
 std::unique_ptr<Shape> buildShape(const ShapeDescription& description, const Transform& transform,
-                                  const Material& material, std::uint32_t index, MeshCache& meshes) {
+                                  const Material& material, std::uint32_t index, const BuildOptions& options, MeshCache& meshes) {
     switch (description.type) {
         case ShapeDescription::Type::Sphere: return std::make_unique<Sphere>(transform, material, index);
         case ShapeDescription::Type::Plane: return std::make_unique<Plane>(transform, material, index);
@@ -49,13 +49,14 @@ std::unique_ptr<Shape> buildShape(const ShapeDescription& description, const Tra
         case ShapeDescription::Type::Mesh: break;
     }
     auto& triangles = meshes[description.mesh.get()];
-    if (!triangles) triangles = std::make_shared<TriangleMesh>(description.mesh);
+    if (!triangles) triangles = std::make_shared<TriangleMesh>(description.mesh, options);
     return std::make_unique<Mesh>(transform, material, index, triangles);
 }
 
 class SceneRenderer final : public Renderer {
   public:
-    explicit SceneRenderer(const SceneDescription& description) : scene_(buildScene(description)) {}
+    SceneRenderer(const SceneDescription& description, const BuildOptions& options)
+        : scene_(buildScene(description, options)) {}
 
     RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const override {
         return scene_->render(options, sink, progress);
@@ -71,7 +72,7 @@ class SceneRenderer final : public Renderer {
 
 }  // namespace
 
-std::unique_ptr<Scene> buildScene(const SceneDescription& description) {
+std::unique_ptr<Scene> buildScene(const SceneDescription& description, const BuildOptions& options) {
     auto scene = std::make_unique<Scene>();
     std::vector<Affine> affines;
     for (const TransformDescription& transform : description.transforms) affines.push_back(compose(transform));
@@ -88,12 +89,13 @@ std::unique_ptr<Scene> buildScene(const SceneDescription& description) {
     MeshCache meshes;
     for (const ShapeDescription& shape : description.shapes)
         scene->shapes.push_back(buildShape(shape, transforms[shape.transform], scene->materials[shape.material],
-                                           static_cast<std::uint32_t>(scene->shapes.size()), meshes));
+                                           static_cast<std::uint32_t>(scene->shapes.size()), options, meshes));
+    scene->index(options);
     return scene;
 }
 
-std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& description) {
-    return std::make_unique<SceneRenderer>(description);
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& description, const BuildOptions& options) {
+    return std::make_unique<SceneRenderer>(description, options);
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -164,6 +164,24 @@ Intersection Shape::surface(const Hit& hit, const Vec3& pointObject, const Vec3&
     return intersection;
 }
 
+bool Shape::widened(const Vec3& centerObject, const Vec3& sizeObject, const Vec3& half, FloatBox& box) const {
+    constexpr Real worst = 1 << 20;  // a worse transform would widen the whole tree's rays: better no box for this one
+    const Mat3 sizes = abs(transform_.linear());
+    const Real conditioning = transform_.conditioning();
+    if (!(conditioning <= worst)) return false;
+    // A hit may lie off the surface by as much as a root of the roundoff (at a cone's apex), in units of the shape's size; and
+    // by some roundings of the numbers that place it.
+    const Vec3 size = sizes * sizeObject;
+    const Real place = maxComponent(abs(transform_.translation()) + sizes * abs(centerObject) + size);
+    const Vec3 margin = 16 * coincidenceWindow * size + gamma(32) * conditioning * place;
+    const Vec3 center = transform_.pointToWorld(centerObject), low = center - half - margin, high = center + half + margin;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = floatBelow(static_cast<double>(low[axis]));
+        box.high[axis] = floatAbove(static_cast<double>(high[axis]));
+    }
+    return Bvh::usable(box);
+}
+
 bool Solid::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
     const Vec3 error = transform_.objectError(point, pointError);
     return std::abs(surfaceOffset(transform_.pointToObject(point))) <= error.x + error.y + error.z;
@@ -208,6 +226,11 @@ Intersection Sphere::surfaceAt(const Ray& ray, const Hit& hit) const {
     return intersection;
 }
 
+bool Sphere::bounds(FloatBox& box) const {
+    const Mat3& m = transform_.linear();
+    return widened(Vec3(0), Vec3(1), glm::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]), box);
+}
+
 Real Sphere::surfaceOffset(const Vec3& p) const { return glm::length(p) - 1; }
 
 // Cylinder
@@ -225,6 +248,12 @@ Intersection Cylinder::surfaceAt(const Ray& ray, const Hit& hit) const {
     Intersection intersection = surface(hit, p, normal);
     if (wantsTexCoord()) intersection.texCoord = body ? Vec2(turn(p), p.z) : capTexCoord(p);
     return intersection;
+}
+
+bool Cylinder::bounds(FloatBox& box) const {
+    const Mat3& m = transform_.linear();
+    const Vec3 half = glm::sqrt(m[0] * m[0] + m[1] * m[1]) + abs(m[2]) / Real(2);
+    return widened({0, 0, Real(0.5)}, {1, 1, Real(0.5)}, half, box);
 }
 
 Real Cylinder::surfaceOffset(const Vec3& p) const {
@@ -246,6 +275,13 @@ Intersection Cone::surfaceAt(const Ray& ray, const Hit& hit) const {
     Intersection intersection = surface(hit, p, normal);
     if (wantsTexCoord()) intersection.texCoord = body ? Vec2(turn(p), p.z) : capTexCoord(p);
     return intersection;
+}
+
+// Around the base and the apex.
+bool Cone::bounds(FloatBox& box) const {
+    const Mat3& m = transform_.linear();
+    const Vec3 base = glm::sqrt(m[0] * m[0] + m[1] * m[1]), middle = m[2] / Real(2);
+    return widened({0, 0, Real(0.5)}, {1, 1, Real(0.5)}, glm::max(base + abs(middle), abs(middle)), box);
 }
 
 Real Cone::surfaceOffset(const Vec3& p) const {
@@ -270,6 +306,10 @@ Intersection Cube::surfaceAt(const Ray& ray, const Hit& hit) const {
     return intersection;
 }
 
+bool Cube::bounds(FloatBox& box) const {
+    return widened(Vec3(0), Vec3(1), abs(transform_.linear()) * Vec3(1), box);
+}
+
 Real Cube::surfaceOffset(const Vec3& p) const { return maxComponent(abs(p)) - 1; }
 
 // Plane
@@ -292,6 +332,8 @@ Intersection Plane::surfaceAt(const Ray& ray, const Hit& hit) const {
     if (wantsTexCoord()) intersection.texCoord = capTexCoord(p) - glm::floor(capTexCoord(p));
     return intersection;
 }
+
+bool Plane::bounds(FloatBox&) const { return false; }
 
 bool Plane::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
     return std::abs(transform_.pointToObject(point).z) <= transform_.objectError(point, pointError).z;

@@ -24,5 +24,9 @@ Transform::Transform(const Affine& worldFromObject) {
     }
 }
 
+Real Transform::conditioning() const {
+    return maxComponent(abs(linear_) * (abs(inverse_) * Vec3(1) * inverseScale_));
+}
+
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

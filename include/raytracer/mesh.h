@@ -3,9 +3,11 @@
 
 #include <array>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "raytracer/mesh_file.h"
+#include "raytracer/render_options.h"
 #include "raytracer/shape.h"
 
 namespace raytracer {
@@ -24,7 +26,7 @@ struct ShearedRay {
 // The geometry that shapes with the same OBJ file share.
 class TriangleMesh {
   public:
-    explicit TriangleMesh(std::shared_ptr<const MeshData> data);
+    TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options);
 
     std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(data_->triangleCount()); }
     std::array<Vec3, 3> corners(std::uint32_t triangle) const;
@@ -40,9 +42,24 @@ class TriangleMesh {
     };
     LineHit intersectLine(const ShearedRay& ray, std::uint32_t triangle) const;
 
+    const Bvh& bvh() const { return bvh_; }  // empty where all triangles are to be tried
+
+    // Half the size and the middle of a box around it.
+    const Vec3& center() const { return center_; }
+    const Vec3& size() const { return size_; }
+
   private:
+    Vec3 position(std::uint32_t index) const {
+        if constexpr (std::is_same_v<Real, double>)
+            return Vec3(data_->positions[index]);
+        else
+            return positions_[index];
+    }
+
     std::shared_ptr<const MeshData> data_;
-    std::vector<Vec3> positions_;
+    std::vector<Vec3> positions_;  // only where Real is not what data_ has
+    Vec3 center_{0}, size_{0};
+    Bvh bvh_;
 };
 
 class Mesh final : public Shape {
@@ -55,9 +72,22 @@ class Mesh final : public Shape {
     Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
     bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t triangle) const override;
 
+    bool bounds(FloatBox& box) const override;
+
   private:
-    void intersectTriangle(const Ray& ray, const ObjectRay& object, const ShearedRay& sheared, std::uint32_t triangle,
-                           HitQuery& query) const;
+    // A ray in object space. reach: no coordinate of its origin or of the mesh is larger; what roundings go by.
+    struct MeshRay {
+        MeshRay(const Ray& world, const ObjectRay& objectRay, Real largestCoordinate)
+            : ray(world), object(objectRay), sheared(objectRay), reach(largestCoordinate) {}
+
+        const Ray& ray;
+        ObjectRay object;
+        ShearedRay sheared;
+        Real reach;
+    };
+
+    void intersectTriangle(const MeshRay& ray, std::uint32_t triangle, HitQuery& query) const;
+    bool startsInside(const Ray& ray) const { return ray.departure.shape == this && ray.departure.inside; }
     Vec3 normalObject(std::uint32_t triangle) const;  // by the cross product, not of unit length
 
     std::shared_ptr<const TriangleMesh> triangles_;

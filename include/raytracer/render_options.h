@@ -11,6 +11,14 @@ namespace raytracer {
 
 enum class Precision { Float, Double, Extended };
 
+// How the shapes that a ray meets are found: by trees (bvh.h), or, as the check, by trying all. The picture is the same.
+enum class Accelerator { None, Bvh };
+
+struct BuildOptions {
+    Accelerator accelerator = Accelerator::Bvh;
+    int threads = 0;  // 0: one for each processor
+};
+
 // What a pixel shows: the light model, or one of the stages on the way to it.
 enum class Pass {
     Color,    // the light model

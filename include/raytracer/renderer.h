@@ -24,7 +24,8 @@ class Renderer {
 };
 
 // Builds the scene's shapes and trees. The description may be dropped afterwards.
-std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision);
+std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision,
+                                       const BuildOptions& options = {});
 
 // The longer side of the film gets longEdge pixels, the other lround(longEdge * short / long), at least 1.
 ImageSize imageSize(const CameraDescription& camera, int longEdge);

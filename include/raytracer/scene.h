@@ -8,6 +8,7 @@
 #include "raytracer/camera.h"
 #include "raytracer/observer.h"
 #include "raytracer/render_options.h"
+#include "raytracer/shape_tree.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -37,6 +38,9 @@ class Scene {
     std::vector<std::unique_ptr<Shape>> shapes;
     std::vector<std::shared_ptr<const Texture>> textures;  // keeps alive what materials point to
 
+    // Once shapes and materials are complete: prepares to find the ones that a ray meets.
+    void index(const BuildOptions& options);
+
     // The nearest intersection with t >= 0; where surfaces coincide, with the one listed first.
     Intersection closestIntersection(const Ray& ray, RenderContext& context) const;
 
@@ -64,6 +68,9 @@ class Scene {
     NotCast whyNotReflected(const Material& material, const RayPath& onwards, RenderContext& context) const;
     NotCast whyNotRefracted(const ShadingPoint& point, const RayPath& onwards, Vec3& direction, RenderContext& context) const;
     bool isWorthCasting(const RayPath& path, RenderContext& context) const;
+
+    ShapeTree tree_;
+    bool hasRefractiveShape_ = false;
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

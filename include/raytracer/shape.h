@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "raytracer/bvh.h"
 #include "raytracer/hit_query.h"
 #include "raytracer/material.h"
 #include "raytracer/transform.h"
@@ -48,6 +49,9 @@ class Shape {
     // primitive, for a mesh).
     virtual bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const = 0;
 
+    // A box around every point that `intersect` may take for a point of this shape, in world space; false where there is none.
+    virtual bool bounds(FloatBox& box) const = 0;
+
     // The assignment's interface: the nearest hit of this shape alone, complete.
     Intersection rayIntersect(const Ray& ray) const;
 
@@ -58,6 +62,10 @@ class Shape {
   protected:
     // The point of an object-space surface, in the world: the common part of every surfaceAt.
     Intersection surface(const Hit& hit, const Vec3& pointObject, const Vec3& normalObject) const;
+    // The box from center - half to center + half, widened by what the arithmetic of `intersect` may be off by. sizeObject:
+    // half the size of the shape's box in object space.
+    bool widened(const Vec3& centerObject, const Vec3& sizeObject, const Vec3& half, FloatBox& box) const;
+
     bool wantsTexCoord() const { return material_->diffuse_texture != nullptr; }
 
     Transform transform_;
@@ -96,6 +104,7 @@ class Sphere final : public Solid {
     using Solid::Solid;
     void intersect(const Ray& ray, HitQuery& query) const override;
     Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+    bool bounds(FloatBox& box) const override;
 
   private:
     Real surfaceOffset(const Vec3& pointObject) const override;
@@ -107,6 +116,7 @@ class Cylinder final : public Solid {
     using Solid::Solid;
     void intersect(const Ray& ray, HitQuery& query) const override;
     Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+    bool bounds(FloatBox& box) const override;
 
   private:
     Real surfaceOffset(const Vec3& pointObject) const override;
@@ -118,6 +128,7 @@ class Cone final : public Solid {
     using Solid::Solid;
     void intersect(const Ray& ray, HitQuery& query) const override;
     Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+    bool bounds(FloatBox& box) const override;
 
   private:
     Real surfaceOffset(const Vec3& pointObject) const override;
@@ -129,6 +140,7 @@ class Cube final : public Solid {
     using Solid::Solid;
     void intersect(const Ray& ray, HitQuery& query) const override;
     Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
+    bool bounds(FloatBox& box) const override;
 
   private:
     Real surfaceOffset(const Vec3& pointObject) const override;
@@ -141,6 +153,7 @@ class Plane final : public Shape {
     void intersect(const Ray& ray, HitQuery& query) const override;
     Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
     bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const override;
+    bool bounds(FloatBox& box) const override;
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

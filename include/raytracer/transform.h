@@ -27,6 +27,7 @@ class Transform {
     }
     Vec3 pointToObject(const Vec3& world) const { return inverse_ * (world - translation_) * inverseScale_; }
     Real worldPerObjectT() const { return worldPerObjectT_; }
+    Real objectPerWorldT() const { return inverseScale_; }
 
     Vec3 pointToWorld(const Vec3& object) const { return linear_ * object + translation_; }
 
@@ -44,6 +45,10 @@ class Transform {
             worldError + gamma(5) * abs(world - translation_) + gamma(2) * abs(translation_);
         return abs(inverse_) * uncertain * inverseScale_;
     }
+
+    // How much larger, at most, an error can become on the way to object space and back: the largest sum of a row of
+    // |linear| |inverse|. At most 3 for any rotation times a scale, at most 1 without a rotation.
+    Real conditioning() const;
 
     // The world direction of a surface normal: inverse transpose, not of unit length, the sign kept under mirroring.
     Vec3 normalToWorld(const Vec3& object) const { return glm::transpose(inverse_) * object; }

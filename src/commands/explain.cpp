@@ -28,7 +28,7 @@ int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
         throw std::invalid_argument("expected a pixel inside of the " + std::to_string(options.size.width) + " x " +
                                     std::to_string(options.size.height) + " picture, found " + std::to_string(x) +
                                     ", " + std::to_string(y));
-    const auto renderer = makeRenderer(loaded.description, arguments.precisionChosen());
+    const auto renderer = makeRenderer(loaded.description, arguments.precisionChosen(), arguments.buildOptions());
     const RayExplanation explanation = renderer->explain(options, x, y);
     const std::string text = json ? explanationJson(explanation, loaded.description)
                                   : explanationText(explanation, loaded.description);

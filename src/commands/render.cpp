@@ -118,7 +118,7 @@ int renderPicture(const RenderArguments& arguments, const std::string& out, bool
     SceneDescription description = loadAndWarn(arguments).description;
     timings.load = watch.lap();
     const RenderOptions options = arguments.prepare(description);
-    const auto renderer = makeRenderer(description, arguments.precisionChosen());
+    const auto renderer = makeRenderer(description, arguments.precisionChosen(), arguments.buildOptions());
     timings.build = watch.lap();
     const bool floats = std::filesystem::path(out).extension() == ".pfm";
     const RenderCounts counts =

@@ -72,6 +72,8 @@ void RenderArguments::addTo(CLI::App& app) {
     app.add_option("--crop", crop, "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
     app.add_option("--threads", threads, "Number of threads; 0: one for each processor")
         ->check(CLI::Range(0, 4096))->capture_default_str();
+    app.add_option("--accelerator", accelerator, "How rays find shapes: bvh, or none to try them all (the same picture)")
+        ->check(CLI::IsMember({"bvh", "none"}))->capture_default_str();
     app.add_flag("--strict", strict, "Warnings about the scene are errors");
     app.add_flag("--quiet", quiet, "No warnings and no progress bar");
 }
@@ -93,6 +95,10 @@ Terms RenderArguments::terms() const {
 
 Precision RenderArguments::precisionChosen() const {
     return precision == "float" ? Precision::Float : precision == "extended" ? Precision::Extended : Precision::Double;
+}
+
+BuildOptions RenderArguments::buildOptions() const {
+    return {accelerator == "none" ? Accelerator::None : Accelerator::Bvh, threads};
 }
 
 RenderOptions RenderArguments::prepare(SceneDescription& description) const {

@@ -19,6 +19,7 @@ struct RenderArguments {
     std::string precision = "double";
     std::string crop;          // x0,y0,x1,y1; empty: the whole picture
     int threads = 0;
+    std::string accelerator = "bvh";
     int samples = 1;
     double adaptive = 0;
     double cutoff = 0;
@@ -31,6 +32,7 @@ struct RenderArguments {
     // The terms named by `only`. Throws std::invalid_argument with a line for the user.
     Terms terms() const;
     Precision precisionChosen() const;
+    BuildOptions buildOptions() const;
 
     // Applies `only` and `opaque` to the scene and fills in the options for it. Throws std::invalid_argument.
     RenderOptions prepare(SceneDescription& scene) const;

@@ -1,0 +1,138 @@
+// A bounding volume hierarchy that culls in float: of many boxes or triangles, the few that a ray might meet.
+//
+// It may only discard, never decide: whatever it returns is looked at again in Real, and what it leaves out must be
+// something that Real arithmetic would not have hit either. Hence everything here is rounded outwards: boxes, the ray's
+// origin (a small box itself, see BvhRay::slack), distances. A picture is the same with any tree, any instruction set or
+// none. Independent of Real, so compiled once; the only place with SIMD.
+//
+// Eight children to a node (Wald, Benthin and Boulos, Getting Rid of Packets, 2008). A mesh's leaf is a block of up to
+// eight triangles, their corners on a 16-bit grid of the block's own, tested together before Real sees any of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace raytracer {
+
+struct FloatBox {
+    float low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+};
+
+// The nearest floats that are surely below and above; coordinates beyond the range of float become infinite.
+float floatBelow(double x);
+float floatAbove(double x);
+
+enum class InstructionSet { Scalar, Sse2, Avx2 };
+
+// The best that this processor has, or a lesser one named by the environment variable RAYTRACER_SIMD: scalar, sse2, avx2.
+InstructionSet instructionSet();
+
+bool isSupported(InstructionSet set);
+
+// For tests: from now on this one, which the processor must have.
+void setInstructionSet(InstructionSet set);
+
+// The points origin + t * direction with t >= 0.
+struct BvhRay {
+    glm::dvec3 origin, direction;
+    // How far off, for each axis, the computed hits of these primitives may lie from primitive or ray.
+    double slack = 0;
+};
+
+// Child boxes as planes[2 * axis + (0: low, 1: high)][child]. A slot without a child is an inverted infinite box.
+struct alignas(32) BvhNode {
+    float planes[6][8];
+    std::uint32_t child[8];
+
+    // A child is a node's index, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place.
+    static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31;
+};
+
+// The head of a leaf's triangles, in 32-bit words. After it a primitive number for each triangle, then for each corner and
+// axis a 16-bit grid coordinate for each triangle. A point is base + grid / 2^exponent.
+struct BvhBlock {
+    float base[3];
+    std::int16_t exponent;
+    std::uint16_t count;
+    static constexpr std::size_t words = 4;
+};
+
+class Bvh {
+  public:
+    Bvh() = default;
+
+    // Over boxes, which must be usable; the primitives are their indices. With threads 0, as many as there are processors.
+    static Bvh ofBoxes(std::span<const FloatBox> boxes, int threads = 0);
+    static bool usable(const FloatBox& box);
+
+    // Over triangles, three indices each. Empty where the coordinates are so large that their differences overflow.
+    static Bvh ofTriangles(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices,
+                           int threads = 0);
+
+    bool empty() const { return !hasRoot_; }
+
+    // The frame in which it computes: no primitive is further than the extent from the center, along any axis.
+    glm::dvec3 center() const { return center_; }
+    double extent() const { return extent_; }
+
+    std::size_t memory() const;  // bytes
+
+  private:
+    friend class BvhBuilder;
+    friend class BvhCursor;
+
+    std::vector<BvhNode> nodes_;
+    std::vector<std::uint32_t> words_;  // of blocks
+    std::uint32_t root_ = 0;
+    bool hasRoot_ = false, triangles_ = false;
+    glm::dvec3 center_{0};
+    double extent_ = 0;
+    double scale_ = 1;  // a power of two: from the primitives' space to the frame
+};
+
+// What a traversal works on: a ray, made ready, and the nodes still to be seen.
+struct BvhTraversal {
+    const BvhNode* nodes;
+    const std::uint32_t* words;                          // null for boxes
+
+    float inverseNear[3], inverseFar[3];                 // 1 / direction; the latter larger by what rounding may take
+    float nearOrigin[3], farOrigin[3];                   // the origin's box: the side that makes t small, large
+    float nearScaled[3], farScaled[3];                   // times the inverse
+    std::uint32_t nearPlane[3], farPlane[3];             // which planes of a node
+
+    std::uint32_t x, y, z;                               // for triangles: z has the largest component of the direction
+    double shearX, shearY, origin[3], slack;             // in the tree's frame
+
+    // The most entries that a tree of the builder's greatest depth can leave.
+    static constexpr int stackSize = 7 * 56 + 1;
+    int depth = 0;
+    std::uint32_t foundCount = 0;
+    std::uint32_t found[8];
+    std::uint64_t stack[stackSize];                      // distance (its bits, in the upper half) and child
+};
+
+// One ray's way through a tree, from near to far but for the overlap of boxes.
+class BvhCursor {
+  public:
+    BvhCursor(const Bvh& bvh, const BvhRay& ray);
+
+    // Whether the tree can be used for this ray; if not (its numbers are out of all proportion), every primitive counts.
+    bool usable() const { return usable_; }
+
+    // Moves on to the next primitives that might be hit at t <= limit; false when there are none.
+    bool next(double limit);
+
+    // Those: a few at a time, so that Real is asked soon and can lower the limit.
+    std::span<const std::uint32_t> primitives() const { return {state_.found, state_.foundCount}; }
+
+  private:
+    BvhTraversal state_;
+    double tScale_;  // the ray's t in units of the normalised direction
+    bool usable_ = false;
+};
+
+}  // namespace raytracer

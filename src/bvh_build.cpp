@@ -1,0 +1,447 @@
+// Building the tree: top down, by the surface area heuristic over 16 bins an axis (Wald, On fast Construction of SAH-based
+// Bounding Volume Hierarchies, 2007), straight to eight children: the child with the largest surface is split until there
+// are eight. The top is built by one thread that lets all of them bin; what lies below is shared out among them.
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <thread>
+
+#include <glm/common.hpp>
+
+#include "raytracer/bvh.h"
+
+namespace raytracer {
+
+namespace {
+
+// GCC's and Clang's vectors, on any processor.
+using Float4 [[gnu::vector_size(16)]] = float;
+using Int4 [[gnu::vector_size(16)]] = std::int32_t;
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr int binCount = 16;
+constexpr int medianDepth = 24;                        // from here on halves, so that the depth is bounded: stackSize
+constexpr std::uint32_t parallelSize = 1 << 15;        // fewer primitives are not worth a thread's start
+constexpr std::uint32_t tasksPerThread = 12;           // many small ones share out more evenly
+constexpr std::uint32_t blockSize = 8;
+
+Float4 min(Float4 a, Float4 b) { return a < b ? a : b; }
+Float4 max(Float4 a, Float4 b) { return a > b ? a : b; }
+
+struct Box {
+    Float4 low{infinite, infinite, infinite, infinite}, high{-infinite, -infinite, -infinite, -infinite};
+
+    void add(const Box& other) { low = min(low, other.low), high = max(high, other.high); }
+    void add(Float4 point) { low = min(low, point), high = max(high, point); }
+    float halfArea() const {
+        const Float4 size = high - low;
+        return size[0] * (size[1] + size[2]) + size[1] * size[2];
+    }
+};
+
+// A primitive to be sorted in: its box, and its number in the bits of low[3].
+struct Reference {
+    Box box;
+    std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(float{box.low[3]}); }
+    void setPrimitive(std::uint32_t number) { box.low[3] = std::bit_cast<float>(number), box.high[3] = 0; }
+
+    // Twice the box's middle. Without the number, which as a denormal would be slow to add.
+    Float4 center() const {
+        const Int4 mask{-1, -1, -1, 0};
+        return std::bit_cast<Float4>(std::bit_cast<Int4>(box.low) & mask) + box.high;
+    }
+};
+
+struct Range {
+    std::uint32_t begin = 0, end = 0;
+    Box box, centers;
+
+    std::uint32_t size() const { return end - begin; }
+    void add(const Reference& reference) { box.add(reference.box), centers.add(reference.center()); }
+};
+
+struct Bins {
+    Box box[3][binCount];
+    std::uint32_t count[3][binCount] = {};
+
+    void add(const Bins& other) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (int bin = 0; bin < binCount; ++bin) {
+                box[axis][bin].add(other.box[axis][bin]);
+                count[axis][bin] += other.count[axis][bin];
+            }
+    }
+};
+
+// Which bin a centre falls into.
+struct Binning {
+    Float4 low, scale;
+
+    explicit Binning(const Box& centers) : low(centers.low) {
+        const Float4 size = centers.high - centers.low;
+        for (int axis = 0; axis < 4; ++axis)  // no size, no bins; the factor keeps the highest centre in the last one
+            scale[axis] = size[axis] > 0 ? std::min(binCount * (1 - 0x1p-20f) / size[axis], 0x1p100f) : 0;
+    }
+
+    Int4 operator()(const Reference& reference) const {
+        return __builtin_convertvector((reference.center() - low) * scale, Int4);
+    }
+};
+
+struct Split {
+    int axis = -1;
+    int bin = 0;  // the first of the right side
+    float cost = infinite;
+};
+
+int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+// work(i) for every 0 <= i < count, on several threads.
+template <class Work>
+void parallelFor(std::uint32_t count, int threads, const Work& work) {
+    std::atomic<std::uint32_t> next{0};
+    const auto take = [&] {
+        for (std::uint32_t i; (i = next.fetch_add(1)) < count;) work(i);
+    };
+    std::vector<std::jthread> helpers;
+    for (int i = std::min(threads, static_cast<int>(count)); i > 1; --i) helpers.emplace_back(take);
+    take();
+}
+
+// The same for pieces of a range of numbers.
+template <class Work>
+void parallelPieces(std::uint32_t begin, std::uint32_t end, int threads, const Work& work) {
+    const std::uint32_t size = end - begin;
+    const std::uint32_t pieces = size < parallelSize ? 1 : std::min(size / (parallelSize / 4), 4u * static_cast<unsigned>(threads));
+    parallelFor(pieces, threads, [&](std::uint32_t piece) {
+        const auto at = [&](std::uint32_t i) { return begin + static_cast<std::uint32_t>(std::uint64_t{size} * i / pieces); };
+        work(piece, at(piece), at(piece + 1));
+    });
+}
+
+}  // namespace
+
+class BvhBuilder {
+  public:
+    BvhBuilder(Bvh& bvh, int threads) : bvh_(bvh), threads_(threads > 0 ? threads : processors()) {}
+
+    void build(std::span<const FloatBox> boxes);
+    void build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices);
+
+  private:
+    // A subtree under construction, with references of its own that relocate() makes global.
+    struct Part {
+        std::vector<BvhNode> nodes;
+        std::vector<std::uint32_t> words;
+    };
+
+    // A range of the top's that a thread will build, and where its root is to be entered.
+    struct Task {
+        Range range;
+        int depth;
+        Part part;
+        std::uint32_t root;
+    };
+    static constexpr std::uint32_t noTask = 0;
+
+    template <class MakeReference>
+    void buildTree(std::uint32_t count, const MakeReference& makeReference);
+    void assemble(Part& top, std::uint32_t root);
+
+    std::uint32_t buildRange(Part& part, const Range& range, int depth, bool top);
+    std::uint32_t splitIntoChildren(const Range& range, int depth, bool top, Range (&children)[8]);
+    std::uint32_t leaf(Part& part, const Range& range) const;
+    bool isLeaf(const Range& range) const { return range.size() <= leafSize_; }
+
+    void split(const Range& range, int depth, bool top, Range& left, Range& right);
+    Split bestSplit(const Range& range, bool top) const;
+    Bins binned(const Range& range, const Binning& binning, bool top) const;
+    void partition(const Range& range, const Split& split, Range& left, Range& right);
+    void halve(const Range& range, Range& left, Range& right);
+
+    glm::dvec3 framePoint(std::uint32_t index) const {
+        return (positions_[indices_[index]] - bvh_.center_) * bvh_.scale_;
+    }
+
+    Bvh& bvh_;
+    int threads_;
+    std::uint32_t leafSize_ = 1;
+    std::uint32_t taskSize_ = 0;
+    std::vector<Reference> references_;
+    std::vector<Task> tasks_;
+    std::span<const glm::dvec3> positions_;
+    std::span<const std::uint32_t> indices_;
+};
+
+void BvhBuilder::build(std::span<const FloatBox> boxes) {
+    leafSize_ = 1;
+    buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
+        const FloatBox& box = boxes[i];
+        Reference reference{{{box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}}};
+        return reference;
+    });
+}
+
+void BvhBuilder::build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices) {
+    positions_ = positions, indices_ = indices;
+    bvh_.triangles_ = true;
+    leafSize_ = blockSize;
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (const glm::dvec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
+    bvh_.center_ = low + (high - low) / 2.0;
+    const glm::dvec3 half = glm::max(high - bvh_.center_, bvh_.center_ - low);
+    const double extent = std::max(half.x, std::max(half.y, half.z));
+    if (!(extent <= std::numeric_limits<double>::max() / 4)) return;
+    const int exponent = extent > 0 ? std::clamp(std::ilogb(extent) + 1, -1000, 1000) : 0;
+    bvh_.scale_ = std::scalbn(1.0, -exponent);
+    bvh_.extent_ = std::max(extent, std::numeric_limits<double>::min());
+
+    buildTree(static_cast<std::uint32_t>(indices.size() / 3), [&](std::uint32_t i) {
+        const glm::dvec3 a = framePoint(3 * i), b = framePoint(3 * i + 1), c = framePoint(3 * i + 2);
+        const glm::dvec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
+        Box box{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0},
+                {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z), 0}};
+        // An ulp or two outwards, and something for 0.
+        const auto outwards = [](Float4 v) { return (v < 0 ? -v : v) * 0x1p-23f + 0x1p-100f; };
+        box.low -= outwards(box.low), box.high += outwards(box.high);
+        return Reference{box};
+    });
+}
+
+template <class MakeReference>
+void BvhBuilder::buildTree(std::uint32_t count, const MakeReference& makeReference) {
+    if (count == 0) return;
+    references_.resize(count);
+    std::vector<Range> pieces(4u * static_cast<unsigned>(threads_) + 1);
+    parallelPieces(0, count, threads_, [&](std::uint32_t piece, std::uint32_t begin, std::uint32_t end) {
+        Range all;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            references_[i] = makeReference(i);
+            references_[i].setPrimitive(i);
+            all.add(references_[i]);
+        }
+        pieces[piece] = all;
+    });
+    Range all;
+    all.end = count;
+    for (const Range& piece : pieces) all.box.add(piece.box), all.centers.add(piece.centers);
+    if (threads_ > 1 && count >= parallelSize)
+        taskSize_ = std::max(parallelSize / 8, count / (tasksPerThread * static_cast<unsigned>(threads_)));
+
+    Part top;
+    const std::uint32_t root = buildRange(top, all, 0, taskSize_ != 0);
+    parallelFor(static_cast<std::uint32_t>(tasks_.size()), threads_, [&](std::uint32_t i) {
+        Task& task = tasks_[i];
+        task.root = buildRange(task.part, task.range, task.depth, false);
+    });
+    assemble(top, root);
+}
+
+// Puts the parts one after another. In the top, a child with leafBit is a task's number.
+void BvhBuilder::assemble(Part& top, std::uint32_t root) {
+    std::vector<std::uint32_t> nodeStart, wordStart;
+    std::size_t nodes = top.nodes.size(), words = top.words.size();
+    for (const Task& task : tasks_) {
+        nodeStart.push_back(static_cast<std::uint32_t>(nodes));
+        wordStart.push_back(static_cast<std::uint32_t>(words));
+        nodes += task.part.nodes.size();
+        words += task.part.words.size();
+    }
+    const auto moved = [&](std::uint32_t child, std::size_t task) {
+        if (!(child & BvhNode::leafBit)) return child + nodeStart[task];
+        return bvh_.triangles_ ? child + wordStart[task] : child;
+    };
+    for (BvhNode& node : top.nodes)
+        for (std::uint32_t& child : node.child)
+            if (!tasks_.empty() && (child & BvhNode::leafBit))
+                child = moved(tasks_[child & ~BvhNode::leafBit].root, child & ~BvhNode::leafBit);
+    bvh_.nodes_ = std::move(top.nodes);
+    bvh_.nodes_.resize(nodes);
+    bvh_.words_ = std::move(top.words);
+    bvh_.words_.resize(words + BvhBlock::words);  // loads of eight coordinates run past the last ones
+    parallelFor(static_cast<std::uint32_t>(tasks_.size()), threads_, [&](std::uint32_t i) {
+        Part& part = tasks_[i].part;
+        for (std::size_t n = 0; n < part.nodes.size(); ++n) {
+            for (std::uint32_t& child : part.nodes[n].child) child = moved(child, i);
+            bvh_.nodes_[nodeStart[i] + n] = part.nodes[n];
+        }
+        if (!part.words.empty()) std::memcpy(&bvh_.words_[wordStart[i]], part.words.data(), 4 * part.words.size());
+        part = {};
+    });
+    bvh_.root_ = root;
+    bvh_.hasRoot_ = true;
+}
+
+std::uint32_t BvhBuilder::buildRange(Part& part, const Range& range, int depth, bool top) {
+    if (top && range.size() <= taskSize_) {
+        tasks_.push_back({range, depth, {}, 0});
+        return BvhNode::leafBit | static_cast<std::uint32_t>(tasks_.size() - 1);
+    }
+    if (isLeaf(range)) return leaf(part, range);
+    Range children[8];
+    const std::uint32_t count = splitIntoChildren(range, depth, top, children);
+    const auto index = static_cast<std::uint32_t>(part.nodes.size());
+    BvhNode& node = part.nodes.emplace_back();
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        const Box box = i < count ? children[i].box : Box{};
+        for (int axis = 0; axis < 3; ++axis) {
+            node.planes[2 * axis][i] = box.low[axis];
+            node.planes[2 * axis + 1][i] = box.high[axis];
+        }
+        node.child[i] = 0;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t child = buildRange(part, children[i], depth + 1, top);
+        part.nodes[index].child[i] = child;
+    }
+    return index;
+}
+
+std::uint32_t BvhBuilder::splitIntoChildren(const Range& range, int depth, bool top, Range (&children)[8]) {
+    std::uint32_t count = 1;
+    children[0] = range;
+    while (count < 8) {
+        int largest = -1;
+        float area = -1;
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (!isLeaf(children[i]) && children[i].box.halfArea() > area)
+                largest = static_cast<int>(i), area = children[i].box.halfArea();
+        if (largest < 0) break;
+        const Range whole = children[largest];
+        split(whole, depth, top, children[largest], children[count++]);
+    }
+    return count;
+}
+
+// A leaf of boxes is the primitive's number; of triangles, a block with their corners.
+std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
+    if (!bvh_.triangles_) return BvhNode::leafBit | references_[range.begin].primitive();
+    const std::uint32_t count = range.size(), place = static_cast<std::uint32_t>(part.words.size());
+    const Float4 size = range.box.high - range.box.low;
+    const float largest = std::max(size[0], std::max(size[1], size[2]));
+    BvhBlock block{{range.box.low[0], range.box.low[1], range.box.low[2]}, 0, static_cast<std::uint16_t>(count)};
+    block.exponent = static_cast<std::int16_t>(std::min(15 - std::ilogb(largest * (1 + 0x1p-15f)), 100));
+    const double scale = std::scalbn(1.0, block.exponent);
+    part.words.resize(place + BvhBlock::words + count + (9 * count + 1) / 2);
+    std::memcpy(&part.words[place], &block, sizeof block);
+    std::uint32_t* primitives = &part.words[place + BvhBlock::words];
+    auto* grid = reinterpret_cast<std::uint16_t*>(primitives + count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        primitives[i] = references_[range.begin + i].primitive();
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            const glm::dvec3 point = framePoint(3 * primitives[i] + corner);
+            for (int axis = 0; axis < 3; ++axis) {
+                const double step = std::floor((point[axis] - static_cast<double>(block.base[axis])) * scale + 0.5);
+                grid[(3 * corner + static_cast<std::uint32_t>(axis)) * count + i] =
+                    static_cast<std::uint16_t>(std::min(step, 65535.0));
+            }
+        }
+    }
+    return BvhNode::leafBit | place;
+}
+
+void BvhBuilder::split(const Range& range, int depth, bool top, Range& left, Range& right) {
+    const Split best = depth < medianDepth ? bestSplit(range, top) : Split{};
+    if (best.axis >= 0)
+        partition(range, best, left, right);
+    else
+        halve(range, left, right);
+}
+
+Bins BvhBuilder::binned(const Range& range, const Binning& binning, bool top) const {
+    const auto bin = [&](std::uint32_t begin, std::uint32_t end, Bins& bins) {
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const Int4 place = binning(references_[i]);
+            for (int axis = 0; axis < 3; ++axis) {
+                bins.box[axis][place[axis]].add(references_[i].box);
+                ++bins.count[axis][place[axis]];
+            }
+        }
+    };
+    Bins all;
+    if (!top) {
+        bin(range.begin, range.end, all);
+        return all;
+    }
+    std::vector<Bins> pieces(4u * static_cast<unsigned>(threads_) + 1);
+    parallelPieces(range.begin, range.end, threads_, [&](std::uint32_t piece, std::uint32_t begin, std::uint32_t end) {
+        bin(begin, end, pieces[piece]);
+    });
+    for (const Bins& piece : pieces) all.add(piece);
+    return all;
+}
+
+// The plane between two bins with the least surface area times primitives on both sides. None where all centres coincide.
+Split BvhBuilder::bestSplit(const Range& range, bool top) const {
+    const Bins bins = binned(range, Binning(range.centers), top);
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(range.centers.high[axis] > range.centers.low[axis])) continue;
+        float rightCost[binCount];
+        Box box;
+        std::uint32_t count = 0;
+        for (int bin = binCount - 1; bin > 0; --bin) {
+            box.add(bins.box[axis][bin]);
+            count += bins.count[axis][bin];
+            rightCost[bin] = count ? box.halfArea() * static_cast<float>(count) : infinite;
+        }
+        box = {}, count = 0;
+        for (int bin = 1; bin < binCount; ++bin) {
+            box.add(bins.box[axis][bin - 1]);
+            count += bins.count[axis][bin - 1];
+            if (count == 0) continue;
+            const float cost = box.halfArea() * static_cast<float>(count) + rightCost[bin];
+            if (cost < best.cost) best = {axis, bin, cost};
+        }
+    }
+    return best;
+}
+
+void BvhBuilder::partition(const Range& range, const Split& split, Range& left, Range& right) {
+    const Binning binning(range.centers);
+    Range sides[2];
+    std::uint32_t begin = range.begin, end = range.end;
+    while (begin < end) {
+        Reference& reference = references_[begin];
+        const bool isRight = binning(reference)[split.axis] >= split.bin;
+        sides[isRight].add(reference);
+        if (isRight)
+            std::swap(reference, references_[--end]);
+        else
+            ++begin;
+    }
+    left = sides[0], left.begin = range.begin, left.end = begin;
+    right = sides[1], right.begin = begin, right.end = range.end;
+}
+
+void BvhBuilder::halve(const Range& range, Range& left, Range& right) {
+    const Float4 size = range.centers.high - range.centers.low;
+    const int axis = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
+    const std::uint32_t middle = range.begin + range.size() / 2;
+    std::nth_element(references_.begin() + range.begin, references_.begin() + middle, references_.begin() + range.end,
+                     [&](const Reference& a, const Reference& b) { return a.center()[axis] < b.center()[axis]; });
+    Range sides[2];
+    for (std::uint32_t i = range.begin; i < range.end; ++i) sides[i >= middle].add(references_[i]);
+    left = sides[0], left.begin = range.begin, left.end = middle;
+    right = sides[1], right.begin = middle, right.end = range.end;
+}
+
+Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, int threads) {
+    Bvh bvh;
+    BvhBuilder(bvh, threads).build(boxes);
+    for (const FloatBox& box : boxes)
+        for (int axis = 0; axis < 3; ++axis)
+            bvh.extent_ = std::max({bvh.extent_, std::abs(double{box.low[axis]}), std::abs(double{box.high[axis]})});
+    return bvh;
+}
+
+Bvh Bvh::ofTriangles(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices, int threads) {
+    Bvh bvh;
+    BvhBuilder(bvh, threads).build(positions, indices);
+    return bvh;
+}
+
+}  // namespace raytracer
