@@ -1,5 +1,5 @@
-// Time against size for PNG: stb's row filters (0 none, 1 sub, 2 up, 3 average, 4 Paeth, -1 the best of each row) and
-// libdeflate's levels. Usage: png_levels PICTURE [LONG_EDGE]; the picture is scaled up (bilinear) to LONG_EDGE pixels.
+// Time against size for PNG: stb's row filters by name (adaptive: the best of each row, by its own estimate) and
+// libdeflate's levels. Usage: png_levels PICTURE [LONG_EDGE]; the picture is scaled (bilinear) to LONG_EDGE pixels.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

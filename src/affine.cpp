@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include <glm/trigonometric.hpp>
+
 namespace raytracer {
 namespace {
 
@@ -16,17 +18,16 @@ struct SineCosine {
     Real sine, cosine;
 };
 
-// The reduction to [-45, 45] degrees is exact, so that quarter turns come out as exact 0 and +-1.
+// Quarter turns are exact. Any other angle is brought to radians in double, as the course framework's glm::radians does:
+// its rounding is part of what references were made with (a cylinder turned by 45 degrees shows it in its normals).
 SineCosine sineCosine(double degrees) {
     int quarters = 0;
-    const Real radians = std::remquo(Real(degrees), Real(90), &quarters) * (std::numbers::pi_v<Real> / 180);
-    const Real sine = std::sin(radians), cosine = std::cos(radians);
-    switch (quarters & 3) {
-        case 0: return {sine, cosine};
-        case 1: return {cosine, -sine};
-        case 2: return {-sine, -cosine};
-        default: return {-cosine, sine};
+    if (std::remquo(degrees, 90.0, &quarters) == 0) {
+        constexpr Real sines[] = {0, 1, 0, -1};
+        return {sines[quarters & 3], sines[(quarters + 1) & 3]};
     }
+    const Real radians = glm::radians(degrees);
+    return {std::sin(radians), std::cos(radians)};
 }
 
 // No double is so large or small that its square leaves the exponent range of long double.
@@ -107,10 +108,11 @@ struct Elimination {
 };
 
 void Elimination::choosePivot(int step) {
+    const auto size = [&](int row, int i) { return std::abs(left[row][pivotColumn[i]]); };
     int bestRow = step, best = step;
     for (int row = step; row < 3; ++row)
         for (int i = step; i < 3; ++i)
-            if (std::abs(left[row][pivotColumn[i]]) > std::abs(left[bestRow][pivotColumn[best]])) bestRow = row, best = i;
+            if (size(row, i) > size(bestRow, best)) bestRow = row, best = i;
     std::swap(left[step], left[bestRow]);
     std::swap(right[step], right[bestRow]);
     std::swap(pivotColumn[step], pivotColumn[best]);

@@ -67,7 +67,8 @@ void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImag
 
 // `samples` are the pictures as they are, `a` and `b` the same as bytes.
 template <class Image>
-Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteImage& a, const ByteImage& b, double peak) {
+Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteImage& a, const ByteImage& b,
+                     double peak) {
     const Totals totals = totalsOf(samplesA, samplesB);
     const double samples = static_cast<double>(samplesA.pixels.size());
     Comparison result;

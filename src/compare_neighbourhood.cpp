@@ -62,7 +62,9 @@ void findCompany(const Planes& planes, int y, std::vector<std::uint8_t>& company
     const std::uint8_t *r = planes.row(0, y), *g = planes.row(1, y), *b = planes.row(2, y);
     forEachOffset(planes.width, planes.height, y, [&](int dx, int yTo, int x0, int x1) {
         if (dx == 0 && yTo == y) return;
-        const std::uint8_t *toR = planes.row(0, yTo) + dx, *toG = planes.row(1, yTo) + dx, *toB = planes.row(2, yTo) + dx;
+        const std::uint8_t* toR = planes.row(0, yTo) + dx;
+        const std::uint8_t* toG = planes.row(1, yTo) + dx;
+        const std::uint8_t* toB = planes.row(2, yTo) + dx;
         for (int x = x0; x < x1; ++x) {
             const int difference = std::max({absoluteDifference(r[x], toR[x]), absoluteDifference(g[x], toG[x]),
                                              absoluteDifference(b[x], toB[x])});

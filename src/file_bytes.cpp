@@ -92,7 +92,6 @@ FileBytes::FileBytes(const std::string& path) {
     const Descriptor file(path, O_RDONLY, "cannot read");
     struct stat status;
     if (::fstat(file.get(), &status) != 0) fail("cannot read", errno);
-    if (S_ISDIR(status.st_mode)) fail("cannot read", EISDIR);
     size_ = static_cast<std::size_t>(status.st_size);
     // A file of /proc says that its size is 0, so that is read as a pipe is.
     if (S_ISREG(status.st_mode) && size_ > 0) {
@@ -113,7 +112,6 @@ FileBytes::~FileBytes() {
 void writeFile(const std::string& path, std::span<const std::span<const char>> parts) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (std::filesystem::is_directory(status)) fail("cannot write", EISDIR);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
         writeParts(path, 0, parts);
     } else {

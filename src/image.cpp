@@ -25,10 +25,17 @@ constexpr int deflateLevel = 4;
 constexpr std::size_t channels = 3;
 constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
 
+// stb 2.27 refuses a JPEG that stops in the middle, 2.29 reads it as if it were whole (its issue 1608). In a picture's
+// data 0xff is never followed by 0xd9, so those two are its end marker.
+bool isTruncatedJpeg(std::string_view file) {
+    return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
+}
+
 using Decoded = std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>;
 
 Decoded decode(const FileBytes& file, int& width, int& height) {
     if (file.size() > largestStbSize) throw ImageError("cannot decode: the file is over 2 GiB");
+    if (isTruncatedJpeg({file.begin(), file.end()})) throw ImageError("broken JPEG picture: it has no end marker");
     int channelsInFile = 0;
     stbi_uc* const pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.begin()),
                                                   static_cast<int>(file.size()), &width, &height, &channelsInFile,
@@ -37,14 +44,8 @@ Decoded decode(const FileBytes& file, int& width, int& height) {
     return {pixels, &stbi_image_free};
 }
 
-// stb fills the rest of a JPEG that stops in the middle with grey. In a picture's data 0xff is never followed by 0xd9,
-// so those two are its end marker.
-bool isTruncatedJpeg(std::string_view file) {
-    return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
-}
-
-// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a little larger
-// than both, so half of what int holds is surely enough.
+// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a little
+// larger than both, so half of what int holds is surely enough.
 void requireEncodable(const ByteImage& image) {
     const std::size_t rowBytes = static_cast<std::size_t>(image.width) * channels + 1;
     if (rowBytes * static_cast<std::size_t>(image.height) > largestStbSize / 2)
@@ -148,7 +149,6 @@ ByteImage readImage(const std::string& path) try {
     const FileBytes file(path);
     ByteImage image;
     const Decoded pixels = decode(file, image.width, image.height);
-    if (isTruncatedJpeg({file.begin(), file.end()})) throw ImageError("broken JPEG picture: it has no end marker");
     const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
     image.pixels.assign(pixels.get(), pixels.get() + count);
     return image;

@@ -38,7 +38,8 @@ std::string inQuotes(std::string_view text) {
     constexpr std::size_t longest = 60;
     if (text.size() <= longest) return jsonString(text);
     std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // not in the middle of a UTF-8 character
+    const auto isInCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // UTF-8
+    while (end > 0 && isInCharacter(text[end])) --end;
     return jsonString(text.substr(0, end)) + "...";
 }
 

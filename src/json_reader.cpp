@@ -9,10 +9,6 @@
 namespace raytracer {
 namespace {
 
-bool isLexical(std::string_view message) {
-    return message.find("; last read: '") != message.npos;
-}
-
 // "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'text'; expected this":
 // the library's own words, without its preamble and without a quotation that may be as long as the file.
 std::string shortened(std::string message) {
@@ -22,6 +18,18 @@ std::string shortened(std::string message) {
     const auto expected = message.rfind("'; expected ");
     const std::string rest = expected == message.npos ? "" : message.substr(expected + 1);
     return message.substr(0, quotation) + rest;
+}
+
+// The parser's position is behind what it does not like: a token, named by its first character here, or the last
+// character of something that is no token. Only of strings and numbers is the text that it keeps the token's alone.
+std::size_t charactersBack(std::string_view message, std::string_view token) {
+    const bool isText = message.starts_with("unexpected string") || message.starts_with("unexpected number");
+    return isText ? token.size() : 1;
+}
+
+// What Windows writes as "Unicode" is no JSON, and the parser would only see a strange character.
+void requireNoUtf16(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) throw JsonError(": expected UTF-8, found UTF-16");
 }
 
 // ":LINE:COLUMN: ", both from 1, the column in characters, as editors count.
@@ -39,18 +47,20 @@ std::string placeInText(std::string_view text, std::size_t offset) {
 
 // The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it throws.
 class JsonReader {
+    using Kind = JsonDocument::Kind;
+
   public:
     JsonReader(JsonDocument& document, std::string_view text) : document_(document), text_(text) {}
 
-    bool null() { return addValue(JsonDocument::Kind::Null); }
-    bool boolean(bool value) { return addValue(JsonDocument::Kind::Boolean, value); }
-    bool number_integer(std::int64_t value) { return addValue(JsonDocument::Kind::Number, static_cast<double>(value)); }
-    bool number_unsigned(std::uint64_t value) { return addValue(JsonDocument::Kind::Number, static_cast<double>(value)); }
-    bool number_float(double value, const std::string&) { return addValue(JsonDocument::Kind::Number, value); }
+    bool null() { return addValue(Kind::Null); }
+    bool boolean(bool value) { return addValue(Kind::Boolean, value); }
+    bool number_integer(std::int64_t value) { return addValue(Kind::Number, static_cast<double>(value)); }
+    bool number_unsigned(std::uint64_t value) { return addValue(Kind::Number, static_cast<double>(value)); }
+    bool number_float(double value, const std::string&) { return addValue(Kind::Number, value); }
     bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in JSON text
 
     bool string(const std::string& text) {
-        addValue(JsonDocument::Kind::String);
+        addValue(Kind::String);
         document_.nodes_.back().string = document_.strings_.add(text);
         return true;
     }
@@ -60,8 +70,8 @@ class JsonReader {
         return true;
     }
 
-    bool start_object(std::size_t) { return open(JsonDocument::Kind::Object); }
-    bool start_array(std::size_t) { return open(JsonDocument::Kind::Array); }
+    bool start_object(std::size_t) { return open(Kind::Object); }
+    bool start_array(std::size_t) { return open(Kind::Array); }
 
     bool end_object() {
         requireDistinctKeys(open_);
@@ -79,8 +89,8 @@ class JsonReader {
 
   private:
     std::uint32_t size() const { return static_cast<std::uint32_t>(document_.nodes_.size()); }
-    bool addValue(JsonDocument::Kind kind, double number = 0);
-    bool open(JsonDocument::Kind kind);
+    bool addValue(Kind kind, double number = 0);
+    bool open(Kind kind);
     void requireDistinctKeys(std::uint32_t object);
     [[noreturn]] void failAtNextValue(const std::string& message);
 
@@ -91,13 +101,13 @@ class JsonReader {
     std::vector<std::uint32_t> keysOfObject_;
 };
 
-bool JsonReader::addValue(JsonDocument::Kind kind, double number) {
+bool JsonReader::addValue(Kind kind, double number) {
     if (document_.nodes_.size() == std::numeric_limits<std::uint32_t>::max()) throw JsonError(": too many values");
     document_.nodes_.push_back({.number = number, .key = key_, .parent = open_, .end = size() + 1, .kind = kind});
     return true;
 }
 
-bool JsonReader::open(JsonDocument::Kind kind) {
+bool JsonReader::open(Kind kind) {
     addValue(kind);
     open_ = size() - 1;
     return true;
@@ -115,20 +125,20 @@ void JsonReader::requireDistinctKeys(std::uint32_t object) {
 }
 
 void JsonReader::failAtNextValue(const std::string& message) {
-    addValue(JsonDocument::Kind::Null);
+    addValue(Kind::Null);
     document_.fail(size() - 1, message);
 }
 
 bool JsonReader::parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error) {
     constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
     if (error.id == numberOverflow)
-        failAtNextValue("expected a number within +-1.8e308, found " + token.substr(0, 40));
-    // The position is behind the token. One that the lexer refused is wrong at its last character, else at its first.
-    const std::size_t length = isLexical(error.what()) ? 1 : token.size();
-    throw JsonError(placeInText(text_, position - std::min(position, length)) + shortened(error.what()));
+        failAtNextValue("expected a finite number, found " + token.substr(0, 40));
+    const std::string message = shortened(error.what());
+    throw JsonError(placeInText(text_, position - std::min(position, charactersBack(message, token))) + message);
 }
 
 JsonDocument::JsonDocument(const char* begin, const char* end) {
+    requireNoUtf16({begin, end});
     JsonReader reader(*this, {begin, end});
     nlohmann::json::sax_parse(begin, end, &reader);
 }

@@ -92,13 +92,6 @@ const std::string& JsonView::key() const {
     return document_->key(node());
 }
 
-JsonView JsonView::operator[](std::string_view key) const {
-    if (const auto member = find(key)) return *member;
-    NearestName misspelled(key);
-    for (const JsonView member : members()) misspelled.consider(member.key());
-    fail("expected the key " + inQuotes(key) + ", found " + (misspelled.found() ? inQuotes(misspelled.name()) : "none"));
-}
-
 std::optional<JsonView> JsonView::find(std::string_view key) const {
     for (const JsonView member : members())
         if (member.key() == key) return member;

@@ -1,5 +1,5 @@
-// A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that what() of the JsonError
-// that it throws says so: ": /camera/eye: expected 3 numbers, found an array of 2".
+// A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that the JsonError that
+// it throws says so: ": /camera/eye: expected 3 numbers, found an array of 2".
 #pragma once
 
 #include <cstddef>
@@ -40,9 +40,7 @@ class JsonView {
     // That this is an array of so many, which the error calls `expected`.
     void requireElements(std::size_t count, const std::string& expected) const;
 
-    // An object's members by name; missing ones are an error, or nothing.
-    JsonView operator[](std::string_view key) const;
-    std::optional<JsonView> find(std::string_view key) const;
+    std::optional<JsonView> find(std::string_view key) const;  // an object's member
 
     std::string pointer() const { return document_->pointer(node_); }
     [[noreturn]] void fail(const std::string& message) const { document_->fail(node_, message); }

@@ -42,7 +42,7 @@ JsonWriter& JsonWriter::value(std::string_view text) { return plain(jsonString(t
 
 JsonWriter& JsonWriter::value(double number) {
     if (!std::isfinite(number)) return null();
-    // The shortest text that reads back as this double: 0.1, where %.17g has 0.10000000000000001. Never a locale's comma.
+    // The shortest text that reads back as this double (0.1, where %.17g has 0.10000000000000001), in every locale.
     char digits[32];
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
     return plain({digits, end});

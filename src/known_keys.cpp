@@ -10,20 +10,35 @@ namespace {
 constexpr std::size_t mostWarnings = 20;  // what fits a terminal
 }
 
-void KnownKeys::check(JsonView object, std::span<const std::string_view> known) {
-    for (const JsonView member : object.members()) {
-        if (std::ranges::find(known, member.key()) != known.end()) continue;
-        if (strict_ || warnings_.size() < mostWarnings) report(object, member.key(), known);
-        else ++notShown_;
-    }
+bool JsonObject::knows(std::string_view key) const {
+    return std::ranges::find(known_, key) != known_.end();
 }
 
-void KnownKeys::report(JsonView object, std::string_view key, std::span<const std::string_view> known) {
+JsonView JsonObject::operator[](std::string_view key) const {
+    if (const auto member = find(key)) return *member;
+    NearestName misspelled(key);
+    for (const JsonView member : json_.members())
+        if (!knows(member.key())) misspelled.consider(member.key());
+    json_.fail("expected the key " + inQuotes(key) + ", found " +
+               (misspelled.found() ? inQuotes(misspelled.name()) : "none"));
+}
+
+JsonObject KnownKeys::check(JsonView json, std::span<const std::string_view> known) {
+    const JsonObject object(json, known);
+    for (const JsonView member : json.members()) {
+        if (object.knows(member.key())) continue;
+        if (strict_ || warnings_.size() < mostWarnings) report(object, member.key());
+        else ++notShown_;
+    }
+    return object;
+}
+
+void KnownKeys::report(const JsonObject& object, std::string_view key) {
     NearestName nearest(key);
-    for (const std::string_view name : known) nearest.consider(name);
+    for (const std::string_view name : object.known()) nearest.consider(name);
     const std::string message = "unknown key " + inQuotes(key) + nearest.question();
-    if (strict_) object.fail(message);
-    const std::string pointer = object.pointer();
+    if (strict_) object.json().fail(message);
+    const std::string pointer = object.json().pointer();
     warnings_.push_back((pointer.empty() ? "" : ": " + pointer) + ": " + message);
 }
 

@@ -15,6 +15,7 @@ struct Command {
 constexpr Command commandTable[] = {
     {"compare", raytracer::commands::compare},
     {"explain", raytracer::commands::explain},
+    {"grade", raytracer::commands::grade},
 };
 
 int dispatch(int argc, char** argv) {

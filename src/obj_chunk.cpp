@@ -100,10 +100,10 @@ private:
 
     void addTriangle(const Corner& a, const Corner& b, const Corner& c) {
         auto& [positionIndex, texCoordIndex] = triangles_;
-        // The list of texture coordinates begins with the first corner that has one, and catches up.
-        if (a.texCoord != MeshData::noTexCoord) texCoordIndex.resize(positionIndex.size(), MeshData::noTexCoord);
-        if (a.texCoord != MeshData::noTexCoord || !texCoordIndex.empty())
+        if (a.texCoord != MeshData::noTexCoord) {
+            texCoordIndex.resize(positionIndex.size(), MeshData::noTexCoord);  // catches up with triangles without
             texCoordIndex.insert(texCoordIndex.end(), {a.texCoord, b.texCoord, c.texCoord});
+        }
         positionIndex.insert(positionIndex.end(), {a.position, b.position, c.position});
     }
 

@@ -1,5 +1,6 @@
-// One chunk of an OBJ file: whole lines of its text. Every chunk is first counted, then parsed knowing what stands above
-// it and in the whole file, so that chunks can be parsed at the same time, in any order, with the errors of one pass.
+// One chunk of an OBJ file: whole lines of its text. Every chunk is first counted, then parsed knowing what stands
+// above it and in the whole file, so that chunks can be parsed at the same time, in any order, with the errors of one
+// pass.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ struct ObjCounts {
     ObjCounts& operator+=(const ObjCounts& other);
 };
 
-// As MeshData's; texCoordIndex is empty when no corner in the chunk has a vt.
+// As MeshData's, but texCoordIndex ends with the last triangle that has texture coordinates.
 struct ObjTriangles {
     std::vector<std::uint32_t> positionIndex, texCoordIndex;
 };

@@ -38,11 +38,6 @@ ObjKeyword ObjLine::keyword() {
     return word == "vn" ? ObjKeyword::normal : ObjKeyword::other;
 }
 
-bool ObjLine::atEnd() {
-    startWord();
-    return p_ == end_ || *p_ == '#';
-}
-
 double ObjLine::number() {
     if (atEnd()) fail("expected a number, found the end of the line");
     // std::from_chars knows no plus.
@@ -78,15 +73,9 @@ std::int64_t ObjLine::index() {
     return value;
 }
 
-// Inside a line, a line end is one that a backslash takes back.
-bool ObjLine::isAtBlank() const {
-    if (*p_ == '\\') return std::string_view(p_, end_).starts_with("\\\n") || std::string_view(p_, end_).starts_with("\\\r\n");
-    return *p_ == ' ' || *p_ == '\t' || *p_ == '\r' || *p_ == '\n';
-}
-
-void ObjLine::startWord() {
-    while (p_ != end_ && isAtBlank()) ++p_;
-    word_ = p_;
+bool ObjLine::isAtContinuation() const {
+    const std::string_view rest(p_, end_);
+    return rest.starts_with("\\\n") || rest.starts_with("\\\r\n");
 }
 
 void ObjLine::fail(const std::string& message) const {

@@ -22,7 +22,11 @@ public:
     ObjLine(std::string_view line, std::size_t number) : p_(line.data()), end_(p_ + line.size()), number_(number) {}
 
     ObjKeyword keyword();
-    bool atEnd();  // skips blanks; a comment ends the line too
+    // Skips blanks; a comment ends the line too.
+    bool atEnd() {
+        startWord();
+        return p_ == end_ || *p_ == '#';
+    }
 
     // A finite number, correctly rounded.
     double number();
@@ -38,9 +42,16 @@ public:
 private:
     std::int64_t index();
     bool takeSlash() { return p_ != end_ && *p_ == '/' && ++p_; }
-    bool isAtBlank() const;
+    // Inside a line, a line end is one that a backslash takes back.
+    bool isAtBlank() const {
+        return *p_ == ' ' || *p_ == '\t' || *p_ == '\r' || *p_ == '\n' || (*p_ == '\\' && isAtContinuation());
+    }
+    bool isAtContinuation() const;
     bool isAtWordEnd() const { return p_ == end_ || isAtBlank(); }
-    void startWord();
+    void startWord() {
+        while (p_ != end_ && isAtBlank()) ++p_;
+        word_ = p_;
+    }
     [[noreturn]] void failWord(const char* message) const;
 
     const char* p_;

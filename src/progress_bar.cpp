@@ -35,8 +35,9 @@ std::string ProgressBar::line(double fraction, double elapsedSeconds) {
     const long seconds = std::lround(left);
     char tail[64];
     std::snprintf(tail, sizeof tail, "] %3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
-    return "[" + std::string(static_cast<std::size_t>(filled), '#') +
-           std::string(static_cast<std::size_t>(barWidth - filled), ' ') + tail;
+    std::string bar(static_cast<std::size_t>(barWidth), ' ');
+    bar.replace(0, static_cast<std::size_t>(filled), static_cast<std::size_t>(filled), '#');
+    return '[' + bar + tail;
 }
 
 }  // namespace raytracer

@@ -43,10 +43,10 @@ class SceneReader {
     SceneDescription description_;
 };
 
-void SceneReader::read(JsonView scene) {
+void SceneReader::read(JsonView view) {
     static constexpr std::array known = {"$schema"sv, "camera"sv,     "materials"sv, "lights"sv,
                                          "shapes"sv,  "transforms"sv, "textures"sv};
-    keys_.check(scene, known);
+    const JsonObject scene = keys_.check(view, known);
     if (const auto schema = scene.find("$schema")) schema->string();
     description_.camera = readCamera(scene["camera"], keys_);
     if (const auto textures = scene.find("textures")) readTextures(*textures);
@@ -70,16 +70,17 @@ void SceneReader::readMaterials(JsonView materials) {
         const MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
         materials_.add(name ? std::string_view(name->string()) : defaultMaterialName, name.value_or(json));
-        // A material that is not textured may name whatever it likes.
+        // One that is not textured may name whatever it likes; readMaterial has seen that one that is names something.
         auto& texture = textureOfMaterial_.emplace_back();
-        if (material.use_diffuse_texture) texture = textures_.find(json["diffuse_texture"]);
+        if (material.use_diffuse_texture) texture = textures_.find(*json.find("diffuse_texture"));
     }
 }
 
 void SceneReader::readTransforms(JsonView transforms) {
     for (const JsonView json : transforms.elements()) {
         description_.transforms.push_back(readTransform(json, keys_));
-        transforms_.add(json["name"].string(), json["name"]);
+        const JsonView name = *json.find("name");
+        transforms_.add(name.string(), name);
     }
 }
 
@@ -90,13 +91,14 @@ void SceneReader::readShapes(JsonView shapes) {
     }
 }
 
-ShapeDescription SceneReader::readShape(JsonView json) {
+ShapeDescription SceneReader::readShape(JsonView view) {
     static constexpr std::array types = {"sphere"sv, "plane"sv, "cylinder"sv, "cone"sv, "cube"sv, "mesh"sv};
     static constexpr std::array known = {"type"sv, "transform"sv, "material"sv, "path"sv};
+    const auto type = view.find("type");
+    const bool isMesh = type && type->string() == "mesh";  // nothing else has a path
+    const JsonObject json = keys_.check(view, std::span(known).first(isMesh ? 4 : 3));
     ShapeDescription shape;
     shape.type = static_cast<ShapeDescription::Type>(json["type"].choice(types));
-    const bool isMesh = shape.type == ShapeDescription::Type::Mesh;
-    keys_.check(json, std::span(known).first(isMesh ? 4 : 3));  // only a mesh has a path
     shape.transform = transforms_.find(json["transform"]);
     shape.material = materials_.find(json["material"]);
     if (isMesh) shape.mesh = files_.mesh(json["path"]);

@@ -15,7 +15,7 @@ void read(JsonView value, glm::dvec3& out) { out = value.vec3(); }
 void read(JsonView value, std::string& out) { out = value.string(); }
 
 template <class Value>
-void readOptional(JsonView object, std::string_view key, Value& out) {
+void readOptional(const JsonObject& object, std::string_view key, Value& out) {
     if (const auto value = object.find(key)) read(*value, out);
 }
 
@@ -44,7 +44,7 @@ bool areParallel(const glm::dvec3& a, const glm::dvec3& b) {
     return minor(0, 1) == 0 && minor(1, 2) == 0 && minor(2, 0) == 0;
 }
 
-void readFilm(JsonView json, CameraDescription& camera) {
+void readFilm(const JsonObject& json, CameraDescription& camera) {
     read(json["film_left"], camera.film_left);
     read(json["film_right"], camera.film_right);
     read(json["film_bottom"], camera.film_bottom);
@@ -56,7 +56,7 @@ void readFilm(JsonView json, CameraDescription& camera) {
         json["film_top"].failExpected("a number other than film_bottom");
 }
 
-void readFrame(JsonView json, CameraDescription& camera) {
+void readFrame(const JsonObject& json, CameraDescription& camera) {
     read(json["eye"], camera.eye);
     camera.look = direction(json["look"]);
     camera.up = direction(json["up"]);
@@ -70,9 +70,9 @@ glm::dvec3 scaleFactors(JsonView scale) {
     return factors;
 }
 
-TransformDescription::Rotation readRotation(JsonView json, KnownKeys& keys) {
+TransformDescription::Rotation readRotation(JsonView view, KnownKeys& keys) {
     static constexpr std::array known = {"degrees"sv, "axis"sv};
-    keys.check(json, known);
+    const JsonObject json = keys.check(view, known);
     TransformDescription::Rotation rotation;
     read(json["degrees"], rotation.degrees);
     rotation.axis = direction(json["axis"]);
@@ -101,20 +101,21 @@ glm::dmat4 readMatrix(JsonView json) {
 
 // Homogeneous coordinates, of which only those of a point are one.
 glm::dvec3 readPosition(JsonView json) {
-    if (json.size() != 4) return json.vec3();
-    double numbers[4];
-    json.numbers(numbers);
+    double numbers[4] = {0, 0, 0, 1};
+    const bool isHomogeneous = json.size() == 4;
+    if (!isHomogeneous) json.requireElements(3, "3 numbers or 4");
+    json.numbers(std::span(numbers).first(isHomogeneous ? 4 : 3));
     if (numbers[3] != 1) json.element(3).failExpected("1, as a point has");
     return {numbers[0], numbers[1], numbers[2]};
 }
 
 }  // namespace
 
-CameraDescription readCamera(JsonView json, KnownKeys& keys) {
+CameraDescription readCamera(JsonView view, KnownKeys& keys) {
     static constexpr std::array known = {"type"sv,      "focal_length"sv, "eye"sv,         "look"sv,    "up"sv,
                                          "film_left"sv, "film_right"sv,   "film_bottom"sv, "film_top"sv};
     static constexpr std::array types = {"perspective"sv, "orthographic"sv};
-    keys.check(json, known);
+    const JsonObject json = keys.check(view, known);
     CameraDescription camera;
     camera.type = static_cast<CameraDescription::Type>(json["type"].choice(types));
     const bool isPerspective = camera.type == CameraDescription::Type::Perspective;
@@ -124,12 +125,12 @@ CameraDescription readCamera(JsonView json, KnownKeys& keys) {
     return camera;
 }
 
-MaterialDescription readMaterial(JsonView json, KnownKeys& keys) {
+MaterialDescription readMaterial(JsonView view, KnownKeys& keys) {
     static constexpr std::array known = {
         "name"sv,          "color_ambient"sv, "color_diffuse"sv, "color_specular"sv,
         "shininess"sv,     "reflective"sv,    "color_reflect"sv, "refractive"sv,
         "color_refract"sv, "index_of_refraction"sv, "use_diffuse_texture"sv, "diffuse_texture"sv};
-    keys.check(json, known);
+    const JsonObject json = keys.check(view, known);
     MaterialDescription material;
     readOptional(json, "name", material.name);
     readOptional(json, "color_ambient", material.color_ambient);
@@ -143,12 +144,13 @@ MaterialDescription readMaterial(JsonView json, KnownKeys& keys) {
     if (const auto index = json.find("index_of_refraction")) material.index_of_refraction = positive(*index);
     readOptional(json, "use_diffuse_texture", material.use_diffuse_texture);
     readOptional(json, "diffuse_texture", material.diffuse_texture);
+    if (material.use_diffuse_texture) json["diffuse_texture"];  // then it is required
     return material;
 }
 
-LightDescription readLight(JsonView json, KnownKeys& keys) {
+LightDescription readLight(JsonView view, KnownKeys& keys) {
     static constexpr std::array known = {"position"sv, "color"sv, "color_ambient"sv};
-    keys.check(json, known);
+    const JsonObject json = keys.check(view, known);
     LightDescription light;
     if (const auto position = json.find("position")) light.position = readPosition(*position);
     readOptional(json, "color", light.color);
@@ -156,9 +158,9 @@ LightDescription readLight(JsonView json, KnownKeys& keys) {
     return light;
 }
 
-TransformDescription readTransform(JsonView json, KnownKeys& keys) {
+TransformDescription readTransform(JsonView view, KnownKeys& keys) {
     static constexpr std::array known = {"name"sv, "translate"sv, "rotate"sv, "scale"sv, "matrix"sv};
-    keys.check(json, known);
+    const JsonObject json = keys.check(view, known);
     TransformDescription transform;
     read(json["name"], transform.name);
     if (const auto translate = json.find("translate")) transform.translate = translate->vec3();
@@ -166,7 +168,7 @@ TransformDescription readTransform(JsonView json, KnownKeys& keys) {
     if (const auto scale = json.find("scale")) transform.scale = scaleFactors(*scale);
     if (const auto matrix = json.find("matrix")) transform.matrix = readMatrix(*matrix);
     if (!inverseLinear(compose(transform)))
-        json.fail("expected a transform that has an inverse, found one that is singular");
+        view.fail("expected a transform that has an inverse, found one that is singular");
     return transform;
 }
 

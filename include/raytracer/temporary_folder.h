@@ -1,0 +1,22 @@
+// A new empty folder for files that are nobody else's business, gone with its owner.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace raytracer {
+
+class TemporaryFolder {
+  public:
+    TemporaryFolder();  // throws std::runtime_error
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+  private:
+    std::filesystem::path path_;
+};
+
+}  // namespace raytracer

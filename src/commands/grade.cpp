@@ -1,0 +1,178 @@
+// raytracer grade DIR: scenes with reference pictures, painted and compared.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "commands/arguments.h"
+#include "commands/commands.h"
+#include "commands/render_arguments.h"
+#include "raytracer/file_bytes.h"
+#include "raytracer/grade_report.h"
+#include "raytracer/picture.h"
+#include "raytracer/scene_loader.h"
+
+namespace raytracer::commands {
+
+namespace {
+
+constexpr const char* footer = R"(Every X.json in DIR that has a picture X.png or X-STAGE.png is painted and compared. The stages:
+  raycasting, normals, ambient, diffuse, specular, ambient_diffuse_specular,
+  ambient_diffuse_specular_shadows, diffuse_reflections_recursions_3, raytracing (as X.png: everything)
+Another program is asked for the last of them, unless --stage says otherwise. If it crashes, hangs or
+writes no picture it gets 0 for that scene, and what it printed last is shown.
+
+Exit status: 0 all the same, 1 not, 2 there is nothing to grade. "The same" as for `raytracer compare`:
+no pixel differs, or what --max-pixels, --tolerance and --min-score say, for each picture.
+
+Examples:
+  raytracer grade scenes --references test/expected
+  raytracer grade reference --report report.html            look at every pixel that differs
+  raytracer grade exam --program ~/students/ada/raytracer --report ada.html --min-score 95
+  raytracer grade exam --program "python3 bob.py" --timeout 120 --size 300
+  raytracer grade homework2 --program ./raycasting --stage raycasting)";
+
+struct GradeArguments {
+    std::string scenes, references, report, program, stage;
+    int size = 0;
+    double timeout = 60;
+    Thresholds thresholds;
+
+    void addTo(CLI::App& app) {
+        app.add_option("DIR", scenes, "The folder of the scenes")->required();
+        app.add_option("--references", references, "The folder of the reference pictures, where it is not DIR");
+        app.add_option("--size", size, "Pixels along the longer side (unless said, as the reference has)")
+            ->check(CLI::Range(1, 65536));
+        app.add_option("--stage", stage, "Grade only the pictures of this stage")->check(CLI::IsMember(stageNames()));
+        app.add_option("--report", report, "Write a page with all pictures: .html, complete in itself");
+        app.add_option("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
+        app.add_option("--timeout", timeout, "Seconds after which the program is stopped")
+            ->check(CLI::PositiveNumber)->capture_default_str();
+        addThresholds(app, thresholds);
+        app.footer(footer);
+    }
+
+    static std::vector<std::string> stageNames() {
+        std::vector<std::string> names;
+        for (const Stage& known : stages()) names.emplace_back(known.name);
+        return names;
+    }
+};
+
+// Ourselves, in this process.
+Painted paintHere(const GradeCase& test, int longEdge, const std::string& out) {
+    RenderArguments arguments;
+    arguments.longEdge = longEdge;
+    arguments.pass = test.stage->pass;
+    arguments.only = test.stage->only;
+    SceneDescription scene = loadScene(test.scene, false).description;
+    const RenderOptions options = arguments.prepare(scene);
+    ByteSink sink(options.crop);
+    makeRenderer(scene, Precision::Double)->render(options, sink);
+    writePng(out, sink.image());
+    return {};
+}
+
+GradePlan planFor(const GradeArguments& arguments) {
+    const std::string& references = arguments.references.empty() ? arguments.scenes : arguments.references;
+    GradePlan plan = planGrading(arguments.scenes, references);
+    std::string stage = arguments.stage;
+    if (stage.empty() && !arguments.program.empty()) stage = completeStage().name;
+    if (!stage.empty()) std::erase_if(plan.cases, [&](const GradeCase& test) { return test.stage->name != stage; });
+    return plan;
+}
+
+void printHead() {
+    std::printf("%5s %9s %9s %9s %9s %9s  %s\n", "score", "off", "by > 1", "by > 8", "speckle", "seconds", "picture");
+}
+
+void printRow(const GradeResult& result) {
+    const auto count = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+    if (const auto& c = result.comparison)
+        std::printf("%5d %9llu %9llu %9llu %9llu %9.2f  %s%s%s\n", c->score, count(c->pixelsOver(0)),
+                    count(c->pixelsOver(1)), count(c->pixelsOver(8)), count(c->speckle), result.seconds,
+                    result.test.name.c_str(), result.message.empty() ? "" : ": ", result.message.c_str());
+    else
+        std::printf("%5d %49.2f  %s: %s\n", 0, result.seconds, result.test.name.c_str(), result.message.c_str());
+    std::fflush(stdout);
+}
+
+// The program's last line, which mostly says what went wrong.
+void printLastWords(const GradeResult& result) {
+    const std::string& text = result.output;
+    const std::size_t end = text.find_last_not_of(" \r\n\t");
+    if (result.message.empty() || end == std::string::npos) return;
+    const std::size_t newline = text.find_last_of("\r\n", end);
+    const std::size_t start = newline == std::string::npos ? 0 : newline + 1;
+    std::printf("%57s  %s\n", "", text.substr(start, end + 1 - start).c_str());
+}
+
+std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& arguments) {
+    const Painter painter =
+        arguments.program.empty() ? Painter(paintHere) : programPainter(arguments.program, arguments.timeout);
+    std::vector<GradeResult> results;
+    printHead();
+    for (const GradeCase& test : plan.cases) {
+        results.push_back(gradeCase(test, painter, arguments.size));
+        printRow(results.back());
+        printLastWords(results.back());
+    }
+    return results;
+}
+
+// True if all are as their references.
+bool printSummary(const std::vector<GradeResult>& results, const GradePlan& plan, const Thresholds& thresholds) {
+    const auto good = std::count_if(results.begin(), results.end(),
+                                    [&](const GradeResult& result) { return within(result, thresholds); });
+    double sum = 0;
+    for (const GradeResult& result : results) sum += result.score();
+    std::printf("%lld of %zu pictures as the reference, mean score %.1f\n", static_cast<long long>(good), results.size(),
+                sum / static_cast<double>(results.size()));
+    for (const std::string& scene : plan.scenesWithoutReference) std::printf("no reference: %s\n", scene.c_str());
+    return static_cast<std::size_t>(good) == results.size();
+}
+
+void writeReport(const GradeArguments& arguments, const std::vector<GradeResult>& results) {
+    const std::string title = (arguments.program.empty() ? "raytracer" : arguments.program) + " on " + arguments.scenes;
+    const std::string html = gradeReport(results, arguments.thresholds, title);
+    const std::span<const char> parts[] = {html};
+    try {
+        writeFile(arguments.report, parts);
+    } catch (const FileError& error) {
+        throw std::runtime_error(arguments.report + ": " + error.what());
+    }
+}
+
+// Said before the work is done, not after it.
+void requireFolderOf(const std::string& report) {
+    const std::filesystem::path folder = std::filesystem::path(report).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        throw std::runtime_error(report + ": no folder " + folder.string() + " to write to");
+}
+
+int gradeFolder(const GradeArguments& arguments) {
+    requireFolderOf(arguments.report);
+    const GradePlan plan = planFor(arguments);
+    if (plan.cases.empty())
+        throw std::runtime_error(arguments.scenes + ": no scene X.json that has a reference X.png or X-STAGE.png");
+    const std::vector<GradeResult> results = gradeAll(plan, arguments);
+    if (!arguments.report.empty()) writeReport(arguments, results);
+    return printSummary(results, plan, arguments.thresholds) ? 0 : 1;
+}
+
+}  // namespace
+
+int grade(int argc, char** argv) {
+    CLI::App app("Paints every scene of a folder that has a reference picture, and compares.", "raytracer grade");
+    GradeArguments arguments;
+    arguments.addTo(app);
+    if (const auto status = parseArguments(app, argc, argv)) return *status;
+    try {
+        return gradeFolder(arguments);
+    } catch (const std::runtime_error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
+}
+
+}  // namespace raytracer::commands

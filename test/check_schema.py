@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""check_schema.py RAYTRACER: scenes/scene.schema.json and `raytracer --strict` give the same verdict.
+
+Run from the source folder. On all of scenes/, test/good/ and test/bad/, and on every small damage to a scene that has
+all keys. In test/bad/, schema/ is what both must reject; semantic/ what only the loader can (names, files, inverses,
+duplicate keys); syntax/ is no JSON. Skipped (77) without Python's jsonschema.
+"""
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+except ImportError:
+    print("skipped: Python has no jsonschema")
+    sys.exit(77)
+
+SCHEMA = json.loads(pathlib.Path("scenes/scene.schema.json").read_text(encoding="utf-8"))
+jsonschema.Draft7Validator.check_schema(SCHEMA)
+VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
+
+# How the loader begins what a schema cannot know.
+SEMANTIC = ("no material named", "no transform named", "no texture named", "expected a name that no other",
+            "expected a transform that has an inverse", "expected a number other than film_",
+            "expected another direction than look's", "expected an OBJ mesh in", "expected a picture in",
+            "expected each key once", "expected a finite number")
+
+problems = []
+
+
+def refuse_constant(name):
+    raise ValueError(name + " is no JSON")
+
+
+def parse(path):
+    value = json.loads(path.read_text(encoding="utf-8-sig"), parse_constant=refuse_constant)
+    json.dumps(value, ensure_ascii=False).encode()  # half a surrogate pair is a ValueError, but only here
+    return value
+
+
+def complaint(raytracer, scene):
+    """What the loader says, or None if it likes the scene; no picture may come of what it does not like."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder, "x.png")
+        done = subprocess.run(
+            [raytracer, "--strict", "--quiet", "--threads", "1", str(scene), str(out), "1"], capture_output=True)
+        error = done.stderr.decode()
+        if done.returncode not in (0, 2) or (done.returncode == 0) != out.exists() or error.count("\n") > 1:
+            problems.append(f"{scene}: exit status {done.returncode}, stderr: {error}")
+        return error if done.returncode else None
+
+
+def expect(scene, what, expected, found):
+    if expected != found:
+        problems.append(f"{scene}: {what}: expected {expected!r}, found {found!r}")
+
+
+def check_good(raytracer, scene):
+    expect(scene, "the schema accepts", True, VALIDATOR.is_valid(parse(scene)))
+    expect(scene, "the loader", None, complaint(raytracer, scene))
+
+
+def check_bad(raytracer, scene):
+    expect(scene, "the loader", scene.with_suffix(".txt").read_text(encoding="utf-8"), complaint(raytracer, scene))
+    if scene.parent.name != "syntax":
+        expect(scene, "the schema accepts", scene.parent.name == "semantic", VALIDATOR.is_valid(parse(scene)))
+        return
+    try:
+        parse(scene)
+        problems.append(f"{scene}: Python's parser likes it")
+    except ValueError:
+        pass
+
+
+def places(value, path=()):
+    """The paths of a JSON value and all in it."""
+    yield path
+    if isinstance(value, (dict, list)):
+        for key in value if isinstance(value, dict) else range(len(value)):
+            yield from places(value[key], path + (key,))
+
+
+def damages(scene):
+    """The scene with each value in turn left out, doubled, or replaced by one of another kind or at a limit."""
+    for path in places(scene):
+        for change in ("leave out", "double", None, True, False, 0, -1, 1, 0.5, "x", "", [], {}, [0, 0, 0], [1, 1, 1]):
+            damaged = copy.deepcopy(scene)
+            if not path:
+                yield change if not isinstance(change, str) else [change]
+                continue
+            parent = damaged
+            for key in path[:-1]:
+                parent = parent[key]
+            if change == "leave out":
+                del parent[path[-1]]
+            elif change == "double" and isinstance(parent, list):
+                parent.append(parent[path[-1]])
+            elif change == "double":
+                parent[path[-1] + "s"] = parent[path[-1]]
+            else:
+                parent[path[-1]] = change
+            yield damaged
+
+
+def check_damages(raytracer, scene):
+    """Both verdicts on each of them; the loader's, if it is not about form, must come where the schema has none."""
+    with tempfile.TemporaryDirectory(dir=scene.parent) as folder:
+        path = pathlib.Path(folder, "damaged.json")
+        for damaged in damages(parse(scene)):
+            text = json.dumps(damaged).replace('"../', '"../../')  # it lies one folder deeper
+            path.write_text(text, encoding="utf-8")
+            error = complaint(raytracer, path)
+            accepted = error is None or any(words in error for words in SEMANTIC)
+            if accepted != VALIDATOR.is_valid(json.loads(text)):
+                problems.append(f"the schema has another verdict than {error!r} on {text}")
+
+
+def main():
+    raytracer = sys.argv[1]
+    scenes = sorted(path for path in pathlib.Path("scenes").glob("*.json") if path.name != "scene.schema.json")
+    for scene in scenes:
+        expect(scene, "$schema", "scene.schema.json", parse(scene).get("$schema"))
+    good = scenes + sorted(pathlib.Path("test/good").glob("*.json"))
+    bad = sorted(pathlib.Path("test/bad").glob("*/*.json"))
+    for scene in good:
+        check_good(raytracer, scene)
+    for scene in bad:
+        check_bad(raytracer, scene)
+    check_damages(raytracer, pathlib.Path("test/good/every_key.json"))
+    print("\n".join(problems[:50]) or f"{len(good)} good and {len(bad)} bad scenes: the same verdict")
+    return 1 if problems else 0
+
+
+sys.exit(main())
