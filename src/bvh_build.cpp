@@ -27,6 +27,7 @@ constexpr int medianDepth = 24;                        // from here on halves, s
 constexpr std::uint32_t parallelSize = 1 << 15;        // fewer primitives are not worth a thread's start
 constexpr std::uint32_t tasksPerThread = 12;           // many small ones share out more evenly
 constexpr std::uint32_t blockSize = 8;
+constexpr std::uint32_t nodeUnits = sizeof(BvhNode) / bvhUnit;
 
 Float4 min(Float4 a, Float4 b) { return a < b ? a : b; }
 Float4 max(Float4 a, Float4 b) { return a > b ? a : b; }
@@ -251,7 +252,7 @@ void BvhBuilder::assemble(Part& top, std::uint32_t root) {
         words += task.part.words.size();
     }
     const auto moved = [&](std::uint32_t child, std::size_t task) {
-        if (!(child & BvhNode::leafBit)) return child + nodeStart[task];
+        if (!(child & BvhNode::leafBit)) return child + nodeStart[task] * nodeUnits;
         return bvh_.triangles_ ? child + wordStart[task] : child;
     };
     for (BvhNode& node : top.nodes)
@@ -297,7 +298,7 @@ std::uint32_t BvhBuilder::buildRange(Part& part, const Range& range, int depth, 
         const std::uint32_t child = buildRange(part, children[i], depth + 1, top);
         part.nodes[index].child[i] = child;
     }
-    return index;
+    return index * nodeUnits;
 }
 
 std::uint32_t BvhBuilder::splitIntoChildren(const Range& range, int depth, bool top, Range (&children)[8]) {

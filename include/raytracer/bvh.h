@@ -43,12 +43,15 @@ struct BvhRay {
     double slack = 0;
 };
 
+// In a tree a node is found by its place in units of this many bytes.
+inline constexpr std::uint32_t bvhUnit = 32;
+
 // Child boxes as planes[2 * axis + (0: low, 1: high)][child]. A slot without a child is an inverted infinite box.
-struct alignas(32) BvhNode {
+struct alignas(bvhUnit) BvhNode {
     float planes[6][8];
     std::uint32_t child[8];
 
-    // A child is a node's index, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place.
+    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place.
     static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31;
 };
 
@@ -99,10 +102,13 @@ struct BvhTraversal {
     const BvhNode* nodes;
     const std::uint32_t* words;                          // null for boxes
 
-    float inverseNear[3], inverseFar[3];                 // 1 / direction; the latter larger by what rounding may take
+    float inverse[3];                                    // 1 / direction
     float nearOrigin[3], farOrigin[3];                   // the origin's box: the side that makes t small, large
-    float nearScaled[3], farScaled[3];                   // times the inverse
-    std::uint32_t nearPlane[3], farPlane[3];             // which planes of a node
+    std::uint32_t nearPlane[3];                          // which planes of a node
+
+    // A distance is wrong by less than 2^-22 of itself: rounding the direction, the inverse, a difference and a product. The
+    // farther of two that are compared is made larger by this.
+    static constexpr float growth = 1 + 0x1p-20f;
 
     std::uint32_t x, y, z;                               // for triangles: z has the largest component of the direction
     double shearX, shearY, origin[3], slack;             // in the tree's frame
