@@ -26,7 +26,7 @@ struct ShearedRay {
 // The geometry that shapes with the same OBJ file share.
 class TriangleMesh {
   public:
-    TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options);
+    explicit TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options = {});
 
     std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(data_->triangleCount()); }
     std::array<Vec3, 3> corners(std::uint32_t triangle) const;
