@@ -133,7 +133,11 @@ BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) {
         s.farOrigin[axis] = static_cast<float>(s.origin[axis] - margin);
         s.inverse[axis] = 1 / static_cast<float>(turned);
         s.nearPlane[axis] = static_cast<std::uint32_t>(2 * axis + (turned < 0));
+        s.ballOrigin[axis] = static_cast<float>(s.origin[axis]);
+        s.ballDirection[axis] = static_cast<float>(d);
     }
+    s.balls = bvh.balls_;
+    s.ballMargin = static_cast<float>(spread + 0x1p-19 * farthest);
     s.x = s.z == 2 ? 0 : s.z + 1;
     s.y = s.z == 0 ? 2 : s.z - 1;
     const double perZ = 1 / direction[s.z];
@@ -196,6 +200,11 @@ inline unsigned notLess(const Lanes& a, const Lanes& b) {  // true for NaN
     return mask;
 }
 inline Lanes multiplySubtract(const Lanes& a, const Lanes& b, const Lanes& c) { return a * b - c; }
+inline unsigned ballFlags(const std::uint32_t* child) {
+    unsigned mask = 0;
+    for (int i = 0; i < 8; ++i) mask |= (child[i] >> 30 & 1) << i;
+    return mask;
+}
 inline float offset(float origin, float) { return origin; }
 inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return (plane - offset) * inverse;
@@ -237,6 +246,13 @@ inline unsigned notLess(const Lanes& x, const Lanes& y) {  // true for NaN
                                  _mm_movemask_ps(_mm_cmpnlt_ps(x.b, y.b)) << 4);
 }
 inline Lanes multiplySubtract(const Lanes& x, const Lanes& y, const Lanes& z) { return x * y - z; }
+inline unsigned ballFlags(const std::uint32_t* child) {
+    const auto flags = [child](int i) {
+        const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(child + i));
+        return _mm_movemask_ps(_mm_castsi128_ps(_mm_slli_epi32(four, 1)));
+    };
+    return static_cast<unsigned>(flags(0) | flags(4) << 4);
+}
 inline float offset(float origin, float) { return origin; }
 inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return (plane - offset) * inverse;
@@ -274,6 +290,10 @@ RAYTRACER_TARGET inline unsigned notLess(const Lanes& x, const Lanes& y) {  // t
 }
 RAYTRACER_TARGET inline Lanes multiplySubtract(const Lanes& x, const Lanes& y, const Lanes& z) {
     return {_mm256_fmsub_ps(x.v, y.v, z.v)};
+}
+RAYTRACER_TARGET inline unsigned ballFlags(const std::uint32_t* child) {
+    const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(child));
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_slli_epi32(eight, 1))));
 }
 RAYTRACER_TARGET inline float offset(float origin, float inverse) { return origin * inverse; }
 RAYTRACER_TARGET inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {

@@ -20,6 +20,7 @@ namespace raytracer {
 
 struct FloatBox {
     float low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    bool ball = false;  // it is a cube but for rounding, and what is in it lies in the ball inscribed in it
 };
 
 // The nearest floats that are surely below and above; coordinates beyond the range of float become infinite.
@@ -51,8 +52,9 @@ struct alignas(bvhUnit) BvhNode {
     float planes[6][8];
     std::uint32_t child[8];
 
-    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place.
-    static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31;
+    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place. A box
+    // with a ball in it has the next bit too.
+    static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31, ballBit = leafBit >> 1;
 };
 
 // The head of a leaf's triangles, in 32-bit words. After it a primitive number for each triangle, then for each corner and
@@ -91,7 +93,7 @@ class Bvh {
     std::vector<BvhNode> nodes_;
     std::vector<std::uint32_t> words_;  // of blocks
     std::uint32_t root_ = 0;
-    bool hasRoot_ = false, triangles_ = false;
+    bool hasRoot_ = false, triangles_ = false, balls_ = false;
     glm::dvec3 center_{0};
     double extent_ = 0;
     double scale_ = 1;  // a power of two: from the primitives' space to the frame
@@ -101,6 +103,7 @@ class Bvh {
 struct BvhTraversal {
     const BvhNode* nodes;
     const std::uint32_t* words;                          // null for boxes
+    bool balls;                                          // some boxes have a ball in them
 
     float inverse[3];                                    // 1 / direction
     float nearOrigin[3], farOrigin[3];                   // the origin's box: the side that makes t small, large
@@ -109,6 +112,9 @@ struct BvhTraversal {
     // A distance is wrong by less than 2^-22 of itself: rounding the direction, the inverse, a difference and a product. The
     // farther of two that are compared is made larger by this.
     static constexpr float growth = 1 + 0x1p-20f;
+
+    float ballOrigin[3], ballDirection[3];               // for balls: in the tree's frame
+    float ballMargin;                                    // how much larger to make them
 
     std::uint32_t x, y, z;                               // for triangles: z has the largest component of the direction
     double shearX, shearY, origin[3], slack;             // in the tree's frame
