@@ -42,7 +42,7 @@ void ShapeTree::intersect(const Ray& ray, HitQuery& query) const {
     if (bvh_.empty()) return;
 
     // The roundings of the way to object space and back, as far as they go with the distance from the ray's origin.
-    const Real slack = slackFactor_ * (maxComponent(abs(ray.origin)) + static_cast<Real>(bvh_.extent()));
+    const Real slack = slackFactor_ * (maxComponent(abs(ray.origin)) + static_cast<Real>(bvh_.frame().extent));
     BvhCursor cursor(bvh_, {glm::dvec3(ray.origin), glm::dvec3(ray.direction), static_cast<double>(slack)});
     if (!cursor.usable()) {
         for (const Shape* shape : boxed_) shape->intersect(ray, query);
