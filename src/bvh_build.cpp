@@ -129,7 +129,7 @@ class BvhBuilder {
   public:
     BvhBuilder(Bvh& bvh, int threads) : bvh_(bvh), threads_(threads > 0 ? threads : processors()) {}
 
-    void build(std::span<const FloatBox> boxes);
+    void build(std::span<const FloatBox> boxes, const BvhNames& names);
     void build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices);
 
   private:
@@ -174,12 +174,14 @@ class BvhBuilder {
     std::vector<Reference> references_;
     std::vector<Task> tasks_;
     std::span<const FloatBox> boxes_;
+    std::span<const std::uint32_t> names_;
     std::span<const glm::dvec3> positions_;
     std::span<const std::uint32_t> indices_;
 };
 
-void BvhBuilder::build(std::span<const FloatBox> boxes) {
-    boxes_ = boxes;
+void BvhBuilder::build(std::span<const FloatBox> boxes, const BvhNames& names) {
+    boxes_ = boxes, names_ = names.names;
+    bvh_.frame_.objects = names.start;
     leafSize_ = 1;
     bvh_.frame_.balls = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
@@ -326,7 +328,7 @@ std::uint32_t BvhBuilder::splitIntoChildren(const Range& range, int depth, bool 
 std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
     if (!bvh_.frame_.triangles) {
         const std::uint32_t box = references_[range.begin].primitive();
-        return BvhNode::leafBit | (boxes_[box].ball ? BvhNode::ballBit : 0) | box;
+        return BvhNode::leafBit | (boxes_[box].ball ? BvhNode::ballBit : 0) | names_[box];
     }
     const std::uint32_t count = range.size(), place = static_cast<std::uint32_t>(part.words.size());
     const Float4 size = range.box.high - range.box.low;
@@ -438,9 +440,9 @@ void BvhBuilder::halve(const Range& range, Range& left, Range& right) {
     right = sides[1], right.begin = middle, right.end = range.end;
 }
 
-Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, int threads) {
+Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads) {
     Bvh bvh;
-    BvhBuilder(bvh, threads).build(boxes);
+    BvhBuilder(bvh, threads).build(boxes, names);
     for (const FloatBox& box : boxes)
         for (int axis = 0; axis < 3; ++axis)
             bvh.frame_.extent = std::max({bvh.frame_.extent, std::abs(double{box.low[axis]}), std::abs(double{box.high[axis]})});

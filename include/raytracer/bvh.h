@@ -24,6 +24,16 @@ struct FloatBox {
     bool ball = false;  // it is a cube but for rounding, and what is in it lies in the ball inscribed in it
 };
 
+// What a box's primitive is called: less than 2^30. Either a number of the caller's, or its place in memory, so that the tree
+// can ask for it before it is needed.
+struct BvhNames {
+    static constexpr std::uint32_t limit = std::uint32_t{1} << 30;
+    static constexpr std::size_t unit = 16;  // bytes
+
+    std::vector<std::uint32_t> names;
+    const char* start = nullptr;  // a name is a distance from here, in units; null: just a number
+};
+
 // The nearest floats that are surely below and above; coordinates beyond the range of float become infinite.
 float floatBelow(double x);
 float floatAbove(double x);
@@ -66,8 +76,8 @@ struct alignas(bvhUnit) BvhNode {
     float planes[6][8];
     std::uint32_t child[8];
 
-    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place. A box
-    // with a ball in it has the next bit too.
+    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive's name, of triangles a block's
+    // place. A box with a ball in it has the next bit too.
     static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31, ballBit = leafBit >> 1;
 };
 
@@ -86,14 +96,15 @@ struct BvhFrame {
     double extent = 0;  // no primitive is further from the center, along any axis
     double scale = 1;   // a power of two
     bool triangles = false, balls = false;  // what kinds of leaves there are beside boxes
+    const char* objects = nullptr;          // BvhNames::start
 };
 
 class Bvh {
   public:
     Bvh() = default;
 
-    // Over boxes, which must be usable; the primitives are their indices. With threads 0, as many as there are processors.
-    static Bvh ofBoxes(std::span<const FloatBox> boxes, int threads = 0);
+    // Over boxes, which must be usable, with a name for each. With threads 0, as many as there are processors.
+    static Bvh ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads = 0);
     static bool usable(const FloatBox& box);
 
     // Over triangles, three indices each. Empty where the coordinates are so large that their differences overflow.
@@ -120,6 +131,7 @@ class Bvh {
 struct BvhTraversal {
     const BvhNode* nodes;
     const std::uint32_t* words;                          // null for boxes
+    const char* objects;                                 // BvhNames::start
     bool balls;                                          // some boxes have a ball in them
 
     // For each axis: 1 / direction, the same a little larger (growth), and what a plane's distance is to be reckoned from.
