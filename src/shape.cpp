@@ -170,6 +170,7 @@ Intersection Shape::surface(const Hit& hit, const Vec3& pointObject, const Vec3&
     intersection.material = material_;
     intersection.shape = this;
     intersection.primitive = hit.primitive;
+    intersection.entering = hit.entering;
     return intersection;
 }
 
@@ -208,7 +209,7 @@ void Solid::offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) con
     ++query.tests;
     const Chord chord = chordOf(transform_.toObject(ray));
     const Real scale = transform_.worldPerObjectT();
-    if (leavesThis) return query.offer(std::max(Real(0), chord.exit * scale), *this, chord.exitFace);
+    if (leavesThis) return query.offer(std::max(Real(0), chord.exit * scale), *this, chord.exitFace, false);
     if (!chord.hit || !(chord.exit >= 0)) return;
 
     bool entering = chord.entry >= 0;
@@ -219,9 +220,9 @@ void Solid::offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) con
         entering = false;
     }
     if (entering)
-        query.offer(chord.entry * scale, *this, chord.entryFace);
+        query.offer(chord.entry * scale, *this, chord.entryFace, true);
     else
-        query.offer(chord.exit * scale, *this, chord.exitFace);
+        query.offer(chord.exit * scale, *this, chord.exitFace, false);
 }
 
 // Sphere
@@ -331,7 +332,7 @@ void Plane::intersect(const Ray& ray, HitQuery& query) const {
     const Real t = -object.origin.z / object.direction.z * transform_.worldPerObjectT();
     if (!(t >= 0 && t <= query.limit()) || object.direction.z == 0) return;
     if (ray.departure.shape && touches(ray.origin, ray.departure.positionError, 0)) return;
-    query.offer(t, *this, 0);
+    query.offer(t, *this, 0, object.direction.z < 0);
 }
 
 Intersection Plane::surfaceAt(const Ray& ray, const Hit& hit) const {

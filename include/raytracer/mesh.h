@@ -26,7 +26,7 @@ struct ShearedRay {
 // The geometry that shapes with the same OBJ file share.
 class TriangleMesh {
   public:
-    TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options);
+    explicit TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options = {});
 
     std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(data_->triangleCount()); }
     std::array<Vec3, 3> corners(std::uint32_t triangle) const;
@@ -37,6 +37,7 @@ class TriangleMesh {
     // infinitesimal to the side.
     struct LineHit {
         bool hit = false;
+        bool entering = false;  // it comes from where the corners are counter-clockwise
         Real t = 0;
         Real weight[3] = {0, 0, 0};
     };
@@ -84,7 +85,7 @@ class Mesh final : public Shape {
 
     void intersectAll(const MeshRay& ray, HitQuery& query) const;
     void intersectTriangle(const MeshRay& ray, const ShearedRay& sheared, std::uint32_t triangle, HitQuery& query) const;
-    bool startsInside(const Ray& ray) const { return ray.departure.shape == this && ray.departure.inside; }
+    ObjectRay toObject(const Ray& ray) const;
     Vec3 normalObject(std::uint32_t triangle) const;  // by the cross product, not of unit length
 
     std::shared_ptr<const TriangleMesh> triangles_;
