@@ -49,7 +49,8 @@ dialog { border: 0; padding: 0; width: 100vw; height: 100vh; max-width: none; ma
   color: #e6e8ec; overflow: hidden; }
 dialog[open] { display: grid; grid-template-rows: auto 1fr auto; }
 dialog p { margin: 0; padding: .5rem 1rem; display: flex; gap: 1.5rem; flex-wrap: wrap; align-items: baseline; }
-#kind { font-weight: 700; padding: 0 .6rem; border-radius: .3rem; color: #14161a; min-width: 6.5rem; text-align: center; }
+#kind { font-weight: 700; padding: 0 .6rem; border-radius: .3rem; color: #14161a; min-width: 6.5rem;
+  text-align: center; }
 #kind.reference { background: #ffd479; } #kind.ours { background: #8fd0ff; } #kind.difference { background: #ff9db0; }
 #values { font-variant-numeric: tabular-nums; margin-left: auto; white-space: pre; }
 #stage { position: relative; overflow: hidden; cursor: crosshair; touch-action: none; background: #3a3d44; }

@@ -42,6 +42,7 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOpti
     }
     center_ = low / Real(2) + high / Real(2);
     size_ = glm::max(high - center_, center_ - low);
+    largest_ = glm::max(abs(low), abs(high));
     if (options.accelerator == Accelerator::Bvh && triangleCount() > listLimit)
         bvh_ = Bvh::ofTriangles(data_->positions, data_->positionIndex, options.threads);
 }
@@ -94,34 +95,39 @@ Vec3 Mesh::normalObject(std::uint32_t triangle) const {
 
 void Mesh::intersect(const Ray& ray, HitQuery& query) const {
     const ObjectRay object = toObject(ray);
-    const Vec3 coordinates = glm::max(abs(object.origin), abs(triangles_->center()) + triangles_->size());
-    const MeshRay meshRay(ray, object, maxComponent(coordinates));
+    const Vec3 coordinates = glm::max(abs(object.origin), triangles_->largest());
+    const MeshRay meshRay{ray, object, maxComponent(coordinates)};
     const Bvh& bvh = triangles_->bvh();
-    if (!bvh.empty()) {
-        // The roundings of the watertight test, and of float positions, which the tree has as they were.
-        constexpr Real roundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
-        const Real slack = 64 * roundoff * meshRay.reach;
-        BvhCursor cursor(bvh, {glm::dvec3(object.origin), glm::dvec3(object.direction), static_cast<double>(slack)});
-        if (cursor.usable()) {
-            while (!query.done() && cursor.next(static_cast<double>(query.limit() * transform_.objectPerWorldT())))
-                for (const std::uint32_t triangle : cursor.primitives()) intersectTriangle(meshRay, triangle, query);
-            return;
-        }
-    }
-    for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount() && !query.done(); ++triangle)
-        intersectTriangle(meshRay, triangle, query);
+    if (bvh.empty()) return intersectAll(meshRay, query);
+
+    // The roundings of the watertight test, and of float positions, which the tree has as they were.
+    constexpr Real roundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
+    const Real slack = 64 * roundoff * meshRay.reach;
+    BvhCursor cursor(bvh, {glm::dvec3(object.origin), glm::dvec3(object.direction), static_cast<double>(slack)});
+    if (!cursor.usable()) return intersectAll(meshRay, query);
+    const auto next = [&] { return cursor.next(static_cast<double>(query.limit() * transform_.objectPerWorldT())); };
+    if (!next()) return;
+    const ShearedRay sheared(object);
+    do {
+        for (const std::uint32_t triangle : cursor.primitives()) intersectTriangle(meshRay, sheared, triangle, query);
+    } while (!query.done() && next());
 }
 
-void Mesh::intersectTriangle(const MeshRay& meshRay, std::uint32_t triangle, HitQuery& query) const {
+void Mesh::intersectAll(const MeshRay& ray, HitQuery& query) const {
+    const ShearedRay sheared(ray.object);
+    for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount() && !query.done(); ++triangle)
+        intersectTriangle(ray, sheared, triangle, query);
+}
+
+void Mesh::intersectTriangle(const MeshRay& ray, const ShearedRay& sheared, std::uint32_t triangle, HitQuery& query) const {
+    const Departure& departure = ray.world.departure;
+    if (departure.shape == this && departure.primitive == triangle) return;
     ++query.tests;
-    const TriangleMesh::LineHit line = triangles_->intersectLine(meshRay.sheared, triangle);
+    const TriangleMesh::LineHit line = triangles_->intersectLine(sheared, triangle);
     if (!line.hit) return;
     const Real t = line.t * transform_.worldPerObjectT();
     if (!(t >= 0 && t <= query.limit())) return;
-    const Departure& departure = meshRay.ray.departure;
-    if (departure.shape == this ? departure.primitive == triangle
-                                : departure.shape && touches(meshRay.ray.origin, departure.positionError, triangle))
-        return;
+    if (departure.shape && departure.shape != this && touches(ray.world.origin, departure.positionError, triangle)) return;
     query.offer(t, *this, triangle, line.entering);
 }
 

@@ -71,6 +71,15 @@ Vec3 ontoUnit(const Vec3& p) {
 // then any.
 Vec3 offCenter(const Vec3& p) { return p == Vec3(0) ? Vec3(1, 0, 0) : p; }
 
+// Whether it scales alike in all directions, to within 1/256: close enough for culling by FloatBox::ball.
+bool isUniform(const Mat3& m) {
+    const Mat3 squares = glm::transpose(m) * m;
+    Real off = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) off = std::max(off, std::abs(squares[i][j] - (i == j ? squares[0][0] : 0)));
+    return off <= squares[0][0] / 1024;
+}
+
 Chord sphereChord(const ObjectRay& ray) { return unitBallChord(ray.origin, ray.direction); }
 
 Chord cylinderChord(const ObjectRay& ray) {
@@ -234,6 +243,7 @@ Intersection Sphere::surfaceAt(const Ray& ray, const Hit& hit) const {
 
 bool Sphere::bounds(FloatBox& box) const {
     const Mat3& m = transform_.linear();
+    box.ball = isUniform(m);
     return widened(Vec3(0), Vec3(1), glm::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]), box);
 }
 

@@ -59,8 +59,7 @@ def noise(x, y, seed, period=None):
 
 
 def fractal(x, y, seed, octaves=4, period=None):
-    total, weight, sum_ = 1., 1., 0.
-    total = np.zeros(np.broadcast(x, y).shape)
+    total, weight, sum_ = np.zeros(np.broadcast(x, y).shape), 1., 0.
     for k in range(octaves):
         p = None if period is None else (period[0] << k, period[1] << k)
         total += weight * noise(x * 2**k, y * 2**k, seed + k, p)
@@ -69,12 +68,12 @@ def fractal(x, y, seed, octaves=4, period=None):
     return total / sum_
 
 
-def save(name, pixels, colours=None, dither=False):
-    """As PNG; with a number of colours as a palette, which keeps noisy pictures small; dithered, gradients stay smooth."""
+def save(name, pixels, colours=None):
+    """As PNG; with a number of colours as a palette, which keeps noisy pictures small."""
     image = Image.fromarray(np.rint(np.clip(pixels, 0, 1) * 255).astype(np.uint8), "RGB")
     if colours:
-        palette = image.quantize(colours, method=Image.Quantize.MEDIANCUT)
-        image = image.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG if dither else Image.Dither.NONE)
+        image = image.quantize(colours, method=Image.Quantize.MEDIANCUT)
+        assert max(image.getdata()) < len(image.getpalette()) // 3  # no texel beyond the palette
     path = OUT / f"{name}.png"
     image.save(path, optimize=True)
     print(f"{path.name}: {image.width} x {image.height}, {path.stat().st_size / 1024:.0f} KiB")
