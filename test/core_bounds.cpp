@@ -84,6 +84,5 @@ TEST_CASE("the claimed bound on a hit's position holds and is tight") {
                               << *percentile99);
             CHECK(most <= 1);
             CHECK(*percentile99 >= 0.01L);
-            if (std::getenv("PRINT")) printf("%s %g: %Lg %Lg\n", nameOf(kind), extents.size, most, *percentile99);
         }
 }

@@ -39,7 +39,10 @@ struct Tally {
         wrong += differingPixels(image, judge, 1);
         pixels += image.width * image.height;
     }
-    void check() const { CHECK(wrong * 10000 <= pixels); }
+    void check() const {
+        INFO(wrong << " of " << pixels << " pixels");
+        CHECK(wrong * 10000 <= pixels);
+    }
 };
 
 }  // namespace
@@ -59,7 +62,7 @@ TEST_CASE("a scene times a power of ten is what extended precision makes of it")
         INFO(file);
         const SceneDescription scene = loadScene(file, true).description;
         Tally tally;
-        for (const int exponent : {-12, -7, -3, 0, 2, 6, 12}) tally.add(scaled(scene, std::pow(10, exponent)));
+        for (int exponent = -12; exponent <= 12; ++exponent) tally.add(scaled(scene, std::pow(10, exponent)));
         tally.check();
     }
 }
