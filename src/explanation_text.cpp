@@ -109,11 +109,6 @@ std::string bytes(const glm::dvec3& color) {
 
 }  // namespace
 
-const char* typeName(ShapeDescription::Type type) {
-    constexpr const char* names[] = {"sphere", "plane", "cylinder", "cone", "cube", "mesh"};
-    return names[static_cast<int>(type)];
-}
-
 std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene) {
     Writer writer(scene);
     writer.ray(explanation, 0);

@@ -12,7 +12,4 @@ namespace raytracer {
 std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene);
 std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene);
 
-// "sphere", "plane", ...
-const char* typeName(ShapeDescription::Type type);
-
 }  // namespace raytracer
