@@ -1,4 +1,5 @@
-// The long run of the re-intersection test: reintersection [RAYS] [SIZE_DECADES] [ORIGIN_DECADES] [SEED].
+// The long run of the re-intersection test: reintersection [RAYS] [SIZE_DECADES] [STRETCH_DECADES]
+// [ORIGIN_DECADES] [SEED].
 #include <cstdio>
 #include <cstdlib>
 
@@ -10,8 +11,8 @@ using namespace raytracer::test;
 int main(int argc, char** argv) {
     const auto argument = [&](int i, double value) { return argc > i ? std::atof(argv[i]) : value; };
     const auto rays = static_cast<std::uint64_t>(argument(1, 1e8));
-    const Extents extents{argument(2, 30), argument(3, 30)};
-    const auto seed = static_cast<std::uint64_t>(argument(4, 1));
+    const Extents extents{argument(2, 30), argument(3, 4), argument(4, 30)};
+    const auto seed = static_cast<std::uint64_t>(argument(5, 1));
     std::uint64_t failures = 0;
     std::printf("%-9s %12s %10s %10s %10s %10s %10s %10s\n", "shape", "rays", "points", "missed", "met again", "never out",
                 "stuck", "odd");

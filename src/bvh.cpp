@@ -102,45 +102,47 @@ std::size_t Bvh::memory() const { return nodes_.capacity() * sizeof(BvhNode) + w
 
 BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) {
     BvhTraversal& s = state_;
-    double direction[3], farthest = 0, longest = 0;
+    double direction[3];
     for (int axis = 0; axis < 3; ++axis) {
         s.origin[axis] = (ray.origin[axis] - bvh.center_[axis]) * bvh.scale_;
         direction[axis] = ray.direction[axis] * bvh.scale_;
-        farthest = std::max(farthest, std::abs(s.origin[axis]));
-        longest = std::max(longest, std::abs(direction[axis]));
     }
     s.slack = ray.slack * bvh.scale_;
-    tScale_ = longest;
-    // NaN compares false. max() may have dropped one, the sum doesn't.
-    const double all = s.origin[0] + s.origin[1] + s.origin[2] + direction[0] + direction[1] + direction[2];
-    usable_ = farthest <= largestOrigin && longest > std::numeric_limits<double>::min() && all - all == 0 &&
+    const double sizeX = std::abs(direction[0]), sizeY = std::abs(direction[1]), sizeZ = std::abs(direction[2]);
+    s.z = sizeX > sizeY ? (sizeX > sizeZ ? 0 : 2) : (sizeY > sizeZ ? 1 : 2);
+    const double farthest = std::max(std::abs(s.origin[0]), std::max(std::abs(s.origin[1]), std::abs(s.origin[2])));
+
+    // NaN compares false, or spreads through the sum where a comparison has passed it over.
+    const double longest = std::abs(direction[s.z]), all = s.origin[0] + s.origin[1] + s.origin[2] + sizeX + sizeY + sizeZ;
+    usable_ = farthest <= largestOrigin && longest >= 0x1p-1000 && longest <= 0x1p1000 && all - all == 0 &&
               s.slack <= largestOrigin;
     if (!usable_ || bvh.empty()) return;
+
+    // The direction is brought to a length of 1 to 2 along its longest axis by a power of two.
+    tScale_ = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) >> 52 << 52);
+    const double normalise = 1 / tScale_;
 
     // The slack, and four times what leastDirection may do.
     const double spread = s.slack + 0x1p-38 * (farthest + bvh.extent_ * bvh.scale_);
     for (int axis = 0; axis < 3; ++axis) {
-        double d = direction[axis] /= longest;
-        if (std::abs(d) == 1) s.z = static_cast<std::uint32_t>(axis);
-        if (std::abs(d) < leastDirection) d = std::copysign(leastDirection, d);
-        // Four roundings: the origin's own, that of the scaled origin, and one to spare. The other errors are relative to
-        // the distance from the plane: two of the inverse and one of the product, on either side, less than 2^-20 in all.
-        const double margin = spread + 4 * roundoff * std::abs(s.origin[axis]);
-        const auto low = static_cast<float>(s.origin[axis] - margin), high = static_cast<float>(s.origin[axis] + margin);
-        const bool forward = d > 0;
-        s.nearOrigin[axis] = forward ? high : low;
-        s.farOrigin[axis] = forward ? low : high;
-        s.inverseNear[axis] = static_cast<float>(1 / d);
-        s.inverseFar[axis] = s.inverseNear[axis] * (1 + 0x1p-20f);
-        s.nearScaled[axis] = s.nearOrigin[axis] * s.inverseNear[axis];
-        s.farScaled[axis] = s.farOrigin[axis] * s.inverseFar[axis];
-        s.nearPlane[axis] = static_cast<std::uint32_t>(2 * axis + !forward);
-        s.farPlane[axis] = static_cast<std::uint32_t>(2 * axis + forward);
+        const double d = direction[axis] * normalise;
+        const double turned = std::copysign(std::max(std::abs(d), leastDirection), d);
+        // Four roundings: the origin's own, that of the origin times the inverse, and more to spare.
+        const double margin = std::copysign(spread + 4 * roundoff * std::abs(s.origin[axis]), turned);
+        s.nearOrigin[axis] = static_cast<float>(s.origin[axis] + margin);
+        s.farOrigin[axis] = static_cast<float>(s.origin[axis] - margin);
+        s.inverse[axis] = 1 / static_cast<float>(turned);
+        s.nearPlane[axis] = static_cast<std::uint32_t>(2 * axis + (turned < 0));
+        s.ballOrigin[axis] = static_cast<float>(s.origin[axis]);
+        s.ballDirection[axis] = static_cast<float>(d);
     }
-    s.x = (s.z + 1) % 3;
-    s.y = (s.z + 2) % 3;
-    s.shearX = direction[s.x] / direction[s.z];
-    s.shearY = direction[s.y] / direction[s.z];
+    s.balls = bvh.balls_;
+    s.ballMargin = static_cast<float>(spread + 0x1p-19 * farthest);
+    s.x = s.z == 2 ? 0 : s.z + 1;
+    s.y = s.z == 0 ? 2 : s.z - 1;
+    const double perZ = 1 / direction[s.z];
+    s.shearX = direction[s.x] * perZ;
+    s.shearY = direction[s.y] * perZ;
     s.nodes = bvh.nodes_.data();
     s.words = bvh.triangles_ ? bvh.words_.data() : nullptr;
     s.stack[0] = bvh.root_;
@@ -198,8 +200,14 @@ inline unsigned notLess(const Lanes& a, const Lanes& b) {  // true for NaN
     return mask;
 }
 inline Lanes multiplySubtract(const Lanes& a, const Lanes& b, const Lanes& c) { return a * b - c; }
-inline Lanes planeDistance(const Lanes& plane, float origin, float inverse, float) {
-    return (plane - broadcast(origin)) * broadcast(inverse);
+inline unsigned ballFlags(const std::uint32_t* child) {
+    unsigned mask = 0;
+    for (int i = 0; i < 8; ++i) mask |= (child[i] >> 30 & 1) << i;
+    return mask;
+}
+inline float offset(float origin, float) { return origin; }
+inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
+    return (plane - offset) * inverse;
 }
 
 #include "bvh_kernel.inc"
@@ -238,8 +246,16 @@ inline unsigned notLess(const Lanes& x, const Lanes& y) {  // true for NaN
                                  _mm_movemask_ps(_mm_cmpnlt_ps(x.b, y.b)) << 4);
 }
 inline Lanes multiplySubtract(const Lanes& x, const Lanes& y, const Lanes& z) { return x * y - z; }
-inline Lanes planeDistance(const Lanes& plane, float origin, float inverse, float) {
-    return (plane - broadcast(origin)) * broadcast(inverse);
+inline unsigned ballFlags(const std::uint32_t* child) {
+    const auto flags = [child](int i) {
+        const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(child + i));
+        return _mm_movemask_ps(_mm_castsi128_ps(_mm_slli_epi32(four, 1)));
+    };
+    return static_cast<unsigned>(flags(0) | flags(4) << 4);
+}
+inline float offset(float origin, float) { return origin; }
+inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
+    return (plane - offset) * inverse;
 }
 
 #include "bvh_kernel.inc"
@@ -275,8 +291,13 @@ RAYTRACER_TARGET inline unsigned notLess(const Lanes& x, const Lanes& y) {  // t
 RAYTRACER_TARGET inline Lanes multiplySubtract(const Lanes& x, const Lanes& y, const Lanes& z) {
     return {_mm256_fmsub_ps(x.v, y.v, z.v)};
 }
-RAYTRACER_TARGET inline Lanes planeDistance(const Lanes& plane, float, float inverse, float scaledOrigin) {
-    return multiplySubtract(plane, broadcast(inverse), broadcast(scaledOrigin));
+RAYTRACER_TARGET inline unsigned ballFlags(const std::uint32_t* child) {
+    const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(child));
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_slli_epi32(eight, 1))));
+}
+RAYTRACER_TARGET inline float offset(float origin, float inverse) { return origin * inverse; }
+RAYTRACER_TARGET inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
+    return multiplySubtract(plane, inverse, offset);
 }
 
 #include "bvh_kernel.inc"

@@ -27,6 +27,7 @@ constexpr int medianDepth = 24;                        // from here on halves, s
 constexpr std::uint32_t parallelSize = 1 << 15;        // fewer primitives are not worth a thread's start
 constexpr std::uint32_t tasksPerThread = 12;           // many small ones share out more evenly
 constexpr std::uint32_t blockSize = 8;
+constexpr std::uint32_t nodeUnits = sizeof(BvhNode) / bvhUnit;
 
 Float4 min(Float4 a, Float4 b) { return a < b ? a : b; }
 Float4 max(Float4 a, Float4 b) { return a > b ? a : b; }
@@ -172,12 +173,15 @@ class BvhBuilder {
     std::uint32_t taskSize_ = 0;
     std::vector<Reference> references_;
     std::vector<Task> tasks_;
+    std::span<const FloatBox> boxes_;
     std::span<const glm::dvec3> positions_;
     std::span<const std::uint32_t> indices_;
 };
 
 void BvhBuilder::build(std::span<const FloatBox> boxes) {
+    boxes_ = boxes;
     leafSize_ = 1;
+    bvh_.balls_ = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
         const FloatBox& box = boxes[i];
         Reference reference{{{box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}}};
@@ -251,7 +255,7 @@ void BvhBuilder::assemble(Part& top, std::uint32_t root) {
         words += task.part.words.size();
     }
     const auto moved = [&](std::uint32_t child, std::size_t task) {
-        if (!(child & BvhNode::leafBit)) return child + nodeStart[task];
+        if (!(child & BvhNode::leafBit)) return child + nodeStart[task] * nodeUnits;
         return bvh_.triangles_ ? child + wordStart[task] : child;
     };
     for (BvhNode& node : top.nodes)
@@ -297,7 +301,7 @@ std::uint32_t BvhBuilder::buildRange(Part& part, const Range& range, int depth, 
         const std::uint32_t child = buildRange(part, children[i], depth + 1, top);
         part.nodes[index].child[i] = child;
     }
-    return index;
+    return index * nodeUnits;
 }
 
 std::uint32_t BvhBuilder::splitIntoChildren(const Range& range, int depth, bool top, Range (&children)[8]) {
@@ -318,7 +322,10 @@ std::uint32_t BvhBuilder::splitIntoChildren(const Range& range, int depth, bool 
 
 // A leaf of boxes is the primitive's number; of triangles, a block with their corners.
 std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
-    if (!bvh_.triangles_) return BvhNode::leafBit | references_[range.begin].primitive();
+    if (!bvh_.triangles_) {
+        const std::uint32_t box = references_[range.begin].primitive();
+        return BvhNode::leafBit | (boxes_[box].ball ? BvhNode::ballBit : 0) | box;
+    }
     const std::uint32_t count = range.size(), place = static_cast<std::uint32_t>(part.words.size());
     const Float4 size = range.box.high - range.box.low;
     const float largest = std::max(size[0], std::max(size[1], size[2]));

@@ -42,6 +42,7 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOpti
     }
     center_ = low / Real(2) + high / Real(2);
     size_ = glm::max(high - center_, center_ - low);
+    largest_ = glm::max(abs(low), abs(high));
     if (options.accelerator == Accelerator::Bvh && triangleCount() > listLimit)
         bvh_ = Bvh::ofTriangles(data_->positions, data_->positionIndex, options.threads);
 }
@@ -82,7 +83,7 @@ TriangleMesh::LineHit TriangleMesh::intersectLine(const ShearedRay& ray, std::ui
     }
     const Real sum = u + v + w;
     if (sum == 0) return {};
-    LineHit result{true, 0, {u / sum, v / sum, w / sum}};
+    LineHit result{true, sum > 0, 0, {u / sum, v / sum, w / sum}};
     result.t = result.weight[0] * pz[0] + result.weight[1] * pz[1] + result.weight[2] * pz[2];
     return result;
 }
@@ -93,43 +94,69 @@ Vec3 Mesh::normalObject(std::uint32_t triangle) const {
 }
 
 void Mesh::intersect(const Ray& ray, HitQuery& query) const {
-    const ObjectRay object = transform_.toObject(ray);
-    const Vec3 coordinates = glm::max(abs(object.origin), abs(triangles_->center()) + triangles_->size());
-    const MeshRay meshRay(ray, object, maxComponent(coordinates));
+    const ObjectRay object = toObject(ray);
+    const Vec3 coordinates = glm::max(abs(object.origin), triangles_->largest());
+    const MeshRay meshRay{ray, object, maxComponent(coordinates)};
     const Bvh& bvh = triangles_->bvh();
-    if (!bvh.empty()) {
-        // The roundings of the watertight test; of float positions, which the tree has as they were; and wayOut's allowance.
-        constexpr Real roundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
-        const Real slack = (64 * roundoff + (startsInside(ray) ? 2 * coincidenceWindow : 0)) * meshRay.reach;
-        BvhCursor cursor(bvh, {glm::dvec3(object.origin), glm::dvec3(object.direction), static_cast<double>(slack)});
-        if (cursor.usable()) {
-            while (!query.done() && cursor.next(static_cast<double>(query.limit() * transform_.objectPerWorldT())))
-                for (const std::uint32_t triangle : cursor.primitives()) intersectTriangle(meshRay, triangle, query);
-            return;
-        }
-    }
-    for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount() && !query.done(); ++triangle)
-        intersectTriangle(meshRay, triangle, query);
+    if (bvh.empty()) return intersectAll(meshRay, query);
+
+    // The roundings of the watertight test, and of float positions, which the tree has as they were.
+    constexpr Real roundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
+    const Real slack = 64 * roundoff * meshRay.reach;
+    BvhCursor cursor(bvh, {glm::dvec3(object.origin), glm::dvec3(object.direction), static_cast<double>(slack)});
+    if (!cursor.usable()) return intersectAll(meshRay, query);
+    const auto next = [&] { return cursor.next(static_cast<double>(query.limit() * transform_.objectPerWorldT())); };
+    if (!next()) return;
+    const ShearedRay sheared(object);
+    do {
+        for (const std::uint32_t triangle : cursor.primitives()) intersectTriangle(meshRay, sheared, triangle, query);
+    } while (!query.done() && next());
 }
 
-void Mesh::intersectTriangle(const MeshRay& meshRay, std::uint32_t triangle, HitQuery& query) const {
-    ++query.tests;
-    const TriangleMesh::LineHit line = triangles_->intersectLine(meshRay.sheared, triangle);
-    if (!line.hit) return;
-    Real t = line.t * transform_.worldPerObjectT();
-    if (!(t <= query.limit())) return;
-    const Departure& departure = meshRay.ray.departure;
+void Mesh::intersectAll(const MeshRay& ray, HitQuery& query) const {
+    const ShearedRay sheared(ray.object);
+    for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount() && !query.done(); ++triangle)
+        intersectTriangle(ray, sheared, triangle, query);
+}
+
+void Mesh::intersectTriangle(const MeshRay& ray, const ShearedRay& sheared, std::uint32_t triangle, HitQuery& query) const {
+    const Departure& departure = ray.world.departure;
     if (departure.shape == this && departure.primitive == triangle) return;
-    if (departure.shape && touches(meshRay.ray.origin, departure.positionError, triangle)) {
-        // The triangle goes through the ray's origin. It counts only as the way out of this mesh for a ray that starts
-        // just under its surface, at an edge; rounding may put that way out behind the origin, a little.
-        const Vec3& direction = meshRay.object.direction;
-        const bool wayOut = startsInside(meshRay.ray) && glm::dot(normalObject(triangle), direction) > 0 &&
-                            -line.t * maxComponent(abs(direction)) <= coincidenceWindow * meshRay.reach;
-        if (!wayOut) return;
-        t = std::max(t, Real(0));
+    ++query.tests;
+    const TriangleMesh::LineHit line = triangles_->intersectLine(sheared, triangle);
+    if (!line.hit) return;
+    const Real t = line.t * transform_.worldPerObjectT();
+    if (!(t >= 0 && t <= query.limit())) return;
+    if (departure.shape && departure.shape != this && touches(ray.world.origin, departure.positionError, triangle)) return;
+    query.offer(t, *this, triangle, line.entering);
+}
+
+// A ray that leaves this mesh starts off its triangle's plane, on its own side, and within the edges, by more than the
+// point may be wrong: from there the exact test of the line tells truly what it enters and leaves. On the point itself, at
+// an edge, rounding would decide, and a ray into the mesh might pass it by.
+ObjectRay Mesh::toObject(const Ray& ray) const {
+    ObjectRay object = transform_.toObject(ray);
+    if (ray.departure.shape != this) return object;
+    const auto corner = triangles_->corners(ray.departure.primitive);
+    const Vec3 error = transform_.objectError(ray.origin, ray.departure.positionError) +
+                       gamma(4) * (abs(corner[0]) + abs(corner[1]) + abs(corner[2]));
+    const Real margin = error.x + error.y + error.z;
+    const Vec3 normal = normalObject(ray.departure.primitive), up = normalized(normal);
+    const Real area = glm::dot(normal, up);  // twice
+    Vec3 weight, edge;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 &next = corner[(i + 1) % 3], &last = corner[(i + 2) % 3];
+        weight[i] = glm::dot(glm::cross(next - object.origin, last - object.origin), up);
+        edge[i] = glm::length(next - last);
     }
-    if (t >= 0) query.offer(t, *this, triangle);
+    // The distance from an edge is its weight over its length. A few margins, so that dihedral angles may be sharp; no
+    // more than there is where the triangle is smaller than its error.
+    const Real longest = maxComponent(edge), least = std::min(8 * margin * longest, area / 3);
+    weight = glm::max(weight, least);
+    object.origin = (weight.x * corner[0] + weight.y * corner[1] + weight.z * corner[2]) / (weight.x + weight.y + weight.z);
+    const Real off = least / (4 * longest);
+    object.origin += (ray.departure.inside ? -off : off) * up;
+    return object;
 }
 
 bool Mesh::bounds(FloatBox& box) const {
@@ -137,7 +164,7 @@ bool Mesh::bounds(FloatBox& box) const {
 }
 
 Intersection Mesh::surfaceAt(const Ray& ray, const Hit& hit) const {
-    const auto line = triangles_->intersectLine(ShearedRay(transform_.toObject(ray)), hit.primitive);
+    const auto line = triangles_->intersectLine(ShearedRay(toObject(ray)), hit.primitive);
     const auto corner = triangles_->corners(hit.primitive);
     const Vec3 p = line.weight[0] * corner[0] + line.weight[1] * corner[1] + line.weight[2] * corner[2];
     Intersection intersection = surface(hit, p, normalObject(hit.primitive));

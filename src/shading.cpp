@@ -27,7 +27,7 @@ ShadingPoint::ShadingPoint(const Ray& ray, const Intersection& intersection, boo
     : hit(&intersection),
       V(normalized(-ray.direction)),
       N(intersection.normal),
-      entering(glm::dot(V, intersection.normal) >= 0),
+      entering(intersection.entering),
       K_D(intersection.material->color_diffuse) {
     if (!entering) N = -N;
     if (const Texture* texture = intersection.material->diffuse_texture)

@@ -66,6 +66,15 @@ Real backToUnit(Real squared) {
     return std::abs(squared - 1) < coincidenceWindow ? Real(1.5) - squared / 2 : 1 / std::sqrt(squared);
 }
 
+// Whether it scales alike in all directions, to within 1/256: close enough for culling by FloatBox::ball.
+bool isUniform(const Mat3& m) {
+    const Mat3 squares = glm::transpose(m) * m;
+    Real off = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) off = std::max(off, std::abs(squares[i][j] - (i == j ? squares[0][0] : 0)));
+    return off <= squares[0][0] / 1024;
+}
+
 Chord sphereChord(const ObjectRay& ray) { return unitBallChord(ray.origin, ray.direction); }
 
 Chord cylinderChord(const ObjectRay& ray) {
@@ -161,6 +170,7 @@ Intersection Shape::surface(const Hit& hit, const Vec3& pointObject, const Vec3&
     intersection.material = material_;
     intersection.shape = this;
     intersection.primitive = hit.primitive;
+    intersection.entering = hit.entering;
     return intersection;
 }
 
@@ -199,7 +209,7 @@ void Solid::offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) con
     ++query.tests;
     const Chord chord = chordOf(transform_.toObject(ray));
     const Real scale = transform_.worldPerObjectT();
-    if (leavesThis) return query.offer(std::max(Real(0), chord.exit * scale), *this, chord.exitFace);
+    if (leavesThis) return query.offer(std::max(Real(0), chord.exit * scale), *this, chord.exitFace, false);
     if (!chord.hit || !(chord.exit >= 0)) return;
 
     bool entering = chord.entry >= 0;
@@ -210,9 +220,9 @@ void Solid::offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) con
         entering = false;
     }
     if (entering)
-        query.offer(chord.entry * scale, *this, chord.entryFace);
+        query.offer(chord.entry * scale, *this, chord.entryFace, true);
     else
-        query.offer(chord.exit * scale, *this, chord.exitFace);
+        query.offer(chord.exit * scale, *this, chord.exitFace, false);
 }
 
 // Sphere
@@ -228,6 +238,7 @@ Intersection Sphere::surfaceAt(const Ray& ray, const Hit& hit) const {
 
 bool Sphere::bounds(FloatBox& box) const {
     const Mat3& m = transform_.linear();
+    box.ball = isUniform(m);
     return widened(Vec3(0), Vec3(1), glm::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]), box);
 }
 
@@ -321,7 +332,7 @@ void Plane::intersect(const Ray& ray, HitQuery& query) const {
     const Real t = -object.origin.z / object.direction.z * transform_.worldPerObjectT();
     if (!(t >= 0 && t <= query.limit()) || object.direction.z == 0) return;
     if (ray.departure.shape && touches(ray.origin, ray.departure.positionError, 0)) return;
-    query.offer(t, *this, 0);
+    query.offer(t, *this, 0, object.direction.z < 0);
 }
 
 Intersection Plane::surfaceAt(const Ray& ray, const Hit& hit) const {

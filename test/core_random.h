@@ -45,7 +45,8 @@ class Random {
 
 // How far the numbers go, as powers of ten.
 struct Extents {
-    double size = 4;    // of radii, and of each axis against the others
+    double size = 4;    // of radii
+    double stretch = 4; // of each axis against the others
     double origin = 8;  // of the distance from the world's origin
 };
 
@@ -54,10 +55,11 @@ inline Affine randomAffine(Random& random, const Extents& extents) {
     TransformDescription t;
     t.rotate = {random.between(-180, 180), random.direction()};
     t.translate = random.direction() * random.magnitude(extents.origin);
-    glm::dvec3 scale(random.magnitude(extents.size));
+    const double radius = random.magnitude(extents.size);
+    glm::dvec3 scale(radius);
     const int variety = random.below(3);
     if (variety > 0)
-        for (int axis = 0; axis < 3; ++axis) scale[axis] = random.sign() * random.magnitude(extents.size);
+        for (int axis = 0; axis < 3; ++axis) scale[axis] *= random.sign() * random.magnitude(extents.stretch);
     t.scale = scale;
     if (variety > 1) {
         const glm::dvec3 a = 0.4 * random.box(), b = 0.4 * random.box();  // diagonally dominant: invertible

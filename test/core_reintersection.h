@@ -93,8 +93,8 @@ class Reintersection {
         const Wide origin = inverse_->point(Wide(ray.origin)), way = inverse_->direction(Wide(ray.direction));
         const Wide size = abs(Vec3(Wide(ray.origin)));
         const Wide rounding = inverse_->error(Wide(ray.departure.positionError) +
-                                              16 * static_cast<long double>(unitRoundoff) * size);
-        const long double tolerance = 8 * (rounding.x + rounding.y + rounding.z) + 64 * static_cast<long double>(unitRoundoff);
+                                              4 * static_cast<long double>(unitRoundoff) * size);
+        const long double tolerance = 64 * (rounding.x + rounding.y + rounding.z) + 256 * static_cast<long double>(unitRoundoff);
         const long double step = 1 / std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
         for (long double ahead = 1e-6L; ahead < 4; ahead *= 3)
             if (offsetOf(kind_, mesh_.get(), origin + (out.t + ahead * step) * way) < -tolerance) return true;

@@ -13,7 +13,11 @@ struct Seen {
         hit.valid = true;
         hit.normal = {0, 0, 1};
         hit.material = &material;
+        look(direction);
+    }
+    void look(const Vec3& direction) {
         ray.direction = direction;
+        hit.entering = direction.z < 0;
     }
     ShadingPoint point() const { return ShadingPoint(ray, hit, false); }
     DirectLight light(const Vec3& position) const { return directLight(point(), {position, Color(1, Real(0.5L), 2), Color(3)}); }
@@ -56,14 +60,14 @@ TEST_CASE("Phong's terms") {
     SECTION("a light in the surface's own plane") { CHECK(seen.light({0, 3, 0}).lit() == Color(0)); }
     SECTION("a light at the point itself") { CHECK(seen.light({0, 0, 0}).lit() == Color(0)); }
     SECTION("the other side is lit as well") {
-        seen.ray.direction = {0, 0, 2};
+        seen.look({0, 0, 2});
         const DirectLight light = seen.light({0, 3, -4});
         CHECK(near(light.N_L, Real(0.8L)));
         CHECK(near(light.V_R, Real(0.8L)));
         CHECK(seen.light({0, 3, 4}).lit() == Color(0));
     }
     SECTION("no highlight where the mirror image is behind the viewer") {
-        seen.ray.direction = {0, -4, -1};  // V = (0, 4, 1) / sqrt 17
+        seen.look({0, -4, -1});  // V = (0, 4, 1) / sqrt 17
         const DirectLight light = seen.light({0, 4, 1});
         CHECK(light.V_R == 0);
         CHECK(light.specular == Color(0));

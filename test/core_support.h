@@ -33,7 +33,7 @@ inline std::unique_ptr<Shape> makeShape(Kind kind, const Affine& worldFromObject
         case Kind::Cube: return std::make_unique<Cube>(transform, material, index);
         case Kind::Mesh: break;
     }
-    return std::make_unique<Mesh>(transform, material, index, std::make_shared<TriangleMesh>(std::move(mesh)));
+    return std::make_unique<Mesh>(transform, material, index, std::make_shared<TriangleMesh>(std::move(mesh), BuildOptions{}));
 }
 
 // The judge's arithmetic.

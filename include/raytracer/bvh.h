@@ -20,6 +20,7 @@ namespace raytracer {
 
 struct FloatBox {
     float low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    bool ball = false;  // it is a cube but for rounding, and what is in it lies in the ball inscribed in it
 };
 
 // The nearest floats that are surely below and above; coordinates beyond the range of float become infinite.
@@ -43,13 +44,17 @@ struct BvhRay {
     double slack = 0;
 };
 
+// In a tree a node is found by its place in units of this many bytes.
+inline constexpr std::uint32_t bvhUnit = 32;
+
 // Child boxes as planes[2 * axis + (0: low, 1: high)][child]. A slot without a child is an inverted infinite box.
-struct alignas(32) BvhNode {
+struct alignas(bvhUnit) BvhNode {
     float planes[6][8];
     std::uint32_t child[8];
 
-    // A child is a node's index, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place.
-    static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31;
+    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place. A box
+    // with a ball in it has the next bit too.
+    static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31, ballBit = leafBit >> 1;
 };
 
 // The head of a leaf's triangles, in 32-bit words. After it a primitive number for each triangle, then for each corner and
@@ -88,7 +93,7 @@ class Bvh {
     std::vector<BvhNode> nodes_;
     std::vector<std::uint32_t> words_;  // of blocks
     std::uint32_t root_ = 0;
-    bool hasRoot_ = false, triangles_ = false;
+    bool hasRoot_ = false, triangles_ = false, balls_ = false;
     glm::dvec3 center_{0};
     double extent_ = 0;
     double scale_ = 1;  // a power of two: from the primitives' space to the frame
@@ -98,11 +103,18 @@ class Bvh {
 struct BvhTraversal {
     const BvhNode* nodes;
     const std::uint32_t* words;                          // null for boxes
+    bool balls;                                          // some boxes have a ball in them
 
-    float inverseNear[3], inverseFar[3];                 // 1 / direction; the latter larger by what rounding may take
+    float inverse[3];                                    // 1 / direction
     float nearOrigin[3], farOrigin[3];                   // the origin's box: the side that makes t small, large
-    float nearScaled[3], farScaled[3];                   // times the inverse
-    std::uint32_t nearPlane[3], farPlane[3];             // which planes of a node
+    std::uint32_t nearPlane[3];                          // which planes of a node
+
+    // A distance is wrong by less than 2^-22 of itself: rounding the direction, the inverse, a difference and a product. The
+    // farther of two that are compared is made larger by this.
+    static constexpr float growth = 1 + 0x1p-20f;
+
+    float ballOrigin[3], ballDirection[3];               // for balls: in the tree's frame
+    float ballMargin;                                    // how much larger to make them
 
     std::uint32_t x, y, z;                               // for triangles: z has the largest component of the direction
     double shearX, shearY, origin[3], slack;             // in the tree's frame

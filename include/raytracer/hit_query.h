@@ -16,6 +16,7 @@ struct Hit {
     Real t = infinity;
     const Shape* shape = nullptr;  // null: nothing hit
     std::uint32_t primitive = 0;
+    bool entering = false;         // it meets the exterior side: known by the shape's geometry, not by a rounded normal
 };
 
 // The end of a shadow ray: the light, at t = 1. Surfaces that the light itself lies on cast no shadow.
@@ -49,8 +50,8 @@ class HitQuery {
     // Another hit lies so near to the nearest one that the two might coincide: ask for the first of them.
     bool contended() const { return contended_; }
 
-    void offer(Real t, const Shape& shape, std::uint32_t primitive) {
-        if (t <= limit_) consider(Hit{t, &shape, primitive});
+    void offer(Real t, const Shape& shape, std::uint32_t primitive, bool entering) {
+        if (t <= limit_) consider(Hit{t, &shape, primitive, entering});
     }
 
     // Intersection tests made, for --stats.
@@ -61,7 +62,7 @@ class HitQuery {
     void considerCoincident(const Hit& hit);
 
     Hit nearest_;
-    Real limit_ = infinity;
+    Real limit_ = std::numeric_limits<Real>::max();  // a t that overflows is no hit
     const RayEnd* end_ = nullptr;
     const Vec3* point_ = nullptr;
     const Vec3* pointError_ = nullptr;

@@ -26,7 +26,7 @@ struct ShearedRay {
 // The geometry that shapes with the same OBJ file share.
 class TriangleMesh {
   public:
-    TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options);
+    explicit TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options = {});
 
     std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(data_->triangleCount()); }
     std::array<Vec3, 3> corners(std::uint32_t triangle) const;
@@ -37,6 +37,7 @@ class TriangleMesh {
     // infinitesimal to the side.
     struct LineHit {
         bool hit = false;
+        bool entering = false;  // it comes from where the corners are counter-clockwise
         Real t = 0;
         Real weight[3] = {0, 0, 0};
     };
@@ -44,9 +45,10 @@ class TriangleMesh {
 
     const Bvh& bvh() const { return bvh_; }  // empty where all triangles are to be tried
 
-    // Half the size and the middle of a box around it.
+    // The middle of a box around it, half its size, and the largest coordinates, without their signs.
     const Vec3& center() const { return center_; }
     const Vec3& size() const { return size_; }
+    const Vec3& largest() const { return largest_; }
 
   private:
     Vec3 position(std::uint32_t index) const {
@@ -58,7 +60,7 @@ class TriangleMesh {
 
     std::shared_ptr<const MeshData> data_;
     std::vector<Vec3> positions_;  // only where Real is not what data_ has
-    Vec3 center_{0}, size_{0};
+    Vec3 center_{0}, size_{0}, largest_{0};
     Bvh bvh_;
 };
 
@@ -75,19 +77,15 @@ class Mesh final : public Shape {
     bool bounds(FloatBox& box) const override;
 
   private:
-    // A ray in object space. reach: no coordinate of its origin or of the mesh is larger; what roundings go by.
     struct MeshRay {
-        MeshRay(const Ray& world, const ObjectRay& objectRay, Real largestCoordinate)
-            : ray(world), object(objectRay), sheared(objectRay), reach(largestCoordinate) {}
-
-        const Ray& ray;
+        const Ray& world;
         ObjectRay object;
-        ShearedRay sheared;
-        Real reach;
+        Real reach;  // the largest coordinate of its origin and of the mesh, in object space: what roundings go by
     };
 
-    void intersectTriangle(const MeshRay& ray, std::uint32_t triangle, HitQuery& query) const;
-    bool startsInside(const Ray& ray) const { return ray.departure.shape == this && ray.departure.inside; }
+    void intersectAll(const MeshRay& ray, HitQuery& query) const;
+    void intersectTriangle(const MeshRay& ray, const ShearedRay& sheared, std::uint32_t triangle, HitQuery& query) const;
+    ObjectRay toObject(const Ray& ray) const;
     Vec3 normalObject(std::uint32_t triangle) const;  // by the cross product, not of unit length
 
     std::shared_ptr<const TriangleMesh> triangles_;

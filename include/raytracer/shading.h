@@ -13,7 +13,7 @@ struct ShadingPoint {
     const Intersection* hit;
     Vec3 V;         // unit, towards the ray's origin
     Vec3 N;         // unit, the normal turned to the side that the ray comes from
-    bool entering;  // the ray meets the exterior side
+    bool entering;  // the ray meets the exterior side; N is turned by it, though V.N may be 0 but for rounding
     Color K_D;      // color_diffuse times the texture's colour
 
     // The one maker of secondary rays: from this point, on the side that the ray came from or on the other one.

@@ -25,6 +25,7 @@ struct Intersection {
 
     const Shape* shape = nullptr;
     std::uint32_t primitive = 0;
+    bool entering = false;  // the ray meets the exterior side
     Vec3 positionError{0};  // bound on the distance of `position` from the surface, for each axis
 };
 

@@ -57,11 +57,12 @@ class Transform {
     const Vec3& translation() const { return translation_; }
 
   private:
-    Mat3 linear_{1};
+    // What rays need comes first, together.
     Mat3 inverse_{1};          // of linear_, divided by inverseScale_
     Vec3 translation_{0};
     Real inverseScale_ = 1;    // a power of two: the magnitude of the inverse's largest entry
     Real worldPerObjectT_ = 1;  // 1 / inverseScale_
+    Mat3 linear_{1};
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
