@@ -14,23 +14,14 @@ namespace {
 
 constexpr int tileEdge = 32;  // pixels: small enough to share out evenly, large enough to keep rays coherent
 
-// Shares out the tiles of the crop, and counts what is done.
-class TileQueue {
+// Hands out the jobs 0, 1, ... and counts what is done.
+class JobQueue {
   public:
-    TileQueue(const PixelRectangle& crop, ProgressListener* progress)
-        : crop_(crop), columns_((crop.width() + tileEdge - 1) / tileEdge),
-          count_(columns_ * ((crop.height() + tileEdge - 1) / tileEdge)), progress_(progress) {}
+    JobQueue(int count, ProgressListener* progress) : count_(count), progress_(progress) {}
 
-    int count() const { return count_; }
-
-    bool next(PixelRectangle& tile) {
-        const int index = next_.fetch_add(1);
-        if (index >= count_) return false;
-        tile.x0 = crop_.x0 + index % columns_ * tileEdge;
-        tile.y0 = crop_.y0 + index / columns_ * tileEdge;
-        tile.x1 = std::min(tile.x0 + tileEdge, crop_.x1);
-        tile.y1 = std::min(tile.y0 + tileEdge, crop_.y1);
-        return true;
+    bool next(int& job) {
+        job = next_.fetch_add(1);
+        return job < count_;
     }
 
     void done() {
@@ -40,13 +31,20 @@ class TileQueue {
     }
 
   private:
-    PixelRectangle crop_;
-    int columns_, count_;
+    int count_;
     std::atomic<int> next_{0};
     int done_ = 0;
     ProgressListener* progress_;
     std::mutex mutex_;
 };
+
+int tileCount(int edge) { return (edge + tileEdge - 1) / tileEdge; }
+
+PixelRectangle tileOf(const PixelRectangle& crop, int index) {
+    const int columns = tileCount(crop.width());
+    const int x0 = crop.x0 + index % columns * tileEdge, y0 = crop.y0 + index / columns * tileEdge;
+    return {x0, y0, std::min(x0 + tileEdge, crop.x1), std::min(y0 + tileEdge, crop.y1)};
+}
 
 void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& context, PixelSink& sink) {
     glm::dvec3 row[tileEdge];
@@ -68,9 +66,30 @@ bool agree(const Color (&color)[4], Real tolerance) {
     return tolerance > 0 && maxComponent(high - low) <= tolerance;
 }
 
-int threadCount(int asked, int tiles) {
+int threadCount(int asked, int jobs) {
     const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return std::min(asked > 0 ? asked : processors, tiles);
+    return std::min(asked > 0 ? asked : processors, jobs);
+}
+
+// Does work(job, context) for every job, on options.threads threads.
+template <class Work>
+RenderCounts shareOut(const Scene& scene, const RenderOptions& options, int jobs, ProgressListener* progress, Work work) {
+    JobQueue queue(jobs, progress);
+    std::mutex mutex;
+    RenderCounts counts;
+    std::vector<Color> brightest;
+    if (options.cutoff > 0) brightest = scene.brightestColors(options.max_recursion);
+    const auto drain = [&] {
+        RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), nullptr, {}};
+        for (int job; queue.next(job); queue.done()) work(job, context);
+        const std::lock_guard lock(mutex);
+        counts += context.counts;
+    };
+    std::vector<std::jthread> helpers;
+    for (int i = threadCount(options.threads, jobs); i > 1; --i) helpers.emplace_back(drain);
+    drain();
+    helpers.clear();  // joins
+    return counts;
 }
 
 }  // namespace
@@ -115,21 +134,19 @@ Color Scene::pixelColor(int x, int y, RenderContext& context) const {
 }
 
 RenderCounts Scene::render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const {
-    TileQueue tiles(options.crop, progress);
-    std::mutex mutex;
-    RenderCounts counts;
-    const std::vector<Color> brightest = options.cutoff > 0 ? brightestColors(options.max_recursion) : std::vector<Color>();
-    const auto work = [&] {
-        RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), nullptr, {}};
-        for (PixelRectangle tile; tiles.next(tile); tiles.done()) renderTile(*this, tile, context, sink);
-        const std::lock_guard lock(mutex);
-        counts += context.counts;
+    const PixelRectangle& crop = options.crop;
+    const auto work = [&](int job, RenderContext& context) { renderTile(*this, tileOf(crop, job), context, sink); };
+    return shareOut(*this, options, tileCount(crop.width()) * tileCount(crop.height()), progress, work);
+}
+
+RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                                 std::span<glm::dvec3> colors) const {
+    constexpr std::size_t batch = 64;  // pixels: few enough to share out evenly
+    const auto work = [&](int job, RenderContext& context) {
+        const std::size_t begin = static_cast<std::size_t>(job) * batch, end = std::min(begin + batch, pixels.size());
+        for (std::size_t i = begin; i < end; ++i) colors[i] = pixelColor(pixels[i].x, pixels[i].y, context);
     };
-    std::vector<std::jthread> helpers;
-    for (int i = threadCount(options.threads, tiles.count()); i > 1; --i) helpers.emplace_back(work);
-    work();
-    helpers.clear();  // joins
-    return counts;
+    return shareOut(*this, options, static_cast<int>((pixels.size() + batch - 1) / batch), nullptr, work);
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -62,6 +62,11 @@ class SceneRenderer final : public Renderer {
         return scene_->render(options, sink, progress);
     }
 
+    RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                              std::span<glm::dvec3> colors) const override {
+        return scene_->renderPixels(options, pixels, colors);
+    }
+
     RayExplanation explain(const RenderOptions& options, int x, int y) const override {
         return explainPixel(*scene_, options, x, y);
     }

@@ -41,6 +41,11 @@ struct PixelRectangle {
     int height() const { return y1 - y0; }
 };
 
+// A pixel of the whole picture.
+struct PixelPlace {
+    int x = 0, y = 0;
+};
+
 struct ImageSize {
     int width = 1, height = 1;
 };
@@ -56,7 +61,7 @@ struct RenderOptions {
     // The knobs that trade speed for accuracy.
     int samples = 1;     // samples x samples rays a pixel on a regular grid, box-filtered; 1: its centre
     double adaptive = 0; // > 0: all samples only where the corners of the pixel's own grid differ by more than this
-    double cutoff = 0;   // a reflected or refracted ray that can change its pixel by less than this is not cast
+    double cutoff = 0;   // a reflected or refracted ray that can change its sample by less than this is not cast
     bool bilinear = false;  // textures: the four nearest texels, weighted, instead of the nearest one
 };
 
@@ -64,7 +69,9 @@ struct RenderOptions {
 struct RenderCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t tests = 0;
-    double cutoffBound = 0;  // the most that rays not cast for RenderOptions::cutoff can have changed any one pixel
+    // The most that rays not cast for RenderOptions::cutoff can have changed any one pixel, of the samples taken: which
+    // ones `adaptive` takes it does not know.
+    double cutoffBound = 0;
 
     RenderCounts& operator+=(const RenderCounts& other);
 };

@@ -18,6 +18,10 @@ class Renderer {
     virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
                                 ProgressListener* progress = nullptr) const = 0;
 
+    // The same colours for some pixels only, which may be any of the whole picture: colors[i] is pixels[i]'s.
+    virtual RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                                      std::span<glm::dvec3> colors) const = 0;
+
     // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for it when
     // options.samples is 1 and options.pass is Color.
     virtual RayExplanation explain(const RenderOptions& options, int x, int y) const = 0;

@@ -58,6 +58,10 @@ class Scene {
     // Every pixel of options.crop to the sink, by tiles on options.threads threads (render.cpp).
     RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const;
 
+    // Some pixels of the picture, as render has them.
+    RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                              std::span<glm::dvec3> colors) const;
+
   private:
     void traverse(const Ray& ray, HitQuery& query, RenderContext& context) const;
     Hit closestHit(const Ray& ray, HitQuery& query, RenderContext& context) const;

@@ -9,6 +9,7 @@
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/render_arguments.h"
+#include "commands/target_error.h"
 #include "raytracer/black_picture.h"
 #include "raytracer/json_writer.h"
 #include "raytracer/picture.h"
@@ -43,7 +44,7 @@ class Stopwatch {
 };
 
 struct Timings {
-    double load = 0, build = 0, render = 0, write = 0;  // seconds of wall time
+    double load = 0, build = 0, choose = 0, render = 0, write = 0;  // seconds of wall time
 };
 
 long peakMemoryBytes() {
@@ -68,6 +69,7 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     json.key("seconds").beginObject();
     json.key("load").value(timings.load);
     json.key("build").value(timings.build);
+    json.key("choose").value(timings.choose);
     json.key("render").value(timings.render);
     json.key("write").value(timings.write);
     json.endObject();
@@ -112,21 +114,32 @@ RenderCounts renderTo(const std::string& out, const Picture& picture, Timings& t
     return counts;
 }
 
-int renderPicture(const RenderArguments& arguments, const std::string& out, bool stats) {
+// What only this command asks for.
+struct PictureArguments {
+    std::string out;
+    bool stats = false;
+    double targetError = 0;  // 0: none
+};
+
+int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted) {
+    const std::string& out = wanted.out;
     if (const std::string problem = outputProblem(out); !problem.empty()) throw ImageError(problem);
     Timings timings;
     Stopwatch watch;
     SceneDescription description = arguments.load();
     timings.load = watch.lap();
-    const RenderOptions options = arguments.prepare(description);
+    RenderOptions options = arguments.prepare(description);
     const auto renderer = makeRenderer(description, arguments.precisionChosen(), arguments.buildOptions());
     timings.build = watch.lap();
+    std::optional<TargetChoice> choice;
+    if (wanted.targetError > 0) choice = chooseAndTell(*renderer, options, wanted.targetError);
+    timings.choose = watch.lap();
     const Picture picture{arguments, description, *renderer, options};
     const bool floats = std::filesystem::path(out).extension() == ".pfm";
     const RenderCounts counts =
         floats ? renderTo<FloatSink>(out, picture, timings, writePfm) : renderTo<ByteSink>(out, picture, timings, writePng);
-    if (stats) printStats(counts, timings, options);
-    return 0;
+    if (wanted.stats) printStats(counts, timings, options);
+    return choice && !tellOutcome(*choice, wanted.targetError) ? 1 : 0;
 }
 
 }  // namespace
@@ -134,16 +147,19 @@ int renderPicture(const RenderArguments& arguments, const std::string& out, bool
 int render(int argc, char** argv) {
     CLI::App app("Renders a scene to a picture.", "raytracer");
     RenderArguments arguments;
-    std::string out;
-    bool stats = false;
+    PictureArguments wanted;
     arguments.addTo(app);
-    app.add_option("IMAGE_OUT", out, "The picture: .png, or .pfm (linear float32, not clamped)")->required();
+    app.add_option("IMAGE_OUT", wanted.out, "The picture: .png, or .pfm (linear float32, not clamped)")->required();
     app.add_option("LONG_EDGE_PIXELS", arguments.longEdge, "Pixels along the longer side of the film")
         ->required()->check(CLI::Range(1, 65536));
-    app.add_flag("--stats", stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
+    CLI::Option* target = app.add_option("--target-error", wanted.targetError,
+                   "Pick the cheapest samples, recursion and cutoff with an error (RMSE, of 1) of no more than this; exit "
+                   "status 1 where none has")->check(CLI::PositiveNumber);
+    for (const char* knob : {"--samples", "--adaptive", "--max-recursion", "--cutoff"}) target->excludes(app.get_option(knob));
+    app.add_flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     app.footer(footer);
     if (const auto status = parseArguments(app, argc, argv)) return *status;
-    return reportErrors([&] { return renderPicture(arguments, out, stats); });
+    return reportErrors([&] { return renderPicture(arguments, wanted); });
 }
 
 }  // namespace raytracer::commands

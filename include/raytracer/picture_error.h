@@ -1,0 +1,34 @@
+// How far a picture is from a converged one: in linear light, clamped to what a picture can show, before quantisation.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "raytracer/render_options.h"
+
+namespace raytracer {
+
+// Keeps the colours as they come: linear, unclamped, in double.
+class ColorSink final : public PixelSink {
+  public:
+    explicit ColorSink(const PixelRectangle& crop);
+    void write(int x, int y, std::span<const glm::dvec3> colors) override;
+    const std::vector<glm::dvec3>& colors() const { return colors_; }  // row-major from the top left of the crop
+
+  private:
+    PixelRectangle crop_;
+    std::vector<glm::dvec3> colors_;
+};
+
+// Of pixels' colours (the means of their unclamped samples): clamped here, so that clamping comes last, as in a picture.
+struct PictureError {
+    double rmse = 0;           // over all channels, of 1
+    double standardError = 0;  // of rmse, where the pixels are a random sample of a picture's
+    double psnr = 0;           // 20 log10(1 / rmse), decibels; infinite for equal pictures
+    double maximum = 0;        // of any channel
+    double shareOff = 0;       // of the pixels: some channel is off by more than 1/255
+};
+
+PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth);
+
+}  // namespace raytracer

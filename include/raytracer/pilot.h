@@ -1,0 +1,58 @@
+// A few pixels of a picture, scattered over it, rendered under many settings: what a whole picture would cost, and how far
+// off it would be. A pixel is the same whether alone or in the picture, so that this is a random sample of it.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "raytracer/picture_error.h"
+#include "raytracer/renderer.h"
+#include "raytracer/setting.h"
+
+namespace raytracer {
+
+// About `count` pixels, one at a pseudo-random place of each cell of a square lattice; every pixel where the crop has no
+// more than `count`. Other seeds, other places.
+std::vector<PixelPlace> scatteredPixels(const PixelRectangle& crop, std::size_t count, std::uint32_t seed);
+
+class Pilot {
+  public:
+    // Renders with `options`, but for the knobs. All are kept by reference, but for the pixels.
+    Pilot(const Renderer& renderer, const RenderOptions& options, std::vector<PixelPlace> pixels);
+
+    struct Shot {
+        Setting setting;
+        std::vector<glm::dvec3> colors;
+        double rays = 0;  // for each pixel
+    };
+
+    // Rendered once for each setting. Its precision is the renderer's, whatever the setting says.
+    const Shot& take(const Setting& setting);
+
+    // Of a setting, taking another one for the truth.
+    PictureError error(const Setting& setting, const Setting& truth);
+
+    std::size_t pixelCount() const { return pixels_.size(); }
+    double raysSpent() const { return spent_; }  // in all
+
+  private:
+    const Renderer& renderer_;
+    const RenderOptions& options_;
+    std::vector<PixelPlace> pixels_;
+    std::vector<std::unique_ptr<const Shot>> shots_;
+    double spent_ = 0;
+};
+
+// How deep rays go: both knobs that decide it, what that costs, and what it leaves out.
+struct DepthChoice {
+    int max_recursion = 0;
+    double cutoff = 0;
+    double rays = 0;   // for each pixel of one sample
+    double error = 0;  // RMSE against the deepest, with the same samples
+};
+
+// Tries the grid's depths up to `deepest`'s, each with these cutoffs, until one is closer than `enough` to `deepest`.
+// Returns those that are on the front of cost and error, from the cheapest on.
+std::vector<DepthChoice> depthFront(Pilot& pilot, const Setting& deepest, std::span<const double> cutoffs, double enough);
+
+}  // namespace raytracer

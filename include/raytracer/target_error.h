@@ -1,0 +1,29 @@
+// The cheapest setting whose picture is as accurate as asked for, found by a pilot render of the very scene.
+#pragma once
+
+#include <optional>
+
+#include "raytracer/pilot.h"
+
+namespace raytracer {
+
+struct TargetChoice {
+    Setting setting;
+    bool reached = false;      // the setting's error is estimated to be no more than asked for; else it is the least of all
+    double error = 0;          // estimated RMSE of the whole picture, of 1, in linear light
+    double standardError = 0;  // of that estimate
+    double sampleError = 0, depthError = 0;  // its two parts: between the samples, and of rays that are not followed
+    double rays = 0;           // for each pixel of the picture
+
+    std::optional<Setting> cheaper;  // the next cheaper one that was tried, and its error
+    double cheaperError = 0;
+
+    std::size_t pilotPixels = 0;
+    double pilotRays = 0;  // what the search cost, in all
+};
+
+// `target` is an RMSE, of 1, in linear light after clamping; the truth is the picture with many more samples and deeper
+// recursion. Chooses by counted rays, so that the same command makes the same picture on every machine.
+TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target);
+
+}  // namespace raytracer

@@ -1,0 +1,31 @@
+#include "commands/target_error.h"
+
+#include <cstdio>
+#include <string>
+
+namespace raytracer::commands {
+
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target) {
+    const TargetChoice choice = chooseSetting(renderer, options, target);
+    options = withSetting(options, choice.setting);
+    std::string why = "the cheapest of those that reach " + shortNumber(target);
+    if (!choice.reached) why = "the most accurate there is; nothing reaches " + shortNumber(target);
+    if (choice.cheaper)
+        why += ": the next cheaper one, " + commandLine(*choice.cheaper) + ", has " + shortNumber(choice.cheaperError);
+    std::fprintf(stderr, "--target-error %s: %s, %s\n", shortNumber(target).c_str(), commandLine(choice.setting).c_str(),
+                 why.c_str());
+    std::fprintf(stderr, "--target-error %s: %s rays a pixel, found with %zu pixels and as many rays as %s a pixel\n",
+                 shortNumber(target).c_str(), shortNumber(choice.rays).c_str(), choice.pilotPixels,
+                 shortNumber(choice.pilotRays / (static_cast<double>(options.crop.width()) * options.crop.height())).c_str());
+    return choice;
+}
+
+bool tellOutcome(const TargetChoice& choice, double target) {
+    std::fprintf(stderr, "--target-error %s: the error is about %s +- %s (%s between the samples, %s of rays not followed)%s\n",
+                 shortNumber(target).c_str(), shortNumber(choice.error).c_str(), shortNumber(choice.standardError).c_str(),
+                 shortNumber(choice.sampleError).c_str(), shortNumber(choice.depthError).c_str(),
+                 choice.reached ? "" : ": not reached");
+    return choice.reached;
+}
+
+}  // namespace raytracer::commands

@@ -1,0 +1,14 @@
+// What --target-error says on stderr.
+#pragma once
+
+#include "raytracer/target_error.h"
+
+namespace raytracer::commands {
+
+// Picks the setting, says which and why, and puts it into the options.
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target);
+
+// After the render: the error that it is estimated to have, and whether that is what was asked for.
+bool tellOutcome(const TargetChoice& choice, double target);
+
+}  // namespace raytracer::commands

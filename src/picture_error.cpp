@@ -1,0 +1,47 @@
+#include "raytracer/picture_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+namespace raytracer {
+
+namespace {
+
+glm::dvec3 shown(const glm::dvec3& color) { return glm::clamp(color, 0.0, 1.0); }
+
+}  // namespace
+
+ColorSink::ColorSink(const PixelRectangle& crop)
+    : crop_(crop), colors_(static_cast<std::size_t>(crop.width()) * static_cast<std::size_t>(crop.height())) {}
+
+void ColorSink::write(int x, int y, std::span<const glm::dvec3> colors) {
+    const auto place = static_cast<std::ptrdiff_t>(y - crop_.y0) * crop_.width() + (x - crop_.x0);
+    std::copy(colors.begin(), colors.end(), colors_.begin() + place);
+}
+
+PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth) {
+    PictureError error;
+    double sum = 0, sumOfSquares = 0;  // of the pixels' mean squared errors
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const glm::dvec3 difference = glm::abs(shown(colors[i]) - shown(truth[i]));
+        const glm::dvec3 squared = difference * difference;
+        const double pixel = (squared.x + squared.y + squared.z) / 3;
+        const double largest = std::max({difference.x, difference.y, difference.z});
+        sum += pixel;
+        sumOfSquares += pixel * pixel;
+        error.maximum = std::max(error.maximum, largest);
+        off += largest > 1.0 / 255;
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(1, colors.size()));
+    const double mean = sum / count, variance = std::max(0.0, sumOfSquares / count - mean * mean) / count;
+    error.rmse = std::sqrt(mean);
+    if (mean > 0) error.standardError = std::sqrt(variance) / (2 * error.rmse);
+    error.psnr = -20 * std::log10(error.rmse);
+    error.shareOff = static_cast<double>(off) / count;
+    return error;
+}
+
+}  // namespace raytracer
