@@ -1,5 +1,8 @@
 #include "raytracer/scene_builder.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "raytracer/explain.h"
@@ -11,16 +14,24 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
+// A colour, so limited that no product of a few overflows: infinity times black would be no number. No picture shows the
+// difference; an eighth of the exponents lets eight factors meet.
+Color buildColor(const glm::dvec3& color) {
+    constexpr int exponent = std::numeric_limits<Real>::max_exponent / 8;
+    const auto limit = static_cast<double>(std::scalbn(1.0, std::min(exponent, 1000)));
+    return Color(glm::clamp(color, glm::dvec3(-limit), glm::dvec3(limit)));
+}
+
 Material buildMaterial(const MaterialDescription& description, const SceneDescription& scene) {
     Material material;
-    material.color_ambient = Color(description.color_ambient);
-    material.color_diffuse = Color(description.color_diffuse);
-    material.color_specular = Color(description.color_specular);
+    material.color_ambient = buildColor(description.color_ambient);
+    material.color_diffuse = buildColor(description.color_diffuse);
+    material.color_specular = buildColor(description.color_specular);
     material.shininess = static_cast<Real>(description.shininess);
     material.reflective = description.reflective;
-    material.color_reflect = Color(description.color_reflect);
+    material.color_reflect = buildColor(description.color_reflect);
     material.refractive = description.refractive;
-    material.color_refract = Color(description.color_refract);
+    material.color_refract = buildColor(description.color_refract);
     material.index_of_refraction = static_cast<Real>(description.index_of_refraction);
     if (description.use_diffuse_texture)
         for (const TextureDescription& texture : scene.textures)
@@ -32,7 +43,7 @@ Light buildLight(const LightDescription& description, const SceneFrame& frame) {
     long double position[3];
     frame.pointToFrame(description.position, position);
     return {Vec3(static_cast<Real>(position[0]), static_cast<Real>(position[1]), static_cast<Real>(position[2])),
-            Color(description.color), Color(description.color_ambient)};
+            buildColor(description.color), buildColor(description.color_ambient)};
 }
 
 // Shapes that name the same OBJ file share its triangles.

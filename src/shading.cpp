@@ -66,7 +66,7 @@ bool refractedDirection(const ShadingPoint& point, Vec3& direction) {
     const Real eta = point.entering ? 1 / ior : ior;
     const Real cosine = glm::dot(point.N, point.V);
     const Real squared = 1 - eta * eta * (1 - cosine * cosine);
-    if (squared < 0) return false;
+    if (!(squared >= 0)) return false;
     direction = (eta * cosine - std::sqrt(squared)) * point.N - eta * point.V;
     return true;
 }

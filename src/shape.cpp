@@ -42,12 +42,29 @@ void closeChord(Chord& chord) {
     if (chord.hit) chord.exit = std::max(chord.exit, chord.entry);
 }
 
+// The chord by a direction whose squared length is not safe, such as a shadow ray's to a light 1e-200 away: by the same
+// one in other units.
+template <class Vec, class ChordFinder>
+Chord inSafeUnits(const Vec& direction, ChordFinder chordOf) {
+    Real largest = 0;
+    for (int axis = 0; axis < direction.length(); ++axis) largest = std::max(largest, std::abs(direction[axis]));
+    if (!(largest > 0 && largest < infinity)) return {};
+    const int exponent = std::ilogb(largest);
+    Vec safe;
+    for (int axis = 0; axis < direction.length(); ++axis) safe[axis] = std::scalbn(direction[axis], -exponent);
+    Chord chord = chordOf(safe);
+    chord.entry = std::scalbn(chord.entry, -exponent);
+    chord.exit = std::scalbn(chord.exit, -exponent);
+    return chord;
+}
+
 // |origin + t direction| = 1, by the textbook; with two components, the same for the cylinder. Its discriminant loses digits
 // with the square of the origin's distance, so a distant origin is first moved to the point of closest approach, where
 // nothing cancels (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7).
 template <class Vec>
 Chord unitBallChord(Vec origin, const Vec& direction) {
     const Real a = glm::dot(direction, direction);
+    if (!isSafeSquare(a)) return inSafeUnits(direction, [&](const Vec& safe) { return unitBallChord(origin, safe); });
     Real b = glm::dot(origin, direction), c = glm::dot(origin, origin) - 1, shift = 0;
     if (c > farSquared) {
         shift = -b / a;
@@ -123,7 +140,10 @@ ConeRoots coneRoots(const Vec3& p, const Vec3& d) {
 Chord coneChord(const ObjectRay& ray) {
     // From the closest approach to the middle of the axis, so that the coefficients are of order 1 (Haines et al.).
     const Vec3 fromMiddle = ray.origin - Vec3(0, 0, Real(0.5));
-    const Real shift = -glm::dot(fromMiddle, ray.direction) / glm::dot(ray.direction, ray.direction);
+    const Real squared = glm::dot(ray.direction, ray.direction);
+    if (!isSafeSquare(squared))
+        return inSafeUnits(ray.direction, [&](const Vec3& safe) { return coneChord({ray.origin, safe}); });
+    const Real shift = -glm::dot(fromMiddle, ray.direction) / squared;
     const Vec3 closest = ray.origin + shift * ray.direction;
     const Vec3 p(closest.x, closest.y, 1 - closest.z), d(ray.direction.x, ray.direction.y, -ray.direction.z);
 

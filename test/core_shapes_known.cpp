@@ -201,6 +201,31 @@ TEST_CASE("every shape's every face, in every pose") {
         }
 }
 
+// A point on the near side, aimed at from ever further away: what is lost goes with the distance, not with its square
+// (Haines et al., Ray Tracing Gems, ch. 7).
+TEST_CASE("quadrics far from the ray's origin") {
+    const Material material;
+    struct Aim {
+        Kind kind;
+        Wide target, from;
+    };
+    const Aim aims[] = {{Kind::Sphere, {0.48L, 0.6L, 0.64L}, {0.6L, 0, 0.8L}},
+                        {Kind::Cylinder, {0.6L, 0.8L, 0.25L}, {0.96L, 0.28L, 0}},
+                        {Kind::Cylinder, {0.6L, 0.8L, 0.25L}, {0.64L, 0.48L, 0.6L}},
+                        {Kind::Cone, {0.3L, 0.4L, 0.5L}, {0.96L, 0.28L, 0}},
+                        {Kind::Cone, {0.3L, 0.4L, 0.5L}, {0.48L, 0.6L, 0.64L}}};
+    for (const Aim& aim : aims)
+        for (int exponent = 0; exponent < std::numeric_limits<Real>::digits - 8; ++exponent) {
+            const long double distance = std::scalbn(1.0L, exponent);
+            const Intersection hit = makeShape(aim.kind, Affine{}, material)->rayIntersect(
+                {Vec3(aim.target + distance * aim.from), Vec3(-aim.from), {}});
+            INFO(nameOf(aim.kind) << " from 2^" << exponent);
+            REQUIRE(hit.valid);
+            CHECK(near(hit.position, aim.target, 8 + distance));
+            CHECK(near(hit.t, distance, 8 + distance));
+        }
+}
+
 TEST_CASE("answers in the world, worked by hand") {
     const Material material;
     const auto hit = [&](Kind kind, const TransformDescription& t, const Vec3& origin, const Vec3& direction) {

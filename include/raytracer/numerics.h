@@ -47,12 +47,17 @@ inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 inline Mat3 abs(const Mat3& m) { return Mat3(abs(m[0]), abs(m[1]), abs(m[2])); }
 
-// v / |v|, at any magnitude: where the squared length would lose digits by under- or overflow, v is first brought to
-// the order of 1 by a power of two. The zero vector stays zero.
-inline Vec3 normalized(const Vec3& v) {
+// Whether a sum of squares has lost no digits by under- or overflow, nor will products of it.
+inline bool isSafeSquare(Real squared) {
     constexpr Real small = std::numeric_limits<Real>::min() / (unitRoundoff * unitRoundoff);
+    return squared > small && squared < 1 / small;
+}
+
+// v / |v|, at any magnitude: where the squared length is not safe, v is first brought to the order of 1 by a power of two.
+// The zero vector stays zero.
+inline Vec3 normalized(const Vec3& v) {
     const Real squared = glm::dot(v, v);
-    if (squared > small && squared < 1 / small) return v * (1 / std::sqrt(squared));
+    if (isSafeSquare(squared)) return v * (1 / std::sqrt(squared));
     const Real largest = maxComponent(abs(v));
     if (!(largest > 0) || !(largest < infinity)) return Vec3(0);
     const int exponent = std::ilogb(largest);
