@@ -90,14 +90,17 @@ class Reintersection {
 
     // Whether the ray is well inside the solid somewhere beyond the place where it is said to come out.
     bool goesOn(const Ray& ray, const Intersection& out) const {
+        constexpr auto u = static_cast<long double>(unitRoundoff);
         const Wide origin = inverse_->point(Wide(ray.origin)), way = inverse_->direction(Wide(ray.direction));
-        const Wide size = abs(Vec3(Wide(ray.origin)));
-        const Wide rounding = inverse_->error(Wide(ray.departure.positionError) +
-                                              4 * static_cast<long double>(unitRoundoff) * size);
-        const long double tolerance = 64 * (rounding.x + rounding.y + rounding.z) + 256 * static_cast<long double>(unitRoundoff);
+        const Wide from = inverse_->error(Wide(ray.departure.positionError) + 4 * u * Wide(abs(ray.origin)));
+        const Wide turned = inverse_->error(4 * u * Wide(abs(ray.direction)));
         const long double step = 1 / std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
-        for (long double ahead = 1e-6L; ahead < 4; ahead *= 3)
-            if (offsetOf(kind_, mesh_.get(), origin + (out.t + ahead * step) * way) < -tolerance) return true;
+        for (long double ahead = 1e-6L; ahead < 4; ahead *= 3) {
+            const long double t = out.t + ahead * step;
+            const Wide unsure = from + t * turned;
+            const long double tolerance = 64 * (unsure.x + unsure.y + unsure.z) + 256 * u;
+            if (offsetOf(kind_, mesh_.get(), origin + t * way) < -tolerance) return true;
+        }
         return false;
     }
 

@@ -32,3 +32,12 @@ TEST_CASE("watertight: exactly through the vertices and edges of a cube of trian
                     CHECK(in <= 1);
                 }
 }
+
+TEST_CASE("watertight: the side of an edge is exact where rounded products agree") {
+    const Real step = 2 * unitRoundoff, a = 1 + step;
+    CHECK(signOfDifferenceOfProducts(a, a, 1 + 2 * step, 1) == 1);  // (1 + e)^2 = 1 + 2e + e^2
+    CHECK(signOfDifferenceOfProducts(1 + 2 * step, 1, a, a) == -1);
+    CHECK(signOfDifferenceOfProducts(a, 1 - step, 1, 1) == -1);  // 1 - e^2
+    CHECK(signOfDifferenceOfProducts(a, -a, -a, a) == 0);
+    CHECK(signOfDifferenceOfProducts(3, 4, 6, 2) == 0);
+}
