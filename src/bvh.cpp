@@ -6,8 +6,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <string_view>
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -15,6 +19,11 @@
 namespace raytracer {
 
 namespace {
+
+// GCC's and Clang's vectors, on any processor.
+using Float4 [[gnu::vector_size(16)]] = float;
+using Double4 [[gnu::vector_size(32)]] = double;
+using Long4 [[gnu::vector_size(32)]] = std::int64_t;
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr double roundoff = 0x1p-24;  // of float
@@ -37,38 +46,44 @@ InstructionSet chooseInstructionSet() {
     return isSupported(InstructionSet::Sse2) ? InstructionSet::Sse2 : InstructionSet::Scalar;
 }
 
+using Prepare = double (*)(BvhTraversal&, const BvhFrame&, const BvhRay&);
 using Advance = bool (*)(BvhTraversal&, float limit);
 
 }  // namespace
 
 // The inner loop, once for each instruction set: bvh_kernel.inc, at the end of this file.
 namespace scalar {
-bool advance(BvhTraversal& state, float limit);
+double prepare(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);
+bool advance(BvhTraversal& s, float limit);
 }
 #if defined(__x86_64__)
 namespace sse2 {
-bool advance(BvhTraversal& state, float limit);
+double prepare(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);
+bool advance(BvhTraversal& s, float limit);
 }
 namespace avx2 {
-bool advance(BvhTraversal& state, float limit);
+double prepare(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);
+bool advance(BvhTraversal& s, float limit);
 }
 #endif
 
 namespace {
 
-Advance advanceOf(InstructionSet set) {
+struct Chosen {
+    InstructionSet set;
+    Prepare prepare;
+    Advance advance;
+};
+
+Chosen choose(InstructionSet set) {
 #if defined(__x86_64__)
-    if (set == InstructionSet::Avx2) return avx2::advance;
-    if (set == InstructionSet::Sse2) return sse2::advance;
+    if (set == InstructionSet::Avx2) return {set, avx2::prepare, avx2::advance};
+    if (set == InstructionSet::Sse2) return {set, sse2::prepare, sse2::advance};
 #endif
-    return set == InstructionSet::Scalar ? scalar::advance : nullptr;
+    return {set, scalar::prepare, scalar::advance};
 }
 
-struct Chosen {
-    InstructionSet set = chooseInstructionSet();
-    Advance advance = advanceOf(set);
-};
-Chosen chosen;
+Chosen chosen = choose(chooseInstructionSet());
 
 }  // namespace
 
@@ -82,7 +97,18 @@ bool isSupported(InstructionSet set) {
 
 InstructionSet instructionSet() { return chosen.set; }
 
-void setInstructionSet(InstructionSet set) { chosen = {set, advanceOf(set)}; }
+void setInstructionSet(InstructionSet set) { chosen = choose(set); }
+
+void* allocateOnLargePages(std::size_t bytes, std::size_t alignment) {
+    constexpr std::size_t page = std::size_t{1} << 21;  // x86's and most ARM's
+    if (bytes >= 2 * page) alignment = page;
+    void* memory = std::aligned_alloc(std::max(alignment, sizeof(void*)), (bytes + alignment - 1) / alignment * alignment);
+    if (!memory) throw std::bad_alloc();
+#if defined(__linux__)
+    if (bytes >= 2 * page) madvise(memory, bytes, MADV_HUGEPAGE);
+#endif
+    return memory;
+}
 
 float floatBelow(double x) {
     const float nearest = static_cast<float>(x);
@@ -101,52 +127,13 @@ bool Bvh::usable(const FloatBox& box) {
 std::size_t Bvh::memory() const { return nodes_.capacity() * sizeof(BvhNode) + words_.capacity() * sizeof(words_[0]); }
 
 BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) {
-    BvhTraversal& s = state_;
-    double direction[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        s.origin[axis] = (ray.origin[axis] - bvh.center_[axis]) * bvh.scale_;
-        direction[axis] = ray.direction[axis] * bvh.scale_;
-    }
-    s.slack = ray.slack * bvh.scale_;
-    const double sizeX = std::abs(direction[0]), sizeY = std::abs(direction[1]), sizeZ = std::abs(direction[2]);
-    s.z = sizeX > sizeY ? (sizeX > sizeZ ? 0 : 2) : (sizeY > sizeZ ? 1 : 2);
-    const double farthest = std::max(std::abs(s.origin[0]), std::max(std::abs(s.origin[1]), std::abs(s.origin[2])));
-
-    // NaN compares false, or spreads through the sum where a comparison has passed it over.
-    const double longest = std::abs(direction[s.z]), all = s.origin[0] + s.origin[1] + s.origin[2] + sizeX + sizeY + sizeZ;
-    usable_ = farthest <= largestOrigin && longest >= 0x1p-1000 && longest <= 0x1p1000 && all - all == 0 &&
-              s.slack <= largestOrigin;
+    tScale_ = chosen.prepare(state_, bvh.frame_, ray);
+    usable_ = tScale_ > 0;
     if (!usable_ || bvh.empty()) return;
-
-    // The direction is brought to a length of 1 to 2 along its longest axis by a power of two.
-    tScale_ = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) >> 52 << 52);
-    const double normalise = 1 / tScale_;
-
-    // The slack, and four times what leastDirection may do.
-    const double spread = s.slack + 0x1p-38 * (farthest + bvh.extent_ * bvh.scale_);
-    for (int axis = 0; axis < 3; ++axis) {
-        const double d = direction[axis] * normalise;
-        const double turned = std::copysign(std::max(std::abs(d), leastDirection), d);
-        // Four roundings: the origin's own, that of the origin times the inverse, and more to spare.
-        const double margin = std::copysign(spread + 4 * roundoff * std::abs(s.origin[axis]), turned);
-        s.nearOrigin[axis] = static_cast<float>(s.origin[axis] + margin);
-        s.farOrigin[axis] = static_cast<float>(s.origin[axis] - margin);
-        s.inverse[axis] = 1 / static_cast<float>(turned);
-        s.nearPlane[axis] = static_cast<std::uint32_t>(2 * axis + (turned < 0));
-        s.ballOrigin[axis] = static_cast<float>(s.origin[axis]);
-        s.ballDirection[axis] = static_cast<float>(d);
-    }
-    s.balls = bvh.balls_;
-    s.ballMargin = static_cast<float>(spread + 0x1p-19 * farthest);
-    s.x = s.z == 2 ? 0 : s.z + 1;
-    s.y = s.z == 0 ? 2 : s.z - 1;
-    const double perZ = 1 / direction[s.z];
-    s.shearX = direction[s.x] * perZ;
-    s.shearY = direction[s.y] * perZ;
-    s.nodes = bvh.nodes_.data();
-    s.words = bvh.triangles_ ? bvh.words_.data() : nullptr;
-    s.stack[0] = bvh.root_;
-    s.depth = 1;
+    state_.nodes = bvh.nodes_.data();
+    state_.words = bvh.frame_.triangles ? bvh.words_.data() : nullptr;
+    state_.stack[0] = bvh.root_;
+    state_.depth = 1;
 }
 
 bool BvhCursor::next(double limit) {
@@ -189,7 +176,7 @@ inline Lanes operator-(const Lanes& a, const Lanes& b) { return lanewise(a, b, [
 inline Lanes operator*(const Lanes& a, const Lanes& b) { return lanewise(a, b, [](float x, float y) { return x * y; }); }
 inline Lanes max(const Lanes& a, const Lanes& b) { return lanewise(a, b, [](float x, float y) { return x > y ? x : y; }); }
 inline Lanes min(const Lanes& a, const Lanes& b) { return lanewise(a, b, [](float x, float y) { return x < y ? x : y; }); }
-inline unsigned lessEqual(const Lanes& a, const Lanes& b) {
+inline unsigned notAfter(const Lanes& a, const Lanes& b) {
     unsigned mask = 0;
     for (int i = 0; i < 8; ++i) mask |= unsigned{a.v[i] <= b.v[i]} << i;
     return mask;
@@ -200,15 +187,18 @@ inline unsigned notLess(const Lanes& a, const Lanes& b) {  // true for NaN
     return mask;
 }
 inline Lanes multiplySubtract(const Lanes& a, const Lanes& b, const Lanes& c) { return a * b - c; }
+inline Lanes multiplyAdd(const Lanes& a, const Lanes& b, const Lanes& c) { return a * b + c; }
 inline unsigned ballFlags(const std::uint32_t* child) {
     unsigned mask = 0;
     for (int i = 0; i < 8; ++i) mask |= (child[i] >> 30 & 1) << i;
     return mask;
 }
-inline float offset(float origin, float) { return origin; }
+inline Float4 offsetOf(Float4 origin, Float4) { return origin; }
 inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return (plane - offset) * inverse;
 }
+inline Lanes latest(const Lanes& a, const Lanes& b, const Lanes& c) { return max(max(a, b), max(c, broadcast(0))); }
+inline Lanes earliest(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) { return min(min(a, b), min(c, d)); }
 
 #include "bvh_kernel.inc"
 #undef RAYTRACER_TARGET
@@ -237,7 +227,7 @@ inline Lanes operator-(const Lanes& x, const Lanes& y) { return {_mm_sub_ps(x.a,
 inline Lanes operator*(const Lanes& x, const Lanes& y) { return {_mm_mul_ps(x.a, y.a), _mm_mul_ps(x.b, y.b)}; }
 inline Lanes max(const Lanes& x, const Lanes& y) { return {_mm_max_ps(x.a, y.a), _mm_max_ps(x.b, y.b)}; }
 inline Lanes min(const Lanes& x, const Lanes& y) { return {_mm_min_ps(x.a, y.a), _mm_min_ps(x.b, y.b)}; }
-inline unsigned lessEqual(const Lanes& x, const Lanes& y) {
+inline unsigned notAfter(const Lanes& x, const Lanes& y) {
     return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(x.a, y.a)) |
                                  _mm_movemask_ps(_mm_cmple_ps(x.b, y.b)) << 4);
 }
@@ -246,6 +236,7 @@ inline unsigned notLess(const Lanes& x, const Lanes& y) {  // true for NaN
                                  _mm_movemask_ps(_mm_cmpnlt_ps(x.b, y.b)) << 4);
 }
 inline Lanes multiplySubtract(const Lanes& x, const Lanes& y, const Lanes& z) { return x * y - z; }
+inline Lanes multiplyAdd(const Lanes& x, const Lanes& y, const Lanes& z) { return x * y + z; }
 inline unsigned ballFlags(const std::uint32_t* child) {
     const auto flags = [child](int i) {
         const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(child + i));
@@ -253,10 +244,12 @@ inline unsigned ballFlags(const std::uint32_t* child) {
     };
     return static_cast<unsigned>(flags(0) | flags(4) << 4);
 }
-inline float offset(float origin, float) { return origin; }
+inline Float4 offsetOf(Float4 origin, Float4) { return origin; }
 inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return (plane - offset) * inverse;
 }
+inline Lanes latest(const Lanes& a, const Lanes& b, const Lanes& c) { return max(max(a, b), max(c, broadcast(0))); }
+inline Lanes earliest(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) { return min(min(a, b), min(c, d)); }
 
 #include "bvh_kernel.inc"
 #undef RAYTRACER_TARGET
@@ -282,9 +275,6 @@ RAYTRACER_TARGET inline Lanes operator-(const Lanes& x, const Lanes& y) { return
 RAYTRACER_TARGET inline Lanes operator*(const Lanes& x, const Lanes& y) { return {_mm256_mul_ps(x.v, y.v)}; }
 RAYTRACER_TARGET inline Lanes max(const Lanes& x, const Lanes& y) { return {_mm256_max_ps(x.v, y.v)}; }
 RAYTRACER_TARGET inline Lanes min(const Lanes& x, const Lanes& y) { return {_mm256_min_ps(x.v, y.v)}; }
-RAYTRACER_TARGET inline unsigned lessEqual(const Lanes& x, const Lanes& y) {
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(x.v, y.v, _CMP_LE_OQ)));
-}
 RAYTRACER_TARGET inline unsigned notLess(const Lanes& x, const Lanes& y) {  // true for NaN
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(x.v, y.v, _CMP_NLT_UQ)));
 }
@@ -295,9 +285,27 @@ RAYTRACER_TARGET inline unsigned ballFlags(const std::uint32_t* child) {
     const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(child));
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_slli_epi32(eight, 1))));
 }
-RAYTRACER_TARGET inline float offset(float origin, float inverse) { return origin * inverse; }
+RAYTRACER_TARGET inline Lanes multiplyAdd(const Lanes& x, const Lanes& y, const Lanes& z) {
+    return {_mm256_fmadd_ps(x.v, y.v, z.v)};
+}
+RAYTRACER_TARGET inline Float4 offsetOf(Float4 origin, Float4 inverse) { return origin * inverse; }
 RAYTRACER_TARGET inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return multiplySubtract(plane, inverse, offset);
+}
+
+// As integers, which is faster: floats that are not negative are in the same order, and a negative one is below these.
+RAYTRACER_TARGET inline __m256i bits(const Lanes& x) { return _mm256_castps_si256(x.v); }
+RAYTRACER_TARGET inline Lanes latest(const Lanes& a, const Lanes& b, const Lanes& c) {
+    const __m256i positive = _mm256_max_epi32(bits(c), _mm256_setzero_si256());
+    return {_mm256_castsi256_ps(_mm256_max_epi32(_mm256_max_epi32(bits(a), bits(b)), positive))};
+}
+RAYTRACER_TARGET inline Lanes earliest(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+    return {_mm256_castsi256_ps(
+        _mm256_min_epi32(_mm256_min_epi32(bits(a), bits(b)), _mm256_min_epi32(bits(c), bits(d))))};
+}
+RAYTRACER_TARGET inline unsigned notAfter(const Lanes& near, const Lanes& far) {
+    const __m256i after = _mm256_cmpgt_epi32(bits(near), bits(far));
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(after))) ^ 0xff;
 }
 
 #include "bvh_kernel.inc"

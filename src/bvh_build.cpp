@@ -129,7 +129,7 @@ class BvhBuilder {
   public:
     BvhBuilder(Bvh& bvh, int threads) : bvh_(bvh), threads_(threads > 0 ? threads : processors()) {}
 
-    void build(std::span<const FloatBox> boxes);
+    void build(std::span<const FloatBox> boxes, const BvhNames& names);
     void build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices);
 
   private:
@@ -164,7 +164,7 @@ class BvhBuilder {
     void halve(const Range& range, Range& left, Range& right);
 
     glm::dvec3 framePoint(std::uint32_t index) const {
-        return (positions_[indices_[index]] - bvh_.center_) * bvh_.scale_;
+        return (positions_[indices_[index]] - bvh_.frame_.center) * bvh_.frame_.scale;
     }
 
     Bvh& bvh_;
@@ -174,14 +174,16 @@ class BvhBuilder {
     std::vector<Reference> references_;
     std::vector<Task> tasks_;
     std::span<const FloatBox> boxes_;
+    std::span<const std::uint32_t> names_;
     std::span<const glm::dvec3> positions_;
     std::span<const std::uint32_t> indices_;
 };
 
-void BvhBuilder::build(std::span<const FloatBox> boxes) {
-    boxes_ = boxes;
+void BvhBuilder::build(std::span<const FloatBox> boxes, const BvhNames& names) {
+    boxes_ = boxes, names_ = names.names;
+    bvh_.frame_.objects = names.start;
     leafSize_ = 1;
-    bvh_.balls_ = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
+    bvh_.frame_.balls = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
         const FloatBox& box = boxes[i];
         Reference reference{{{box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}}};
@@ -191,17 +193,17 @@ void BvhBuilder::build(std::span<const FloatBox> boxes) {
 
 void BvhBuilder::build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices) {
     positions_ = positions, indices_ = indices;
-    bvh_.triangles_ = true;
+    bvh_.frame_.triangles = true;
     leafSize_ = blockSize;
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
     for (const glm::dvec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
-    bvh_.center_ = low + (high - low) / 2.0;
-    const glm::dvec3 half = glm::max(high - bvh_.center_, bvh_.center_ - low);
+    bvh_.frame_.center = low + (high - low) / 2.0;
+    const glm::dvec3 half = glm::max(high - bvh_.frame_.center, bvh_.frame_.center - low);
     const double extent = std::max(half.x, std::max(half.y, half.z));
     if (!(extent <= std::numeric_limits<double>::max() / 4)) return;
     const int exponent = extent > 0 ? std::clamp(std::ilogb(extent) + 1, -1000, 1000) : 0;
-    bvh_.scale_ = std::scalbn(1.0, -exponent);
-    bvh_.extent_ = std::max(extent, std::numeric_limits<double>::min());
+    bvh_.frame_.scale = std::scalbn(1.0, -exponent);
+    bvh_.frame_.extent = std::max(extent, std::numeric_limits<double>::min());
 
     buildTree(static_cast<std::uint32_t>(indices.size() / 3), [&](std::uint32_t i) {
         const glm::dvec3 a = framePoint(3 * i), b = framePoint(3 * i + 1), c = framePoint(3 * i + 2);
@@ -256,15 +258,17 @@ void BvhBuilder::assemble(Part& top, std::uint32_t root) {
     }
     const auto moved = [&](std::uint32_t child, std::size_t task) {
         if (!(child & BvhNode::leafBit)) return child + nodeStart[task] * nodeUnits;
-        return bvh_.triangles_ ? child + wordStart[task] : child;
+        return bvh_.frame_.triangles ? child + wordStart[task] : child;
     };
     for (BvhNode& node : top.nodes)
         for (std::uint32_t& child : node.child)
             if (!tasks_.empty() && (child & BvhNode::leafBit))
                 child = moved(tasks_[child & ~BvhNode::leafBit].root, child & ~BvhNode::leafBit);
-    bvh_.nodes_ = std::move(top.nodes);
+    bvh_.nodes_.reserve(nodes);
+    bvh_.nodes_.assign(top.nodes.begin(), top.nodes.end());
     bvh_.nodes_.resize(nodes);
-    bvh_.words_ = std::move(top.words);
+    bvh_.words_.reserve(words + BvhBlock::words);
+    bvh_.words_.assign(top.words.begin(), top.words.end());
     bvh_.words_.resize(words + BvhBlock::words);  // loads of eight coordinates run past the last ones
     parallelFor(static_cast<std::uint32_t>(tasks_.size()), threads_, [&](std::uint32_t i) {
         Part& part = tasks_[i].part;
@@ -322,9 +326,9 @@ std::uint32_t BvhBuilder::splitIntoChildren(const Range& range, int depth, bool 
 
 // A leaf of boxes is the primitive's number; of triangles, a block with their corners.
 std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
-    if (!bvh_.triangles_) {
+    if (!bvh_.frame_.triangles) {
         const std::uint32_t box = references_[range.begin].primitive();
-        return BvhNode::leafBit | (boxes_[box].ball ? BvhNode::ballBit : 0) | box;
+        return BvhNode::leafBit | (boxes_[box].ball ? BvhNode::ballBit : 0) | names_[box];
     }
     const std::uint32_t count = range.size(), place = static_cast<std::uint32_t>(part.words.size());
     const Float4 size = range.box.high - range.box.low;
@@ -436,12 +440,12 @@ void BvhBuilder::halve(const Range& range, Range& left, Range& right) {
     right = sides[1], right.begin = middle, right.end = range.end;
 }
 
-Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, int threads) {
+Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads) {
     Bvh bvh;
-    BvhBuilder(bvh, threads).build(boxes);
+    BvhBuilder(bvh, threads).build(boxes, names);
     for (const FloatBox& box : boxes)
         for (int axis = 0; axis < 3; ++axis)
-            bvh.extent_ = std::max({bvh.extent_, std::abs(double{box.low[axis]}), std::abs(double{box.high[axis]})});
+            bvh.frame_.extent = std::max({bvh.frame_.extent, std::abs(double{box.low[axis]}), std::abs(double{box.high[axis]})});
     return bvh;
 }
 

@@ -92,6 +92,7 @@ RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, in
     Recorder recorder(scene);
     RenderOptions once = options;
     once.samples = 1;
+    once.pass = Pass::Color;
     const auto brightest = scene.brightestColors(options.max_recursion);
     RenderContext context{&once, options.cutoff > 0 ? brightest.data() : nullptr, &recorder, {}};
     scene.pixelColor(x, y, context);

@@ -46,6 +46,7 @@ void writeHit(JsonWriter& json, const RayExplanation& ray, const SceneDescriptio
     json.key("shape");
     writeShape(json, ray.shape, scene);
     json.key("part").value(ray.primitive);
+    if (const std::string face = faceName(scene.shapes[ray.shape].type, ray.primitive); !face.empty()) json.key("face").value(face);
     json.key("from_outside").value(ray.entering);
     json.key("t").value(ray.t);
     writeVector(json, "position", ray.position);

@@ -60,11 +60,16 @@ Chord unitBallChord(Vec origin, const Vec& direction) {
     return {discriminant >= 0, shift + (-b - root) / a, shift + (-b + root) / a, 0, 0};
 }
 
-// The factor that puts a point back onto the unit circle or sphere, from its squared distance: one Newton step for
-// 1 / sqrt where that is exact to rounding.
-Real backToUnit(Real squared) {
-    return std::abs(squared - 1) < coincidenceWindow ? Real(1.5) - squared / 2 : 1 / std::sqrt(squared);
+// Puts a point back onto the unit sphere; one without z, onto the circle. By one Newton step for 1 / sqrt where that is
+// exact to rounding.
+Vec3 ontoUnit(const Vec3& p) {
+    const Real squared = glm::dot(p, p);
+    return std::abs(squared - 1) < coincidenceWindow ? p * (Real(1.5) - squared / 2) : normalized(p);
 }
+
+// Rounding may put the hit of a ray that comes from very far into the very centre, where there is no direction outwards:
+// then any.
+Vec3 offCenter(const Vec3& p) { return p == Vec3(0) ? Vec3(1, 0, 0) : p; }
 
 // Whether it scales alike in all directions, to within 1/256: close enough for culling by FloatBox::ball.
 bool isUniform(const Mat3& m) {
@@ -230,7 +235,7 @@ void Solid::offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) con
 void Sphere::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray, query, sphereChord); }
 
 Intersection Sphere::surfaceAt(const Ray& ray, const Hit& hit) const {
-    const Vec3 normal = pointObject(ray, hit), p = normal * backToUnit(glm::dot(normal, normal));
+    const Vec3 normal = offCenter(pointObject(ray, hit)), p = ontoUnit(normal);
     Intersection intersection = surface(hit, p, normal);
     if (wantsTexCoord()) intersection.texCoord = {turn(p), 1 - std::acos(glm::clamp(p.z, Real(-1), Real(1))) / pi};
     return intersection;
@@ -250,12 +255,12 @@ void Cylinder::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray
 
 Intersection Cylinder::surfaceAt(const Ray& ray, const Hit& hit) const {
     Vec3 p = pointObject(ray, hit);
-    const Real squared = p.x * p.x + p.y * p.y;
     const bool body = hit.primitive == 0;
-    Vec3 normal(p.x, p.y, 0);
-    if (body || squared > 1) p.x *= backToUnit(squared), p.y *= backToUnit(squared);
-    p.z = body ? glm::clamp(p.z, Real(0), Real(1)) : Real(hit.primitive == 1);
-    if (!body) normal = Vec3(0, 0, 2 * p.z - 1);
+    const Real z = body ? glm::clamp(p.z, Real(0), Real(1)) : Real(hit.primitive == 1);
+    p.z = 0;
+    const Vec3 normal = body ? offCenter(p) : Vec3(0, 0, 2 * z - 1);
+    if (body || glm::dot(p, p) > 1) p = ontoUnit(offCenter(p));
+    p.z = z;
     Intersection intersection = surface(hit, p, normal);
     if (wantsTexCoord()) intersection.texCoord = body ? Vec2(turn(p), p.z) : capTexCoord(p);
     return intersection;
@@ -278,11 +283,11 @@ void Cone::intersect(const Ray& ray, HitQuery& query) const { offerChord(ray, qu
 Intersection Cone::surfaceAt(const Ray& ray, const Hit& hit) const {
     Vec3 p = pointObject(ray, hit);
     const bool body = hit.primitive == 0;
-    p.z = body ? glm::clamp(p.z, Real(0), Real(1)) : Real(0);
-    const Real r = radius(p), w = 1 - p.z;
-    if (r > 0 && (body || r > 1)) p.x *= w / r, p.y *= w / r;
-    Vec3 normal(0, 0, -1);
-    if (body) normal = w > 0 && r > 0 ? Vec3(p.x, p.y, w) : Vec3(0, 0, 1);  // at the apex the gradient vanishes
+    const Real z = body ? glm::clamp(p.z, Real(0), Real(1)) : Real(0), w = 1 - z;
+    p.z = 0;
+    if (body || glm::dot(p, p) > 1) p = w * ontoUnit(offCenter(p));
+    const Vec3 normal = !body ? Vec3(0, 0, -1) : w > 0 ? Vec3(p.x, p.y, w) : Vec3(0, 0, 1);  // at the apex it's up
+    p.z = z;
     Intersection intersection = surface(hit, p, normal);
     if (wantsTexCoord()) intersection.texCoord = body ? Vec2(turn(p), p.z) : capTexCoord(p);
     return intersection;

@@ -1,6 +1,8 @@
 #include "raytracer/shape_tree.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -30,8 +32,31 @@ ShapeTree::ShapeTree(const std::vector<std::unique_ptr<Shape>>& shapes, const Bu
         for (const auto& shape : shapes) list_.push_back(shape.get());
         return;
     }
-    bvh_ = Bvh::ofBoxes(boxes, options.threads);
+    bvh_ = Bvh::ofBoxes(boxes, nameBoxed(), options.threads);
     slackFactor_ = gamma(32) * conditioning;
+}
+
+// By place, unless they are too far apart for that.
+BvhNames ShapeTree::nameBoxed() const {
+    const auto address = [](const Shape* shape) { return reinterpret_cast<std::uintptr_t>(shape); };
+    const std::uintptr_t first = address(*std::min_element(boxed_.begin(), boxed_.end(), std::less<>()));
+    BvhNames names;
+    bool fits = true;
+    for (const Shape* shape : boxed_) {
+        const std::uintptr_t distance = address(shape) - first;
+        fits = fits && distance % BvhNames::unit == 0 && distance / BvhNames::unit < BvhNames::limit;
+        names.names.push_back(static_cast<std::uint32_t>(distance / BvhNames::unit));
+    }
+    if (fits)
+        names.start = reinterpret_cast<const char*>(first);
+    else
+        std::iota(names.names.begin(), names.names.end(), 0u);
+    return names;
+}
+
+const Shape& ShapeTree::named(std::uint32_t name) const {
+    const char* start = bvh_.frame().objects;
+    return start ? *reinterpret_cast<const Shape*>(start + name * BvhNames::unit) : *boxed_[name];
 }
 
 void ShapeTree::intersect(const Ray& ray, HitQuery& query) const {
@@ -42,14 +67,14 @@ void ShapeTree::intersect(const Ray& ray, HitQuery& query) const {
     if (bvh_.empty()) return;
 
     // The roundings of the way to object space and back, as far as they go with the distance from the ray's origin.
-    const Real slack = slackFactor_ * (maxComponent(abs(ray.origin)) + static_cast<Real>(bvh_.extent()));
+    const Real slack = slackFactor_ * (maxComponent(abs(ray.origin)) + static_cast<Real>(bvh_.frame().extent));
     BvhCursor cursor(bvh_, {glm::dvec3(ray.origin), glm::dvec3(ray.direction), static_cast<double>(slack)});
     if (!cursor.usable()) {
         for (const Shape* shape : boxed_) shape->intersect(ray, query);
         return;
     }
     while (!query.done() && cursor.next(static_cast<double>(query.limit())))
-        for (const std::uint32_t shape : cursor.primitives()) boxed_[shape]->intersect(ray, query);
+        for (const std::uint32_t name : cursor.primitives()) named(name).intersect(ray, query);
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -168,34 +168,53 @@ inline long double offsetOf(Kind kind, const MeshData* mesh, const Wide& p) {
     return largest;
 }
 
-// World to object in long double.
+#if defined(__SIZEOF_FLOAT128__)
+__extension__ typedef __float128 Quad;
+#else
+using Quad = long double;
+#endif
+
+// World to object in quadruple precision: the inverse by cofactors, where ill-conditioned maps cancel.
 class WideInverse {
   public:
-    explicit WideInverse(const Affine& affine) : affine_(affine), inverse_(*inverseLinear(affine)) {}
-    Wide direction(const Wide& d) const {
-        Wide object;
-        for (int row = 0; row < 3; ++row) {
-            const auto& r = inverse_.entry[row];
-            object[row] = r[0] * d.x + r[1] * d.y + r[2] * d.z;
-        }
-        return object;
+    explicit WideInverse(const Affine& affine) : affine_(affine) {
+        const auto& a = affine.linear;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+                inverse_[j][i] = Quad(a[i1][j1]) * Quad(a[i2][j2]) - Quad(a[i1][j2]) * Quad(a[i2][j1]);
+            }
+        Quad determinant = 0;
+        for (int j = 0; j < 3; ++j) determinant += Quad(a[0][j]) * inverse_[j][0];
+        for (auto& row : inverse_)
+            for (Quad& entry : row) entry /= determinant;
     }
+    Wide direction(const Wide& d) const { return times(Quad(d.x), Quad(d.y), Quad(d.z)); }
     Wide point(const Wide& p) const {
-        return direction(p - Wide(affine_.translation[0], affine_.translation[1], affine_.translation[2]));
+        const auto& t = affine_.translation;
+        return times(Quad(p.x) - Quad(t[0]), Quad(p.y) - Quad(t[1]), Quad(p.z) - Quad(t[2]));
     }
     // What a box of +-error becomes: the largest |component| along each object axis.
     Wide error(const Wide& e) const {
         Wide object;
         for (int row = 0; row < 3; ++row) {
-            const auto& r = inverse_.entry[row];
-            object[row] = std::abs(r[0]) * e.x + std::abs(r[1]) * e.y + std::abs(r[2]) * e.z;
+            long double r[3];
+            for (int i = 0; i < 3; ++i) r[i] = std::abs(static_cast<long double>(inverse_[row][i]));
+            object[row] = r[0] * e.x + r[1] * e.y + r[2] * e.z;
         }
         return object;
     }
 
   private:
+    Wide times(Quad x, Quad y, Quad z) const {
+        Wide object;
+        for (int row = 0; row < 3; ++row)
+            object[row] = static_cast<long double>(inverse_[row][0] * x + inverse_[row][1] * y + inverse_[row][2] * z);
+        return object;
+    }
+
     Affine affine_;
-    Matrix3 inverse_;
+    Quad inverse_[3][3];
 };
 
 }  // namespace test

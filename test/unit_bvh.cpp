@@ -194,7 +194,7 @@ TEST_CASE("a tree over many triangles, built by several threads, returns each of
 
 TEST_CASE("a tree is no use for rays that are out of all proportion") {
     const FloatBox boxes[2] = {{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
-    const Bvh bvh = Bvh::ofBoxes(boxes);
+    const Bvh bvh = Bvh::ofBoxes(boxes, {{0, 1}, nullptr});
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
     CHECK(BvhCursor(bvh, {{0, 0, 0}, {1, 0, 0}}).usable());
     CHECK_FALSE(BvhCursor(bvh, {{0, 0, 0}, {0, 0, 0}}).usable());

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,16 @@ namespace raytracer {
 struct FloatBox {
     float low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
     bool ball = false;  // it is a cube but for rounding, and what is in it lies in the ball inscribed in it
+};
+
+// What a box's primitive is called: less than 2^30. Either a number of the caller's, or its place in memory, so that the tree
+// can ask for it before it is needed.
+struct BvhNames {
+    static constexpr std::uint32_t limit = std::uint32_t{1} << 30;
+    static constexpr std::size_t unit = 16;  // bytes
+
+    std::vector<std::uint32_t> names;
+    const char* start = nullptr;  // a name is a distance from here, in units; null: just a number
 };
 
 // The nearest floats that are surely below and above; coordinates beyond the range of float become infinite.
@@ -47,13 +58,26 @@ struct BvhRay {
 // In a tree a node is found by its place in units of this many bytes.
 inline constexpr std::uint32_t bvhUnit = 32;
 
+// Large arrays on large pages, where the system has them: a tree is read here and there.
+void* allocateOnLargePages(std::size_t bytes, std::size_t alignment);
+template <class T>
+struct LargePages {
+    using value_type = T;
+    LargePages() = default;
+    template <class U>
+    LargePages(const LargePages<U>&) {}
+    T* allocate(std::size_t count) { return static_cast<T*>(allocateOnLargePages(count * sizeof(T), alignof(T))); }
+    void deallocate(T* p, std::size_t) { std::free(p); }
+    bool operator==(const LargePages&) const { return true; }
+};
+
 // Child boxes as planes[2 * axis + (0: low, 1: high)][child]. A slot without a child is an inverted infinite box.
 struct alignas(bvhUnit) BvhNode {
     float planes[6][8];
     std::uint32_t child[8];
 
-    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive, of triangles a block's place. A box
-    // with a ball in it has the next bit too.
+    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive's name, of triangles a block's
+    // place. A box with a ball in it has the next bit too.
     static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31, ballBit = leafBit >> 1;
 };
 
@@ -66,12 +90,21 @@ struct BvhBlock {
     static constexpr std::size_t words = 4;
 };
 
+// How the primitives' space becomes the one that the tree computes in: (x - center) * scale.
+struct BvhFrame {
+    glm::dvec3 center{0};
+    double extent = 0;  // no primitive is further from the center, along any axis
+    double scale = 1;   // a power of two
+    bool triangles = false, balls = false;  // what kinds of leaves there are beside boxes
+    const char* objects = nullptr;          // BvhNames::start
+};
+
 class Bvh {
   public:
     Bvh() = default;
 
-    // Over boxes, which must be usable; the primitives are their indices. With threads 0, as many as there are processors.
-    static Bvh ofBoxes(std::span<const FloatBox> boxes, int threads = 0);
+    // Over boxes, which must be usable, with a name for each. With threads 0, as many as there are processors.
+    static Bvh ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads = 0);
     static bool usable(const FloatBox& box);
 
     // Over triangles, three indices each. Empty where the coordinates are so large that their differences overflow.
@@ -80,44 +113,41 @@ class Bvh {
 
     bool empty() const { return !hasRoot_; }
 
-    // The frame in which it computes: no primitive is further than the extent from the center, along any axis.
-    glm::dvec3 center() const { return center_; }
-    double extent() const { return extent_; }
-
+    const BvhFrame& frame() const { return frame_; }
     std::size_t memory() const;  // bytes
 
   private:
     friend class BvhBuilder;
     friend class BvhCursor;
 
-    std::vector<BvhNode> nodes_;
-    std::vector<std::uint32_t> words_;  // of blocks
+    std::vector<BvhNode, LargePages<BvhNode>> nodes_;
+    std::vector<std::uint32_t, LargePages<std::uint32_t>> words_;  // of blocks
     std::uint32_t root_ = 0;
-    bool hasRoot_ = false, triangles_ = false, balls_ = false;
-    glm::dvec3 center_{0};
-    double extent_ = 0;
-    double scale_ = 1;  // a power of two: from the primitives' space to the frame
+    bool hasRoot_ = false;
+    BvhFrame frame_;
 };
 
 // What a traversal works on: a ray, made ready, and the nodes still to be seen.
 struct BvhTraversal {
     const BvhNode* nodes;
     const std::uint32_t* words;                          // null for boxes
+    const char* objects;                                 // BvhNames::start
     bool balls;                                          // some boxes have a ball in them
 
-    float inverse[3];                                    // 1 / direction
-    float nearOrigin[3], farOrigin[3];                   // the origin's box: the side that makes t small, large
+    // For each axis: 1 / direction, the same a little larger (growth), and what a plane's distance is to be reckoned from.
+    // The origin is a box; near takes the side of it that makes t small, far the other.
+    alignas(16) float nearInverse[4], farInverse[4], nearOffset[4], farOffset[4];
     std::uint32_t nearPlane[3];                          // which planes of a node
 
     // A distance is wrong by less than 2^-22 of itself: rounding the direction, the inverse, a difference and a product. The
     // farther of two that are compared is made larger by this.
     static constexpr float growth = 1 + 0x1p-20f;
 
-    float ballOrigin[3], ballDirection[3];               // for balls: in the tree's frame
+    float ballOrigin[4], ballDirection[4];               // for balls: in the tree's frame
     float ballMargin;                                    // how much larger to make them
 
     std::uint32_t x, y, z;                               // for triangles: z has the largest component of the direction
-    double shearX, shearY, origin[3], slack;             // in the tree's frame
+    double shearX, shearY, origin[4], slack;             // in the tree's frame
 
     // The most entries that a tree of the builder's greatest depth can leave.
     static constexpr int stackSize = 7 * 56 + 1;
@@ -143,7 +173,7 @@ class BvhCursor {
 
   private:
     BvhTraversal state_;
-    double tScale_;  // the ray's t in units of the normalised direction
+    double tScale_ = 0;  // the ray's t in units of the normalised direction
     bool usable_ = false;
 };
 

@@ -12,7 +12,7 @@ namespace raytracer {
 std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene);
 std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene);
 
-// "sphere", "plane", ...
-const char* typeName(ShapeDescription::Type type);
+// What a shape's part is called: "body", "x = -1", "triangle 17" (from 0, in the file's order); empty where it has only one.
+std::string faceName(ShapeDescription::Type type, std::size_t primitive);
 
 }  // namespace raytracer

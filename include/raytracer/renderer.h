@@ -19,7 +19,7 @@ class Renderer {
                                 ProgressListener* progress = nullptr) const = 0;
 
     // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for it when
-    // options.samples is 1.
+    // options.samples is 1 and options.pass is Color.
     virtual RayExplanation explain(const RenderOptions& options, int x, int y) const = 0;
 };
 

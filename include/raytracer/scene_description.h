@@ -67,6 +67,9 @@ struct ShapeDescription {
     std::shared_ptr<const MeshData> mesh;     // for Type::Mesh; shared by shapes that name the same file
 };
 
+// "sphere", "plane", ...: as in the file.
+const char* typeName(ShapeDescription::Type type);
+
 struct TextureDescription {
     std::string name;
     std::shared_ptr<const Texture> texture;  // null when no shape's material uses it: it was not read

@@ -22,9 +22,12 @@ class ShapeTree {
     void intersect(const Ray& ray, HitQuery& query) const;
 
   private:
+    BvhNames nameBoxed() const;
+    const Shape& named(std::uint32_t name) const;
+
     std::vector<const Shape*> list_;  // first: what they hit shortens the ray for the tree
     std::vector<const Shape*> boxed_;
-    Bvh bvh_;                         // over boxed_
+    Bvh bvh_;                         // over boxed_, which it names by index or by place in memory
     Real slackFactor_ = 0;            // BvhRay::slack for a distance of 1
 };
 

@@ -12,7 +12,9 @@ std::optional<int> parseArguments(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& end) {
-        return app.exit(end) == 0 ? 0 : 2;
+        if (end.get_exit_code() == 0) return app.exit(end);
+        std::fprintf(stderr, "%s: %s (%s --help tells more)\n", app.get_name().c_str(), end.what(), app.get_name().c_str());
+        return 2;
     }
     return std::nullopt;
 }

@@ -6,7 +6,6 @@
 #include "commands/commands.h"
 #include "commands/render_arguments.h"
 #include "raytracer/explanation_text.h"
-#include "raytracer/scene_loader.h"
 
 namespace raytracer::commands {
 
@@ -22,16 +21,17 @@ Examples:
   raytracer explain scenes/texture.json 10 590 600 --json)";
 
 int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
-    LoadedScene loaded = loadScene(arguments.scene, arguments.strict);
-    const RenderOptions options = arguments.prepare(loaded.description);
+    if (arguments.pass != "color" || arguments.samples != 1)
+        throw std::invalid_argument("explain follows the light along the ray through the pixel's centre: no --pass, no --samples");
+    SceneDescription scene = arguments.load();
+    const RenderOptions options = arguments.prepare(scene);
     if (x < 0 || y < 0 || x >= options.size.width || y >= options.size.height)
         throw std::invalid_argument("expected a pixel inside of the " + std::to_string(options.size.width) + " x " +
                                     std::to_string(options.size.height) + " picture, found " + std::to_string(x) +
                                     ", " + std::to_string(y));
-    const auto renderer = makeRenderer(loaded.description, arguments.precisionChosen(), arguments.buildOptions());
+    const auto renderer = makeRenderer(scene, arguments.precisionChosen(), arguments.buildOptions());
     const RayExplanation explanation = renderer->explain(options, x, y);
-    const std::string text = json ? explanationJson(explanation, loaded.description)
-                                  : explanationText(explanation, loaded.description);
+    const std::string text = json ? explanationJson(explanation, scene) : explanationText(explanation, scene);
     std::fputs(text.c_str(), stdout);
     return 0;
 }

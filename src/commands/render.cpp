@@ -10,10 +10,10 @@
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/render_arguments.h"
+#include "raytracer/black_picture.h"
 #include "raytracer/json_writer.h"
 #include "raytracer/picture.h"
 #include "raytracer/progress_bar.h"
-#include "raytracer/scene_loader.h"
 
 namespace raytracer::commands {
 
@@ -104,16 +104,24 @@ std::string outputProblem(const std::filesystem::path& out) {
     return {};
 }
 
+struct Picture {
+    const RenderArguments& arguments;
+    const SceneDescription& scene;
+    const Renderer& renderer;
+    const RenderOptions& options;
+};
+
 template <class Sink, class Write>
-RenderCounts renderTo(const std::string& out, const Renderer& renderer, const RenderOptions& options, bool quiet,
-                      Timings& timings, Write write) {
+RenderCounts renderTo(const std::string& out, const Picture& picture, Timings& timings, Write write) {
     Stopwatch watch;
-    Sink sink(options.crop);
+    Sink sink(picture.options.crop);
     std::optional<ProgressBar> bar;
-    if (!quiet) bar.emplace();
-    const RenderCounts counts = renderer.render(options, sink, bar ? &*bar : nullptr);
+    if (!picture.arguments.quiet) bar.emplace();
+    const RenderCounts counts = picture.renderer.render(picture.options, sink, bar ? &*bar : nullptr);
     bar.reset();
     timings.render = watch.lap();
+    if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
+        picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
     try {
         write(out, sink.image());
     } catch (const ImageError& error) {
@@ -123,26 +131,19 @@ RenderCounts renderTo(const std::string& out, const Renderer& renderer, const Re
     return counts;
 }
 
-LoadedScene loadAndWarn(const RenderArguments& arguments) {
-    LoadedScene scene = loadScene(arguments.scene, arguments.strict);
-    if (!arguments.quiet)
-        for (const std::string& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    return scene;
-}
-
 int renderPicture(const RenderArguments& arguments, const std::string& out, bool stats) {
     if (const std::string problem = outputProblem(out); !problem.empty()) throw ImageError(problem);
     Timings timings;
     Stopwatch watch;
-    SceneDescription description = loadAndWarn(arguments).description;
+    SceneDescription description = arguments.load();
     timings.load = watch.lap();
     const RenderOptions options = arguments.prepare(description);
     const auto renderer = makeRenderer(description, arguments.precisionChosen(), arguments.buildOptions());
     timings.build = watch.lap();
+    const Picture picture{arguments, description, *renderer, options};
     const bool floats = std::filesystem::path(out).extension() == ".pfm";
     const RenderCounts counts =
-        floats ? renderTo<FloatSink>(out, *renderer, options, arguments.quiet, timings, writePfm)
-               : renderTo<ByteSink>(out, *renderer, options, arguments.quiet, timings, writePng);
+        floats ? renderTo<FloatSink>(out, picture, timings, writePfm) : renderTo<ByteSink>(out, picture, timings, writePng);
     if (stats) printStats(counts, timings, options);
     return 0;
 }

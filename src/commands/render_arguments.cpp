@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
+
+#include "raytracer/scene_advice.h"
+#include "raytracer/scene_loader.h"
 
 namespace raytracer::commands {
 
@@ -99,6 +103,21 @@ Precision RenderArguments::precisionChosen() const {
 
 BuildOptions RenderArguments::buildOptions() const {
     return {accelerator == "none" ? Accelerator::None : Accelerator::Bvh, threads};
+}
+
+void RenderArguments::warn(const std::string& warning) const {
+    const std::string line = scene + ": " + warning;
+    if (strict) throw SceneError(line);
+    if (!quiet) std::fprintf(stderr, "warning: %s\n", line.c_str());
+}
+
+SceneDescription RenderArguments::load() const {
+    LoadedScene loaded = loadScene(scene, strict);
+    if (!warns()) return std::move(loaded.description);
+    if (!quiet)
+        for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    for (const std::string& advice : sceneAdvice(loaded.description)) warn(advice);
+    return std::move(loaded.description);
 }
 
 RenderOptions RenderArguments::prepare(SceneDescription& description) const {

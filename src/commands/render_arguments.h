@@ -34,6 +34,19 @@ struct RenderArguments {
     Precision precisionChosen() const;
     BuildOptions buildOptions() const;
 
+    // The scene of the file. Its warnings, the loader's and sceneAdvice's, go to stderr unless `quiet`; where `strict`,
+    // the first is a SceneError.
+    SceneDescription load() const;
+
+    // Whether anyone hears what `warn` is told.
+    bool warns() const { return strict || !quiet; }
+
+    // What is said about the scene as a whole, in the same way.
+    void warn(const std::string& warning) const;
+
+    // Whether the picture is what the scene file describes: all of it, with all terms. Of no other can the scene be blamed.
+    bool isWhole() const { return pass == "color" && only.empty() && crop.empty(); }
+
     // Applies `only` and `opaque` to the scene and fills in the options for it. Throws std::invalid_argument.
     RenderOptions prepare(SceneDescription& scene) const;
 };

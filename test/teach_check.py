@@ -1,0 +1,93 @@
+"""The commands' part in advice and explanations: --strict's exit status and absent picture, and JSON that is JSON.
+
+Usage: teach_check.py RAYTRACER, from the source folder.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+SCENE = json.loads(pathlib.Path("test/good/least.json").read_text(encoding="utf-8"))
+failures = []
+
+
+def check(what, expected, found):
+    if expected != found:
+        failures.append(f"{what}: expected {expected!r}, found {found!r}")
+
+
+def run(folder, *arguments):
+    done = subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, text=True, timeout=120, cwd=folder)
+    warnings = [line for line in done.stderr.replace("\r", "\n").split("\n") if "scene.json" in line]
+    return done.returncode, warnings, done.stdout
+
+
+def scene_with(folder, **parts):
+    pathlib.Path(folder, "scene.json").write_text(json.dumps(SCENE | parts), encoding="utf-8")
+
+
+def check_advice(folder, what, line):
+    """Said in a render and in an explanation; not with --quiet; with --strict the one error, and no picture."""
+    out = pathlib.Path(folder, "out.png")
+    check(what + ": status", 0, run(folder, "scene.json", out, 8)[0])
+    check(what + ": picture", True, out.exists())
+    out.unlink()
+    check(what + ": line", ["warning: scene.json: " + line], run(folder, "scene.json", out, 8)[1])
+    check(what + ": --quiet", (0, []), run(folder, "scene.json", out, 8, "--quiet")[:2])
+    out.unlink()
+    for arguments in (["--strict"], ["--strict", "--quiet"]):
+        done = subprocess.run([RAYTRACER, *arguments, "scene.json", out, "8"], capture_output=True, text=True, cwd=folder)
+        check(what + ": strict status", 2, done.returncode)
+        check(what + ": strict line", "scene.json: " + line, done.stderr.replace("\r", "\n").strip().split("\n")[-1].strip())
+        check(what + ": strict picture", False, out.exists())
+
+
+def check_all_advice(folder):
+    material, light, transform = {"color_ambient": [1, 1, 1]}, {"position": [0, 9, 9]}, {"name": "i"}
+    sphere = {"type": "sphere", "transform": "i", "material": "default"}
+    good = {"materials": [material], "lights": [light], "transforms": [transform], "shapes": [sphere]}
+    scene_with(folder, **good)
+    out = pathlib.Path(folder, "out.png")
+    check("nothing to say", (0, []), run(folder, "scene.json", out, 8, "--strict")[:2])
+    check("nothing to explain", (0, []), run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
+    out.unlink()
+
+    scene_with(folder, **good | {"camera": SCENE["camera"] | {"up": [0, 2, 0]}})
+    line = ("/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at 90 degrees, "
+            "found lengths 1 and 2 at 90 degrees")
+    check_advice(folder, "camera", line)
+    check("explained", (0, ["warning: scene.json: " + line]), run(folder, "explain", "scene.json", 4, 4, 8)[:2])
+    check("explained strictly", (2, ["scene.json: " + line]), run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
+
+    scene_with(folder, **good | {"materials": [{}]} | {"lights": [light | {"position": [0, 0, -9]}]})
+    check_advice(folder, "black", "the picture is all black: the lights are behind all surfaces that are seen; and there is no "
+                                  "ambient light on it")
+    for partial in (["--only", "ambient"], ["--crop", "0,0,1,1"], ["--pass", "raycast"]):
+        check(f"black with {partial}", (0, []), run(folder, "scene.json", out, 8, "--strict", *partial)[:2])
+    out.unlink()
+    check("black, as floats", 2, run(folder, "scene.json", "out.pfm", 8, "--strict")[0])
+    check("black, as floats", False, pathlib.Path(folder, "out.pfm").exists())
+
+
+def check_explanations():
+    """The JSON of some pixels of every scene: its bytes are the text's."""
+    for scene in sorted(pathlib.Path("scenes").glob("*.json")):
+        if scene.name == "scene.schema.json":
+            continue
+        for place in ((10, 12), (20, 16), (24, 17)):
+            status, _, text = run(".", "explain", scene, *place, 40, "--quiet")
+            explanation = json.loads(run(".", "explain", scene, *place, 40, "--quiet", "--json")[2])
+            check(f"{scene} {place}", 0, status)
+            check(f"{scene} {place}", text.rsplit("bytes ", 1)[1].strip(), str(tuple(explanation["bytes"])))
+    for refused in (["--pass", "normals"], ["--samples", "2"]):
+        check(f"explain {refused}", 2, run(".", "explain", "scenes/texture.json", 1, 1, 40, *refused)[0])
+    check("explain outside", 2, run(".", "explain", "scenes/texture.json", 40, 1, 40)[0])
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    check_all_advice(temporary)
+check_explanations()
+print("\n".join(failures) or "as it should be")
+sys.exit(1 if failures else 0)
