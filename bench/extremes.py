@@ -107,11 +107,12 @@ def main():
         lines += extremes.rows(scenes, "scale", SCALES[::arguments.step])
         lines += extremes.rows(scenes, "move", TRANSLATIONS)
     arguments.out.mkdir(parents=True, exist_ok=True)
+    note = "Tachyon's reader stores every number as a float. " if "tachyon" in extremes.columns else ""
     missing = [f"{NAMES[name]} is not installed here. " for name in NAMES if name != "raytracer" and name not in extremes.columns]
     (arguments.out / "extremes.md").write_text("\n".join(lines) + (
         f"\n\nOf {pixels:,} pixels ({arguments.scenes}, {arguments.size} px). Wrong: a channel differs by more than "
         f"{arguments.by:g} of 255 from the same program's picture of the scene as it was; in the last two columns, by more than 1 of "
-        f"255 from the picture in long double of the same numbers. Tachyon's reader stores every number as a float. {''.join(missing)}{programs.machine()}.\n"))
+        f"255 from the picture in long double of the same numbers. {note}{''.join(missing)}{programs.machine()}.\n"))
     print("\n".join(lines))
 
 

@@ -90,6 +90,8 @@ def panel_svg(panel, offset):
 
 def write_svg(path, panels):
     panels = [panel for panel in panels if any(panel.series.values())]
+    if not panels:
+        return
     width = WIDTH * len(panels)
     body = "\n".join(line for i, panel in enumerate(panels) for line in panel_svg(panel, i * WIDTH))
     path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {HEIGHT}" width="{width}" '

@@ -1,4 +1,5 @@
 """The programs that are measured: whether they are installed, and how each renders a scene of ours."""
+import os
 import pathlib
 import re
 import shutil
@@ -32,7 +33,8 @@ def version(name):
         said = subprocess.run(["povray", "--version"], capture_output=True, text=True)
         found = re.search(r"POV-Ray (\d\S*)", said.stdout + said.stderr)
     else:
-        said = subprocess.run(["tachyon"], capture_output=True, text=True)
+        # It introduces itself only when it is given a file, and then ends with an error as there is none.
+        said = subprocess.run(["tachyon", "no-such-scene.dat"], capture_output=True, text=True)
         found = re.search(r"Version (\S+)", said.stdout + said.stderr)
     return f"{NAMES[name]} {found.group(1) if found else '(version unknown)'}"
 
@@ -78,6 +80,9 @@ def differing_share(picture, other, by=8):
 def machine():
     """One line about where this ran: processor, how many of them, and the commit."""
     model = re.search(r"model name\s*:\s*(.+)", pathlib.Path("/proc/cpuinfo").read_text())
-    count = len(__import__("os").sched_getaffinity(0))
-    commit = subprocess.run(["git", "-C", TOP, "describe", "--always", "--dirty"], capture_output=True, text=True).stdout.strip()
+    count = len(os.sched_getaffinity(0))
+    commit = "an unknown commit"
+    if shutil.which("git"):
+        said = subprocess.run(["git", "-C", TOP, "describe", "--always", "--dirty"], capture_output=True, text=True)
+        commit = said.stdout.strip() or commit
     return f"{model.group(1) if model else 'unknown processor'}, {count} processors; raytracer at {commit}"

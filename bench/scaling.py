@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 """How the cost grows: with the number of spheres and of triangles, with the picture's size, with threads.
 
-    bench/scaling.py [--runs 3] [--parts spheres,mesh,picture,threads] [--most 1000000] [--size 1500] [--out bench/results]
+    bench/scaling.py [--runs 3] [--parts spheres,mesh,picture,threads,ends] [--most 1000000] [--megapixels 64] [--size 1500] [--out bench/results]
 
 --most caps the spheres and triangles; 10000000 adds the mesh of ten million, which takes several GB and minutes.
-A ray's cost is the user CPU time of a render on one thread, less that of one pixel of the same scene (so without
-loading and building), over all rays cast.
+A ray's cost is the CPU time of rendering alone (without loading, building and the PNG) over all rays cast.
 """
 import argparse
 import json
@@ -49,35 +48,35 @@ def rays(usages):
     return sum(stats(usages)["rays"].values())
 
 
-def seconds(usages, part):
-    """The least over the runs: wall time of a phase on a machine that others use too."""
-    return min(json.loads(usage.said[usage.said.index("{"):])["seconds"][part] for usage in usages)
+def seconds(usages, part, kind="seconds"):
+    """The least over the runs of a phase's time: wall, or CPU where kind is cpu_seconds."""
+    return min(json.loads(usage.said[usage.said.index("{"):])[kind][part] for usage in usages)
 
 
 def by_count(bench, kind, counts):
     """The table's lines and [(count, ns a ray)] for scenes of growing numbers of shapes."""
-    lines = [f"| {'spheres' if kind == 'spheres' else 'triangles'} | load s | build s | ns a ray | to {plot.short(counts[0])} | peak MiB |",
+    lines = [f"| {'spheres' if kind == 'spheres' else 'triangles'} | load, CPU s | build, CPU s | ns a ray | to {plot.short(counts[0])} | peak MiB |",
              "|--:|--:|--:|--:|--:|--:|"]
     points = []
     for count in (count for count in counts if count <= bench.arguments.most):
         say(f"{kind}: {count}")
         scene = bench.generated(kind, count)
-        usages = bench.alternated({"pixel": bench.command(scene, 1, 1), "picture": bench.command(scene, bench.arguments.size, 1)})
-        failed = next((usage for usage in usages.values() if isinstance(usage, measure.Failed)), None)
-        if failed:
-            lines.append(f"| {plot.short(count)} | {failed} | | | | |")
+        usages = bench.alternated({"ours": bench.command(scene, bench.arguments.size, 1)})["ours"]
+        if isinstance(usages, measure.Failed):
+            lines.append(f"| {plot.short(count)} | {usages} | | | | |")
             break
-        cost = 1e9 * (measure.median(usages["picture"], "user") - measure.median(usages["pixel"], "user")) / rays(usages["picture"])
-        points.append((count, max(cost, 1e-3)))
-        lines.append(f"| {plot.short(count)} | {seconds(usages['picture'], 'load'):.3f} | {seconds(usages['picture'], 'build'):.3f} | "
-                     f"{cost:.0f} | {cost / points[0][1]:.2f} | {measure.median(usages['picture'], 'peak'):.0f} |")
+        cost = 1e9 * seconds(usages, "render", "cpu_seconds") / rays(usages)
+        points.append((count, cost))
+        lines.append(f"| {plot.short(count)} | {seconds(usages, 'load', 'cpu_seconds'):.3f} | "
+                     f"{seconds(usages, 'build', 'cpu_seconds'):.3f} | {cost:.0f} | {cost / points[0][1]:.2f} | "
+                     f"{measure.median(usages, 'peak'):.0f} |")
     return lines, points
 
 
 def by_picture(bench, scene):
     lines = ["| megapixels | user s | wall s | PNG written in s | user ns a pixel | peak MiB |", "|--:|--:|--:|--:|--:|--:|"]
     points = []
-    for edge in EDGES:
+    for edge in (edge for edge in EDGES if edge * edge <= bench.arguments.megapixels * 1e6):
         say(f"picture: {edge} x {edge}")
         usages = bench.alternated({"ours": bench.command(scene, edge, 1)})["ours"]
         if isinstance(usages, measure.Failed):
@@ -104,11 +103,32 @@ def by_threads(bench, scene):
     return lines, points
 
 
+def by_scene(bench):
+    """The ends of the pipeline: what a course scene at 600 pixels costs beside its tracing."""
+    lines = ["| scene | tracing, CPU ms | load | build | PNG | start and end | all | to tracing |",
+             "|---|--:|--:|--:|--:|--:|--:|--:|"]
+    for name in ("stress_test", "spheres_cylinder", "refraction"):
+        scene = programs.TOP / "scenes" / f"{name}.json"
+        if not scene.is_file():
+            say(f"{scene}: no such scene: left out")
+            continue
+        usages = bench.alternated({"ours": bench.command(scene, 600, 1)})["ours"]
+        if isinstance(usages, measure.Failed):
+            lines.append(f"| {name} | {usages} | | | | | | |")
+            continue
+        parts = {part: 1e3 * seconds(usages, part, "cpu_seconds") for part in ("render", "load", "build", "write")}
+        whole = 1e3 * min(usage.user + usage.system for usage in usages)
+        cells = [*parts.values(), whole - sum(parts.values()), whole]
+        lines.append(f"| {name} | " + " | ".join(f"{cell:.1f}" for cell in cells) + f" | {whole / parts['render']:.2f} |")
+    return lines, []
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=3)
-    parser.add_argument("--parts", default="spheres,mesh,picture,threads")
+    parser.add_argument("--parts", default="spheres,mesh,picture,threads,ends")
     parser.add_argument("--most", type=int, default=1_000_000)
+    parser.add_argument("--megapixels", type=float, default=64, help="the largest picture")
     parser.add_argument("--size", type=int, default=1500)
     parser.add_argument("--out", type=pathlib.Path, default=programs.HERE / "results")
     parser.add_argument("--raytracer", type=pathlib.Path, default=programs.default_binary())
@@ -123,6 +143,7 @@ def main():
             "mesh": ("One mesh", lambda: by_count(bench, "mesh", TRIANGLES)),
             "picture": ("spheres_cylinder, one thread, whole process", lambda: by_picture(bench, course)),
             "threads": ("10,000 spheres", lambda: by_threads(bench, bench.generated("spheres", min(10_000, arguments.most)))),
+            "ends": ("600-pixel course scenes, one thread", lambda: by_scene(bench)),
         }
         results = {part: (parts[part][0], *parts[part][1]()) for part in arguments.parts.split(",")}
     write(arguments, results)
@@ -132,7 +153,7 @@ def write(arguments, results):
     arguments.out.mkdir(parents=True, exist_ok=True)
     text = "\n\n".join(f"### {title}\n\n" + "\n".join(lines) for title, lines, _ in results.values())
     (arguments.out / "scaling.md").write_text(
-        f"{text}\n\nUser CPU times and peaks are medians of {arguments.runs} runs, load, build and render wall times the least of them. "
+        f"{text}\n\nWhole processes' times and peaks are medians of {arguments.runs} runs, those of load, build, render and PNG the least. "
         f"{programs.machine()}.\n")
     points = {part: points for part, (_, _, points) in results.items()}
     ideal = [(threads, threads) for threads, _ in points.get("threads", [])]

@@ -103,7 +103,7 @@ def write(arguments, who, lines, losses):
     notes = [f"Medians of {arguments.runs} alternated runs of the whole process; a ratio is the median of the rounds' own "
              "ratios (above 1: raytracer is faster). A pixel differs where a channel is off by more than 8 of 255. Peaks "
              f"up to {measure.memory_floor():.0f} MiB can't be told apart.",
-             f"{programs.machine()}; " + ", ".join(programs.version(name) for name in who if name != "raytracer") + "."]
+             ", ".join([programs.machine(), *(programs.version(name) for name in who if name != "raytracer")]) + "."]
     notes += [f"{NAMES[name]} is not installed here." for name in NAMES if name not in who]
     notes += [f"- {scene}, {program}: " + "; ".join(said) + "." for (scene, program), said in losses.items()]
     (arguments.out / "side_by_side.md").write_text("\n".join(lines) + "\n\n" + "\n".join(notes) + "\n")

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include <sys/resource.h>
 
@@ -29,23 +30,46 @@ Examples:
   raytracer scenes/texture.json out.png 2000 --crop 500,500,700,700       a detail, as in the whole picture
   raytracer scenes/refraction.json out.pfm 600 --stats                    linear float32, and what it cost)";
 
-// Seconds between calls.
+// Wall time, and CPU time of all threads, in seconds.
+struct Seconds {
+    double wall = 0, cpu = 0;
+};
+
+Seconds now() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
+    return {wall.count(), seconds(usage.ru_utime) + seconds(usage.ru_stime)};
+}
+
+// Time between calls.
 class Stopwatch {
   public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double> elapsed = now - start_;
-        start_ = now;
-        return elapsed.count();
+    Seconds lap() {
+        const Seconds before = std::exchange(last_, now());
+        return {last_.wall - before.wall, last_.cpu - before.cpu};
     }
 
   private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Seconds last_ = now();
 };
 
 struct Timings {
-    double load = 0, build = 0, choose = 0, render = 0, write = 0;  // seconds of wall time
+    Seconds load, build, choose, render, write;
 };
+
+void printTimes(JsonWriter& json, const Timings& timings, const char* name, double Seconds::*kind) {
+    json.key(name).beginObject();
+    json.key("load").value(timings.load.*kind);
+    json.key("build").value(timings.build.*kind);
+    json.key("choose").value(timings.choose.*kind);
+    json.key("render").value(timings.render.*kind);
+    json.key("write").value(timings.write.*kind);
+    json.endObject();
+}
 
 long peakMemoryBytes() {
     rusage usage{};
@@ -66,13 +90,8 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     json.endObject();
     json.key("intersection_tests").value(counts.tests);
     json.key("cutoff_bound").value(counts.cutoffBound);
-    json.key("seconds").beginObject();
-    json.key("load").value(timings.load);
-    json.key("build").value(timings.build);
-    json.key("choose").value(timings.choose);
-    json.key("render").value(timings.render);
-    json.key("write").value(timings.write);
-    json.endObject();
+    printTimes(json, timings, "seconds", &Seconds::wall);
+    printTimes(json, timings, "cpu_seconds", &Seconds::cpu);
     json.key("peak_memory_bytes").value(peakMemoryBytes());
     json.endObject();
     std::printf("%s\n", json.text().c_str());
