@@ -7,39 +7,11 @@
 #include <numeric>
 
 #include "grade_report_page.h"
+#include "raytracer/html.h"
 
 namespace raytracer {
 
 namespace {
-
-std::string escaped(std::string_view text) {
-    std::string html;
-    for (const char c : text) {
-        switch (c) {
-            case '&': html += "&amp;"; break;
-            case '<': html += "&lt;"; break;
-            case '>': html += "&gt;"; break;
-            case '"': html += "&quot;"; break;
-            default: html += c;
-        }
-    }
-    return html;
-}
-
-// RFC 4648, section 4.
-std::string base64(std::string_view bytes) {
-    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t j = i; j < i + 3; ++j)
-            group = group << 8 | (j < bytes.size() ? static_cast<std::uint8_t>(bytes[j]) : 0u);
-        for (int shift = 18; shift >= 0; shift -= 6) text += digits[group >> shift & 63];
-    }
-    const std::size_t padding = (3 - bytes.size() % 3) % 3;
-    return text.replace(text.size() - padding, padding, padding, '=');
-}
 
 std::string number(double value, const char* format = "%.4g") {
     if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
@@ -66,7 +38,7 @@ std::string picture(const char* kind, const std::string& png, const std::string&
     if (png.empty())
         return std::string("<div class=\"picture\"><span class=\"none\">no picture</span>") + kind + "</div>\n";
     return std::string("<button class=\"picture\" data-kind=\"") + kind + "\"><span><img alt=\"" + kind +
-           "\" decoding=\"async\" src=\"data:image/png;base64," + base64(png) + "\">" + overlay + "</span>" + kind +
+           "\" decoding=\"async\" src=\"" + pngUri(png) + "\">" + overlay + "</span>" + kind +
            "</button>\n";
 }
 

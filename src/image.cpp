@@ -52,20 +52,6 @@ void requireEncodable(const ByteImage& image) {
         throw ImageError("cannot write: the picture is too large for PNG");
 }
 
-std::vector<char> encodePng(const ByteImage& image) {
-    stbi_write_force_png_filter = pngFilter;
-    stbi_write_png_compression_level = deflateLevel;
-    std::vector<char> png;
-    const auto append = [](void* to, void* bytes, int count) {
-        const auto* const begin = static_cast<const char*>(bytes);
-        static_cast<std::vector<char>*>(to)->assign(begin, begin + count);
-    };
-    if (!stbi_write_png_to_func(append, &png, image.width, image.height, static_cast<int>(channels),
-                                image.pixels.data(), 0))
-        throw ImageError("cannot write: not enough memory");
-    return png;
-}
-
 void write(const std::string& path, std::span<const std::span<const char>> parts) try {
     writeFile(path, parts);
 } catch (const FileError& error) {
@@ -162,8 +148,22 @@ FloatImage readPfm(const std::string& path) try {
     throw ImageError(error.what());
 }
 
-void writePng(const std::string& path, const ByteImage& image) {
+std::vector<char> encodePng(const ByteImage& image) {
     requireEncodable(image);
+    stbi_write_force_png_filter = pngFilter;
+    stbi_write_png_compression_level = deflateLevel;
+    std::vector<char> png;
+    const auto append = [](void* to, void* bytes, int count) {
+        const auto* const begin = static_cast<const char*>(bytes);
+        static_cast<std::vector<char>*>(to)->assign(begin, begin + count);
+    };
+    if (!stbi_write_png_to_func(append, &png, image.width, image.height, static_cast<int>(channels),
+                                image.pixels.data(), 0))
+        throw ImageError("cannot write: not enough memory");
+    return png;
+}
+
+void writePng(const std::string& path, const ByteImage& image) {
     const std::vector<char> png = encodePng(image);
     const std::span<const char> whole = png;
     write(path, {&whole, 1});

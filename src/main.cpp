@@ -16,6 +16,7 @@ constexpr Command commandTable[] = {
     {"compare", raytracer::commands::compare},
     {"explain", raytracer::commands::explain},
     {"grade", raytracer::commands::grade},
+    {"tradeoff", raytracer::commands::tradeoff},
 };
 
 int dispatch(int argc, char** argv) {

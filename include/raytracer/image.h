@@ -35,6 +35,9 @@ std::uint8_t toByte(double channel);
 ByteImage readImage(const std::string& path);
 FloatImage readPfm(const std::string& path);
 
+// A PNG file's bytes. Throws ImageError.
+std::vector<char> encodePng(const ByteImage& image);
+
 // Written beside `path` and renamed onto it, so that a picture is whole or absent. Throws ImageError.
 void writePng(const std::string& path, const ByteImage& image);
 void writePfm(const std::string& path, const FloatImage& image);

@@ -10,6 +10,9 @@ int render(int argc, char** argv);
 // raytracer compare A B [options]: how much two pictures differ.
 int compare(int argc, char** argv);
 
+// raytracer tradeoff SCENE... [options]: what speed costs in accuracy, measured.
+int tradeoff(int argc, char** argv);
+
 // raytracer explain SCENE X Y LONG_EDGE_PIXELS [options]: the tree of rays behind one pixel.
 int explain(int argc, char** argv);
 

@@ -1,0 +1,89 @@
+// raytracer tradeoff SCENE...: what speed costs in accuracy, measured.
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "commands/arguments.h"
+#include "commands/commands.h"
+#include "raytracer/file_bytes.h"
+#include "raytracer/scene_loader.h"
+#include "raytracer/tradeoff_report.h"
+
+namespace raytracer::commands {
+
+namespace {
+
+constexpr const char* footer = R"(Renders each scene under many settings of --samples, --adaptive, --max-recursion, --cutoff and
+--texture-filter, and in each precision; holds every picture against a converged one; and says which
+settings are worth their time (the front: nothing is both faster and closer).
+
+Writes into DIR: tradeoff.html (charts, tables, pictures; one file), tradeoff.svg (the charts) and
+tradeoff.csv (every number). Times are processor seconds, all threads together.
+
+Examples:
+  raytracer tradeoff scenes/refraction.json
+  raytracer tradeoff scenes/*.json --out results --size 200 --repeats 5)";
+
+struct TradeoffArguments {
+    std::vector<std::string> scenes;
+    std::string out = ".";
+    TradeoffOptions options;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        app.add_option("SCENE", scenes, "Scenes, JSON files")->required();
+        app.add_option("--out", out, "The folder to write to; made where there is none")->capture_default_str();
+        app.add_option("--size", options.size, "Pixels along the longer side of the film")
+            ->check(CLI::Range(16, 4096))->capture_default_str();
+        app.add_option("--samples", options.samples, "The most samples, N x N; the reference has 2 N x 2 N")
+            ->check(CLI::Range(2, 16))->capture_default_str();
+        app.add_option("--repeats", options.repeats, "Timings of each setting near the front; the median counts")
+            ->check(CLI::Range(1, 1000))->capture_default_str();
+        app.add_option("--threads", options.threads, "Number of threads; 0: one for each processor")
+            ->check(CLI::Range(0, 4096))->capture_default_str();
+        app.add_flag("--quiet", quiet, "Say nothing on stderr about what is being done");
+        app.footer(footer);
+    }
+};
+
+void write(const std::filesystem::path& path, const std::string& text) {
+    const std::span<const char> whole = text;
+    try {
+        writeFile(path.string(), {&whole, 1});
+    } catch (const FileError& error) {
+        throw ImageError(path.string() + ": " + error.what());
+    }
+}
+
+int measure(TradeoffArguments& arguments) {
+    if (!arguments.quiet)
+        arguments.options.tell = [](const std::string& what) { std::fprintf(stderr, "%s ...\n", what.c_str()); };
+    std::vector<LoadedScene> loaded;  // all first: a mistake in the last is told before an hour of work
+    for (const std::string& scene : arguments.scenes) loaded.push_back(loadScene(scene, false));
+    std::filesystem::create_directories(arguments.out);
+    std::vector<SceneTradeoff> scenes;
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+        const std::string name = std::filesystem::path(arguments.scenes[i]).stem().string();
+        scenes.push_back(measureTradeoff(name, loaded[i].description, arguments.options));
+        std::printf("%s\n", tradeoffTable(scenes.back()).c_str());
+        std::fflush(stdout);
+    }
+    const std::filesystem::path out = arguments.out;
+    write(out / "tradeoff.csv", tradeoffCsv(scenes));
+    write(out / "tradeoff.svg", tradeoffSvg(scenes));
+    write(out / "tradeoff.html", tradeoffPage(scenes));
+    std::printf("wrote %s, .svg and .csv\n", (out / "tradeoff.html").c_str());
+    return 0;
+}
+
+}  // namespace
+
+int tradeoff(int argc, char** argv) {
+    CLI::App app("Measures what speed costs in accuracy.", "raytracer tradeoff");
+    TradeoffArguments arguments;
+    arguments.addTo(app);
+    if (const auto status = parseArguments(app, argc, argv)) return *status;
+    return reportErrors([&] { return measure(arguments); });
+}
+
+}  // namespace raytracer::commands
