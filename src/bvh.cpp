@@ -101,8 +101,8 @@ void setInstructionSet(InstructionSet set) { chosen = choose(set); }
 
 void* allocateOnLargePages(std::size_t bytes, std::size_t alignment) {
     constexpr std::size_t page = std::size_t{1} << 21;  // x86's and most ARM's
-    if (bytes >= 2 * page) alignment = page;
-    void* memory = std::aligned_alloc(std::max(alignment, sizeof(void*)), (bytes + alignment - 1) / alignment * alignment);
+    alignment = bytes >= 2 * page ? page : std::max(alignment, sizeof(void*));
+    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
     if (!memory) throw std::bad_alloc();
 #if defined(__linux__)
     if (bytes >= 2 * page) madvise(memory, bytes, MADV_HUGEPAGE);

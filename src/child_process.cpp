@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -55,7 +56,27 @@ class GroupGuard {
     void (*terminate_)(int);
 };
 
-pid_t spawn(const std::vector<std::string>& words, const std::string& output) {
+// An interrupt that comes between the child's start and the guard waits, so that it can't miss the child.
+class InterruptsWait {
+  public:
+    InterruptsWait() {
+        sigset_t interrupts;
+        sigemptyset(&interrupts);
+        sigaddset(&interrupts, SIGINT);
+        sigaddset(&interrupts, SIGTERM);
+        pthread_sigmask(SIG_BLOCK, &interrupts, &before_);
+    }
+    ~InterruptsWait() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    InterruptsWait(const InterruptsWait&) = delete;
+    InterruptsWait& operator=(const InterruptsWait&) = delete;
+
+    const sigset_t& before() const { return before_; }
+
+  private:
+    sigset_t before_;
+};
+
+pid_t spawn(const std::vector<std::string>& words, const std::string& output, const sigset_t& signalMask) {
     std::vector<char*> argv;
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
@@ -66,7 +87,8 @@ pid_t spawn(const std::vector<std::string>& words, const std::string& output) {
     posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setsigmask(&attributes, &signalMask);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
     pid_t child = 0;
     const int error = posix_spawn(&child, "/bin/sh", &files, &attributes, argv.data(), environ);
     posix_spawnattr_destroy(&attributes);
@@ -124,8 +146,10 @@ ProcessEnd runProcess(const std::string& command, const std::vector<std::string>
     std::vector<std::string> words{"sh", "-c", shellPrefix + command + " \"$@\"", "sh"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const Clock::time_point start = Clock::now();
-    const pid_t child = spawn(words, output);
+    std::optional<InterruptsWait> interruptsWait(std::in_place);
+    const pid_t child = spawn(words, output, interruptsWait->before());
     const GroupGuard guard(child);
+    interruptsWait.reset();
     ProcessEnd end;
     end.timedOut = !endsBefore(child, start + std::chrono::duration_cast<Clock::duration>(
                                                   std::chrono::duration<double>(timeoutSeconds)));
