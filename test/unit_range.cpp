@@ -175,11 +175,13 @@ TEST_CASE("range: lights on surfaces, at the eye, at a point that is seen, and v
 
 // A light that lies on the wall lights no point of the wall, and its highlight must not speckle it.
 TEST_CASE("range: a light on a surface leaves that surface to its ambient colour") {
-    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})
+    // Not in extended precision, which can tell the plane from a light whose place is rounded to double.
+    for (const Precision precision : {Precision::Float, Precision::Double})
         for (const double degrees : {0., 10., 37.}) {
             SceneMaker maker = perspective();
             MaterialDescription& m = maker.material(glm::dvec3(0.25));
             m.color_diffuse = m.color_specular = glm::dvec3(1);
+            m.shininess = 0;  // any light at all would be seen in full
             const TransformDescription wall{"", glm::dvec3(0.1, 0.2, 0.3), TransformDescription::Rotation{degrees, {1, 2, 3}}, {}, {}};
             maker.shape(Type::Plane, wall);
             const Affine map = compose(wall);
