@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <iterator>
 
 namespace raytracer {
 
@@ -100,11 +100,11 @@ class Search {
     }
 
     void collect() {
-        for (const int samples : std::views::reverse(gridSamples)) {
-            if (samples > samples_) continue;
-            addCandidates(sampled(samples));
-            if (measured(sampled(samples)).rmse > target_) break;
-            collectAdaptive(samples);
+        for (auto samples = std::rbegin(gridSamples); samples != std::rend(gridSamples); ++samples) {
+            if (*samples > samples_) continue;
+            addCandidates(sampled(*samples));
+            if (measured(sampled(*samples)).rmse > target_) break;
+            collectAdaptive(*samples);
         }
         for (const int samples : gridSamples)
             if (samples > samples_ && 3 * samples <= 2 * reference_.samples) collectAdaptive(samples);
@@ -114,10 +114,10 @@ class Search {
     // From the coarsest on, until one is good enough: finer ones are dearer.
     void collectAdaptive(int samples) {
         if (samples < 3) return;
-        for (const double adaptive : std::views::reverse(gridAdaptive)) {
-            if (adaptive == 0) return;
-            addCandidates(sampled(samples, adaptive));
-            if (isWithin(measured(sampled(samples, adaptive)), target_)) return;
+        for (auto adaptive = std::rbegin(gridAdaptive); adaptive != std::rend(gridAdaptive); ++adaptive) {
+            if (*adaptive == 0) return;
+            addCandidates(sampled(samples, *adaptive));
+            if (isWithin(measured(sampled(samples, *adaptive)), target_)) return;
         }
     }
 

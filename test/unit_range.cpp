@@ -121,16 +121,6 @@ TEST_CASE("range: a camera of very long and very short vectors") {
         camera.focal_length = 1e200;
         camera.film_left = camera.film_bottom = -0.5e200, camera.film_right = camera.film_top = 0.5e200;
     }
-    SECTION("a long look") {  // u = up x -look is as long
-        camera.look *= 1e100;
-        camera.film_bottom *= 1e100, camera.film_top *= 1e100;
-        CHECK(imageSize(camera, edge).width == 1);
-        camera.film_bottom /= 1e100, camera.film_top /= 1e100;
-        camera.up *= 1e100;
-        camera.focal_length = 1;
-        camera.film_left *= 1e-100, camera.film_right *= 1e-100;
-    }
-    if (imageSize(camera, edge).width != edge) return;  // its pixels are others
     CHECK(differingPixels(plain, bytesOf(other, edge), 1) <= 1);
 }
 
