@@ -151,10 +151,12 @@ TEST_CASE("a shape that no ray of the view meets") {
 }
 
 TEST_CASE("nearly outside is in doubt, so nothing is said") {
-    TestScene scene;
     const double root = std::sqrt(2.0);
-    SECTION("touches the left side") { CHECK(sceneAdvice(scene.add(Type::Sphere, {-1 - root, 0, -1})).empty()); }
-    SECTION("is clear of it") { CHECK(sceneAdvice(scene.add(Type::Sphere, {-1 - root - 1e-6, 0, -1})).size() == 1); }
+    for (double radius = 0.1; radius < 3; radius += 0.1) {  // rounding puts some on either side
+        const glm::dvec3 touching(-1 - root * radius, 0, -1), clear = touching - glm::dvec3(1e-6, 0, 0);
+        CHECK(sceneAdvice(TestScene().add(Type::Sphere, touching, glm::dvec3(radius))).empty());
+        CHECK(sceneAdvice(TestScene().add(Type::Sphere, clear, glm::dvec3(radius))).size() == 1);
+    }
 }
 
 TEST_CASE("left is where the picture's left is") {
@@ -211,6 +213,14 @@ TEST_CASE("a light inside of an opaque shape") {
     SECTION("outside, though within the box around") {
         scene.add(Type::Sphere, {0, 0, -5}).add(Type::Cylinder, {0, 0, -5}).add(Type::Cone, {0, 0, -5}).light({0.8, 0.8, -4.5});
         CHECK(adviceOn().empty());
+    }
+    SECTION("on the surface, but for rounding") {
+        scene.add(Type::Sphere, {0, 0, -5});
+        for (int degrees = 0; degrees < 90; ++degrees) {
+            TestScene copy = scene;
+            copy.light({std::cos(degrees * 0.01745), std::sin(degrees * 0.01745), -5});
+            CHECK(sceneAdvice(copy.resize(factor)).empty());
+        }
     }
     SECTION("on the surface") { scene.add(Type::Cube, {0, 0, -5}).light({0, 1, -5}); CHECK(adviceOn().empty()); }
     SECTION("in glass") { scene.add(Type::Cube, {0, 0, -5}, TestScene::glass).light({0, 0, -5}); CHECK(adviceOn().empty()); }
