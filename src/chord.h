@@ -1,51 +1,65 @@
-// The part of a line inside each convex solid: the algebra of shape.cpp, which alone includes this.
+// The part of a line inside each convex solid: the algebra of shape_formulas.h, which alone includes this.
 #pragma once
 
-#include <algorithm>
-
-#include "raytracer/shape.h"
+#include "raytracer/transform.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-inline Real radius(const Vec3& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
+// The part of a line inside a convex solid, in object-space t. A face is a number of T, so that it is chosen as the t are.
+template <class T>
+struct Chord {
+    Truth<T> hit;
+    T entry, exit;  // entry <= exit where hit; exit is meaningful for a line through the inside regardless
+    T entryFace, exitFace;
+};
 
-// Narrows the chord to low <= origin + t * direction <= high, along one axis. Ties keep the face that is there, which
-// the caller has put there because it comes first.
-inline void clip(Chord& chord, Real entry, Real exit, std::uint32_t entryFace, std::uint32_t exitFace) {
-    if (entry > chord.entry) chord.entry = entry, chord.entryFace = entryFace;
-    if (exit < chord.exit) chord.exit = exit, chord.exitFace = exitFace;
+template <class T>
+T radius(const Vec3T<T>& p) {
+    return sqrt(p.x * p.x + p.y * p.y);
 }
 
-inline void clipAxis(Chord& chord, Real origin, Real direction, Real low, Real high, std::uint32_t lowFace, std::uint32_t highFace) {
-    const Real toLow = (low - origin) / direction, toHigh = (high - origin) / direction;
-    if (direction > 0)
-        clip(chord, toLow, toHigh, lowFace, highFace);
-    else
-        clip(chord, toHigh, toLow, highFace, lowFace);
+// Narrows the chord to low <= origin + t * direction <= high, along one axis. Ties keep the face that is there, which
+// the caller has put there because it comes first. A line that does not move along this axis is in or out as a whole
+// (`within`).
+template <class T>
+void clipAxis(Chord<T>& chord, const T& origin, const T& direction, Real low, Real high, Real lowFace, Real highFace,
+              const Truth<T>& within) {
+    const T toLow = (T(low) - origin) / direction, toHigh = (T(high) - origin) / direction;
+    const Truth<T> rising = direction > T(0), still = direction == T(0);
+    const T entry = select(still, T(-infinity), select(rising, toLow, toHigh));
+    const T exit = select(still, T(infinity), select(rising, toHigh, toLow));
+    const Truth<T> later = entry > chord.entry, earlier = exit < chord.exit;
+    chord.entryFace = select(later, select(rising, T(lowFace), T(highFace)), chord.entryFace);
+    chord.entry = select(later, entry, chord.entry);
+    chord.exitFace = select(earlier, select(rising, T(highFace), T(lowFace)), chord.exitFace);
+    chord.exit = select(earlier, exit, chord.exit);
+    chord.hit = chord.hit & (!still | within);
 }
 
 // Solids are closed: an edge or a rim that is met in a single point counts, as its first face, though the roundings of the
 // two faces' t (of a quotient, of a quadratic's root) may have put the exit there before the entry.
-inline void closeChord(Chord& chord) {
-    const Real slack = gamma(16) * std::max(std::abs(chord.entry), std::abs(chord.exit));
-    chord.hit = chord.hit && chord.entry <= chord.exit + slack;
-    if (!chord.hit || chord.entry < chord.exit) return;
-    chord.exit = chord.entry;
-    chord.entryFace = std::min(chord.entryFace, chord.exitFace);
+template <class T>
+void closeChord(Chord<T>& chord) {
+    const T slack = T(gamma(16)) * max(abs(chord.entry), abs(chord.exit));
+    chord.hit = chord.hit & (chord.entry <= chord.exit + slack);
+    const Truth<T> single = chord.hit & !(chord.entry < chord.exit);
+    if (!any(single)) return;
+    chord.exit = select(single, chord.entry, chord.exit);
+    chord.entryFace = select(single, min(chord.entryFace, chord.exitFace), chord.entryFace);
 }
 
 // The chord by a direction whose squared length is not safe, such as a shadow ray's to a light 1e-200 away: by the same
 // one in other units.
 template <class Vec, class ChordFinder>
-Chord inSafeUnits(const Vec& direction, ChordFinder chordOf) {
+Chord<Real> inSafeUnits(const Vec& direction, ChordFinder chordOf) {
     Real largest = 0;
     for (int axis = 0; axis < direction.length(); ++axis) largest = std::max(largest, std::abs(direction[axis]));
     if (!(largest > 0 && largest < infinity)) return {};
     const int exponent = std::ilogb(largest);
     Vec safe;
     for (int axis = 0; axis < direction.length(); ++axis) safe[axis] = std::scalbn(direction[axis], -exponent);
-    Chord chord = chordOf(safe);
+    Chord<Real> chord = chordOf(safe);
     chord.entry = std::scalbn(chord.entry, -exponent);
     chord.exit = std::scalbn(chord.exit, -exponent);
     return chord;
@@ -54,101 +68,130 @@ Chord inSafeUnits(const Vec& direction, ChordFinder chordOf) {
 // |origin + t direction| = 1, by the textbook; with two components, the same for the cylinder. Its discriminant loses digits
 // with the square of the origin's distance, so a distant origin is first moved to the point of closest approach, where
 // nothing cancels (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7).
-template <class Vec>
-Chord unitBallChord(Vec origin, const Vec& direction) {
-    const Real a = glm::dot(direction, direction);
-    if (!isSafeSquare(a)) return inSafeUnits(direction, [&](const Vec& safe) { return unitBallChord(origin, safe); });
-    Real b = glm::dot(origin, direction), c = glm::dot(origin, origin) - 1, shift = 0;
-    if (c > farSquared) {
-        shift = -b / a;
-        origin += shift * direction;
-        b = glm::dot(origin, direction);
-        c = glm::dot(origin, origin) - 1;
+struct UnitBall {
+    template <int n, class T>
+    Chord<T> operator()(glm::vec<n, T, glm::defaultp> origin, const glm::vec<n, T, glm::defaultp>& direction) const {
+        const T a = glm::dot(direction, direction);
+        if (!all(isSafeSquare(a))) return laneByLane<Chord<T>>(ofAnySize<n>, origin, direction);
+        T b = glm::dot(origin, direction), c = glm::dot(origin, origin) - T(1), shift(0);
+        const Truth<T> far = c > T(farSquared);
+        if (any(far)) {
+            shift = select(far, -b / a, shift);
+            origin += shift * direction;
+            b = select(far, glm::dot(origin, direction), b);
+            c = select(far, glm::dot(origin, origin) - T(1), c);
+        }
+        const T discriminant = b * b - a * c;
+        const T root = sqrt(select(discriminant > T(0), discriminant, T(0)));
+        return {discriminant >= T(0), shift + (-b - root) / a, shift + (-b + root) / a, T(0), T(0)};
     }
-    const Real discriminant = b * b - a * c;
-    const Real root = discriminant > 0 ? std::sqrt(discriminant) : 0;
-    return {discriminant >= 0, shift + (-b - root) / a, shift + (-b + root) / a, 0, 0};
-}
 
-inline Chord sphereChord(const ObjectRay& ray) { return unitBallChord(ray.origin, ray.direction); }
-
-inline Chord cylinderChord(const ObjectRay& ray) {
-    const Vec2 origin(ray.origin), direction(ray.direction);
-    Chord chord{true, -infinity, infinity, 0, 0};
-    if (direction != Vec2(0))
-        chord = unitBallChord(origin, direction);
-    else
-        chord.hit = glm::dot(origin, origin) < 1;
-    if (ray.direction.z != 0)
-        clipAxis(chord, ray.origin.z, ray.direction.z, 0, 1, 2, 1);
-    else
-        chord.hit = chord.hit && ray.origin.z > 0 && ray.origin.z < 1;
-    closeChord(chord);
-    return chord;
-}
-
-// x^2 + y^2 - w^2 = 0 with w = 1 - z, the height below the apex: A t^2 + 2 B t + C = 0.
-struct ConeRoots {
-    bool real;       // a point of the line is on the double cone
-    bool steep;      // A < 0: the line runs inside one nappe, then outside, then inside the other
-    Real low, high;  // the roots, low <= high
+    template <int n>
+    static Chord<Real> ofAnySize(const glm::vec<n, Real, glm::defaultp>& origin, const glm::vec<n, Real, glm::defaultp>& direction) {
+        if (isSafeSquare(glm::dot(direction, direction))) return UnitBall()(origin, direction);
+        return inSafeUnits(direction, [&](const auto& safe) { return UnitBall()(origin, safe); });
+    }
 };
 
-inline ConeRoots coneRoots(const Vec3& p, const Vec3& d) {
-    const Real a = d.x * d.x + d.y * d.y - d.z * d.z;
-    const Real b = p.x * d.x + p.y * d.y - p.z * d.z;
-    const Real r = radius(p), c = (r - p.z) * (r + p.z);
+struct SphereChord {
+    template <class T>
+    Chord<T> operator()(const ObjectRayT<T>& ray) const {
+        return UnitBall()(ray.origin, ray.direction);
+    }
+};
+
+struct CylinderChord {
+    template <class T>
+    Chord<T> operator()(const ObjectRayT<T>& ray) const {
+        const Vec2T<T> origin(ray.origin.x, ray.origin.y);
+        Vec2T<T> direction(ray.direction.x, ray.direction.y);
+        // A line along the axis never meets the body.
+        const Truth<T> along = (direction.x == T(0)) & (direction.y == T(0));
+        direction.x = select(along, T(1), direction.x);
+        Chord<T> chord = UnitBall()(origin, direction);
+        if (any(along)) {
+            chord.hit = (chord.hit & !along) | (along & (glm::dot(origin, origin) < T(1)));
+            chord.entry = select(along, T(-infinity), chord.entry);
+            chord.exit = select(along, T(infinity), chord.exit);
+        }
+        clipAxis(chord, ray.origin.z, ray.direction.z, 0, 1, 2, 1, (ray.origin.z > T(0)) & (ray.origin.z < T(1)));
+        closeChord(chord);
+        return chord;
+    }
+};
+
+// x^2 + y^2 - w^2 = 0 with w = 1 - z, the height below the apex: A t^2 + 2 B t + C = 0.
+template <class T>
+struct ConeRoots {
+    Truth<T> real;   // a point of the line is on the double cone
+    Truth<T> steep;  // A < 0: the line runs inside one nappe, then outside, then inside the other
+    T low, high;     // the roots, low <= high
+};
+
+template <class T>
+ConeRoots<T> coneRoots(const Vec3T<T>& p, const Vec3T<T>& d) {
+    const T a = d.x * d.x + d.y * d.y - d.z * d.z;
+    const T b = p.x * d.x + p.y * d.y - p.z * d.z;
+    const T r = radius(p), c = (r - p.z) * (r + p.z);
     // B^2 - A C by Lagrange's identity for this form: products of differences instead of a difference of products.
-    const Vec3 m = glm::cross(p, d);
-    const Real h = std::sqrt(m.x * m.x + m.y * m.y);
-    const Real discriminant = (h - std::abs(m.z)) * (h + std::abs(m.z));
-    const Real root = std::sqrt(std::max(discriminant, Real(0)));
-    const Real q = -(b + std::copysign(root, b));
-    const bool real = discriminant >= 0 || a < 0;  // a steep line always passes the level of the apex, outside
-    if (q == 0) return {real && a != 0, a < 0, 0, 0};
-    const Real first = q / a, second = c / q;  // a == 0: the first is infinite, on the side where the line stays outside
-    return {real, a < 0, std::min(first, second), std::max(first, second)};
+    const Vec3T<T> m = glm::cross(p, d);
+    const T h = sqrt(m.x * m.x + m.y * m.y);
+    const T discriminant = (h - abs(m.z)) * (h + abs(m.z));
+    const T root = sqrt(max(discriminant, T(0)));
+    const T q = -(b + copysign(root, b));
+    const Truth<T> steep = a < T(0);
+    const T first = q / a, second = c / q;  // a == 0: the first is infinite, on the side where the line stays outside
+    const Truth<T> touching = q == T(0);    // both roots are 0
+    // A steep line always passes the level of the apex, outside.
+    const Truth<T> real = ((discriminant >= T(0)) | steep) & (!touching | !(a == T(0)));
+    return {real, steep, select(touching, T(0), min(first, second)),
+            select(touching, T(0), max(first, second))};
 }
 
-inline Chord coneChord(const ObjectRay& ray) {
-    // From the closest approach to the middle of the axis, so that the coefficients are of order 1 (Haines et al.).
-    const Vec3 fromMiddle = ray.origin - Vec3(0, 0, Real(0.5));
-    const Real squared = glm::dot(ray.direction, ray.direction);
-    if (!isSafeSquare(squared))
-        return inSafeUnits(ray.direction, [&](const Vec3& safe) { return coneChord({ray.origin, safe}); });
-    const Real shift = -glm::dot(fromMiddle, ray.direction) / squared;
-    const Vec3 closest = ray.origin + shift * ray.direction;
-    const Vec3 p(closest.x, closest.y, 1 - closest.z), d(ray.direction.x, ray.direction.y, -ray.direction.z);
+struct ConeChord {
+    template <class T>
+    Chord<T> operator()(const ObjectRayT<T>& ray) const {
+        // From the closest approach to the middle of the axis, so that the coefficients are of order 1 (Haines et al.).
+        const Vec3T<T> fromMiddle = ray.origin - Vec3T<T>(T(0), T(0), T(Real(0.5)));
+        const T squared = glm::dot(ray.direction, ray.direction);
+        if (!all(isSafeSquare(squared))) return laneByLane<Chord<T>>(ofAnySize, ray.origin, ray.direction);
+        const T shift = -glm::dot(fromMiddle, ray.direction) / squared;
+        const Vec3T<T> closest = ray.origin + shift * ray.direction;
+        const Vec3T<T> p(closest.x, closest.y, T(1) - closest.z), d(ray.direction.x, ray.direction.y, -ray.direction.z);
 
-    const ConeRoots roots = coneRoots(p, d);
-    Chord chord{roots.real, roots.low, roots.high, 0, 0};
-    if (roots.steep) {  // the part in the nappe below the apex
-        chord.entry = d.z > 0 ? roots.high : -infinity;
-        chord.exit = d.z > 0 ? infinity : roots.low;
+        const ConeRoots<T> roots = coneRoots(p, d);
+        const Truth<T> down = d.z > T(0);
+        Chord<T> chord{roots.real, roots.low, roots.high, T(0), T(0)};
+        // Of a steep line the part in the nappe below the apex.
+        chord.entry = select(roots.steep, select(down, roots.high, T(-infinity)), chord.entry);
+        chord.exit = select(roots.steep, select(down, T(infinity), roots.low), chord.exit);
+        // w = 0 is no face but the apex, which belongs to the body.
+        clipAxis(chord, p.z, d.z, 0, 1, 0, 1, (p.z >= T(0)) & (p.z < T(1)));
+        closeChord(chord);
+        chord.entry += shift;
+        chord.exit += shift;
+        return chord;
     }
-    if (d.z != 0)  // w = 0 is no face but the apex, which belongs to the body
-        clipAxis(chord, p.z, d.z, 0, 1, 0, 1);
-    else
-        chord.hit = chord.hit && p.z >= 0 && p.z < 1;
-    closeChord(chord);
-    chord.entry += shift;
-    chord.exit += shift;
-    return chord;
-}
 
-inline Chord cubeChord(const ObjectRay& ray) {
-    Chord chord{true, -infinity, infinity, 0, 0};
-    for (int axis = 0; axis < 3; ++axis) {
-        const Real origin = ray.origin[axis], direction = ray.direction[axis];
-        const auto highFace = static_cast<std::uint32_t>(2 * axis), lowFace = highFace + 1;
-        if (direction != 0)
-            clipAxis(chord, origin, direction, -1, 1, lowFace, highFace);
-        else
-            chord.hit = chord.hit && std::abs(origin) <= 1;
+    static Chord<Real> ofAnySize(const Vec3& origin, const Vec3& direction) {
+        if (isSafeSquare(glm::dot(direction, direction))) return ConeChord()(ObjectRay{origin, direction});
+        return inSafeUnits(direction, [&](const Vec3& safe) { return ConeChord()(ObjectRay{origin, safe}); });
     }
-    closeChord(chord);
-    return chord;
-}
+};
+
+struct CubeChord {
+    template <class T>
+    Chord<T> operator()(const ObjectRayT<T>& ray) const {
+        Chord<T> chord{Truth<T>(T(0) == T(0)), T(-infinity), T(infinity), T(0), T(0)};
+        for (int axis = 0; axis < 3; ++axis) {
+            const T &origin = ray.origin[axis], &direction = ray.direction[axis];
+            const auto highFace = static_cast<Real>(2 * axis);
+            clipAxis(chord, origin, direction, -1, 1, highFace + 1, highFace, abs(origin) <= T(1));
+        }
+        closeChord(chord);
+        return chord;
+    }
+};
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

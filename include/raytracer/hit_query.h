@@ -12,12 +12,14 @@ namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 // A hit as the traversal carries it.
-struct Hit {
-    Real t = infinity;
+template <class T>
+struct HitT {
+    T t = infinity;
     const Shape* shape = nullptr;  // null: nothing hit
-    std::uint32_t primitive = 0;
+    Primitive<T> primitive{};
     bool entering = false;         // it meets the exterior side: known by the shape's geometry, not by a rounded normal
 };
+using Hit = HitT<Real>;
 
 // The end of a shadow ray: the light, at t = 1. Surfaces that the light itself lies on cast no shadow.
 struct RayEnd {
@@ -50,12 +52,16 @@ class HitQuery {
     // Another hit lies so near to the nearest one that the two might coincide: ask for the first of them.
     bool contended() const { return contended_; }
 
-    void offer(Real t, const Shape& shape, std::uint32_t primitive, bool entering) {
-        if (t <= limit_) consider(Hit{t, &shape, primitive, entering});
+    void offer(bool hit, Real t, const Shape& shape, std::uint32_t primitive, bool entering) {
+        if (hit && t <= limit_) consider(Hit{t, &shape, primitive, entering});
+    }
+    void offerFace(bool hit, Real t, const Shape& shape, Real face, bool entering) {
+        offer(hit, t, shape, static_cast<std::uint32_t>(face), entering);
     }
 
     // Intersection tests made, for --stats.
     std::uint64_t tests = 0;
+    void count() { ++tests; }
 
   private:
     void consider(const Hit& hit);

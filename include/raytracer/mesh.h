@@ -13,15 +13,37 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
+// Which object axis is which for the watertight test: z has the largest component of the direction; x and y are in the
+// order that keeps the winding.
+struct ShearAxes {
+    int x, y, z;
+    bool operator==(const ShearAxes&) const = default;
+};
+ShearAxes shearAxes(const Vec3& direction);
+
 // The ray's part of the watertight test (Woop, Benthin and Wald, JCGT 2013): the axes permuted and sheared so that the
 // ray becomes the z axis.
-struct ShearedRay {
-    explicit ShearedRay(const ObjectRay& ray);
+template <class T>
+struct ShearedRayT {
+    ShearedRayT(const ObjectRayT<T>& ray, const ShearAxes& axes);
 
-    Vec3 origin;
-    int x, y, z;  // which object axis is which; z has the largest component of the direction
-    Real shearX, shearY, scaleZ;
+    Vec3T<T> origin;
+    ShearAxes axes;
+    T shearX, shearY, scaleZ;
 };
+
+// Where the line meets the triangle: t, and the weights of its corners. Exact about the inside: of the triangles around an
+// edge or a vertex of a closed mesh that the line passes through, it meets as many as if it passed by an
+// infinitesimal to the side.
+template <class T>
+struct LineHit {
+    Truth<T> hit;
+    Truth<T> entering;  // it comes from where the corners are counter-clockwise
+    T t;
+    T weight[3];
+};
+template <class T>
+LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3>& corner);
 
 // The geometry that shapes with the same OBJ file share.
 class TriangleMesh {
@@ -29,19 +51,10 @@ class TriangleMesh {
     explicit TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options = {});
 
     std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(data_->triangleCount()); }
-    std::array<Vec3, 3> corners(std::uint32_t triangle) const;
+    // The corners of a triangle, or of each ray's own.
+    template <class T>
+    std::array<Vec3T<T>, 3> corners(const Primitive<T>& triangle) const;
     std::array<Vec2, 3> texCoords(std::uint32_t triangle) const;
-
-    // Where the line meets the triangle: t, and the weights of its corners. Exact about the inside: of the triangles around an
-    // edge or a vertex of a closed mesh that the line passes through, it meets as many as if it passed by an
-    // infinitesimal to the side.
-    struct LineHit {
-        bool hit = false;
-        bool entering = false;  // it comes from where the corners are counter-clockwise
-        Real t = 0;
-        Real weight[3] = {0, 0, 0};
-    };
-    LineHit intersectLine(const ShearedRay& ray, std::uint32_t triangle) const;
 
     const Bvh& bvh() const { return bvh_; }  // empty where all triangles are to be tried
 
@@ -68,7 +81,7 @@ class Mesh final : public Shape {
   public:
     Mesh(const Transform& transform, const Material& material, std::uint32_t index,
          std::shared_ptr<const TriangleMesh> triangles)
-        : Shape(transform, material, index), triangles_(std::move(triangles)) {}
+        : Shape(ShapeKind::Mesh, transform, material, index), triangles_(std::move(triangles)) {}
 
     void intersect(const Ray& ray, HitQuery& query) const override;
     Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
@@ -76,17 +89,27 @@ class Mesh final : public Shape {
 
     bool bounds(FloatBox& box) const override;
 
-  private:
+    // Offers the hits of these triangles.
+    template <class T>
     struct MeshRay {
-        const Ray& world;
-        ObjectRay object;
-        Real reach;  // the largest coordinate of its origin and of the mesh, in object space: what roundings go by
+        const RayT<T>& world;
+        ShearedRayT<T> sheared;
     };
+    template <class T, class Query>
+    void meetTriangles(const MeshRay<T>& ray, std::span<const std::uint32_t> triangles, Query& query) const;
+    template <class T>
+    IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit, const ShearAxes& axes) const;
 
-    void intersectAll(const MeshRay& ray, HitQuery& query) const;
-    void intersectTriangle(const MeshRay& ray, const ShearedRay& sheared, std::uint32_t triangle, HitQuery& query) const;
-    ObjectRay toObject(const Ray& ray) const;
-    Vec3 normalObject(std::uint32_t triangle) const;  // by the cross product, not of unit length
+    // The ray in object space, made ready for the test: one that leaves this mesh starts a little off its triangle.
+    template <class T>
+    ObjectRayT<T> toObject(const RayT<T>& ray) const;
+    // How far off a computed hit may be in object space: what BvhRay::slack is.
+    Real slackFrom(Real farthestOrigin) const;
+
+    const TriangleMesh& triangles() const { return *triangles_; }
+
+  private:
+    void intersectAll(const MeshRay<Real>& ray, HitQuery& query) const;
 
     std::shared_ptr<const TriangleMesh> triangles_;
 };

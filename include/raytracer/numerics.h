@@ -4,8 +4,10 @@
 // None is a length, so none prefers a unit of length.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -41,21 +43,83 @@ inline constexpr Real farSquared = [] {
     return squared;
 }();
 
-inline Vec3 abs(const Vec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-inline Real maxComponent(const Vec3& v) { return std::max(v.x, std::max(v.y, v.z)); }
+// The words in which a formula is written once for one ray and for several (lanes.h has them for Lanes): comparisons of T
+// give a Truth<T>, a choice is a select, and a branch is taken where any of the rays asks for it.
+template <class T>
+using Truth = decltype(std::declval<T>() < std::declval<T>());
+inline bool any(bool truth) { return truth; }
+inline bool all(bool truth) { return truth; }
+inline Real select(bool truth, Real yes, Real no) { return truth ? yes : no; }
+inline Real sqrt(Real x) { return std::sqrt(x); }
+inline Real abs(Real x) { return std::abs(x); }
+inline Real copysign(Real magnitude, Real sign) { return std::copysign(magnitude, sign); }
+inline Real max(Real a, Real b) { return std::max(a, b); }
+inline Real min(Real a, Real b) { return std::min(a, b); }
+
+inline Real laneOf(Real x, int) { return x; }
+template <class V>
+void setLane(V& to, int, const V& value) {
+    to = value;
+}
+
+// function(arguments), each ray's by itself: for what is rare, or has no form for several.
+template <class Result>
+struct LaneByLane {
+    template <class Function, class... Arguments>
+    static Result call(Function function, const Arguments&... arguments) {
+        return function(arguments...);
+    }
+};
+template <class Result, class Function, class... Arguments>
+Result laneByLane(Function function, const Arguments&... arguments) {
+    return LaneByLane<Result>::call(function, arguments...);
+}
+
+template <class T>
+Vec3T<T> select(const Truth<T>& truth, const Vec3T<T>& yes, const Vec3T<T>& no) {
+    return {select(truth, yes.x, no.x), select(truth, yes.y, no.y), select(truth, yes.z, no.z)};
+}
+template <class T>
+Vec3T<T> abs(const Vec3T<T>& v) {
+    return {abs(v.x), abs(v.y), abs(v.z)};
+}
+template <class T>
+T maxComponent(const Vec3T<T>& v) {
+    return max(v.x, max(v.y, v.z));
+}
 inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 inline Mat3 abs(const Mat3& m) { return Mat3(abs(m[0]), abs(m[1]), abs(m[2])); }
 
+// m v; and v m, the transposed matrix's product.
+template <class T>
+Vec3T<T> product(const Mat3& m, const Vec3T<T>& v) {
+    return {m[0].x * v.x + m[1].x * v.y + m[2].x * v.z, m[0].y * v.x + m[1].y * v.y + m[2].y * v.z,
+            m[0].z * v.x + m[1].z * v.y + m[2].z * v.z};
+}
+template <class T>
+Vec3T<T> product(const Vec3T<T>& v, const Mat3& m) {
+    return {m[0].x * v.x + m[0].y * v.y + m[0].z * v.z, m[1].x * v.x + m[1].y * v.y + m[1].z * v.z,
+            m[2].x * v.x + m[2].y * v.y + m[2].z * v.z};
+}
+
 // Whether a sum of squares has lost no digits by under- or overflow, nor will products of it.
-inline bool isSafeSquare(Real squared) {
+template <class T>
+Truth<T> isSafeSquare(const T& squared) {
     constexpr Real small = std::numeric_limits<Real>::min() / (unitRoundoff * unitRoundoff);
-    return squared > small && squared < 1 / small;
+    return (squared > T(small)) & (squared < T(1 / small));
 }
 
 // v / |v|, at any magnitude: where the squared length is not safe, v is first brought to the order of 1 by a power of two.
 // The zero vector stays zero.
-inline Vec3 normalized(const Vec3& v) {
+Vec3 normalizedOfAnySize(const Vec3& v);
+template <class T>
+Vec3T<T> normalized(const Vec3T<T>& v) {
+    const T squared = glm::dot(v, v);
+    if (all(isSafeSquare(squared))) return v * (1 / sqrt(squared));
+    return laneByLane<Vec3T<T>>([](const Vec3& one) { return normalizedOfAnySize(one); }, v);
+}
+inline Vec3 normalizedOfAnySize(const Vec3& v) {
     const Real squared = glm::dot(v, v);
     if (isSafeSquare(squared)) return v * (1 / std::sqrt(squared));
     const Real largest = maxComponent(abs(v));
@@ -66,10 +130,12 @@ inline Vec3 normalized(const Vec3& v) {
 }
 
 // x^n for x in [0, 1]. Integers by repeated squaring, the same bits on every machine (libm's pow is not), others by pow.
-inline Real power(Real x, Real n) {
+template <class T>
+T power(T x, Real n) {
     constexpr Real largestCounted = 16777216;  // 2^24: every such integer is exact in every Real
-    if (n != std::floor(n) || n > largestCounted) return std::pow(x, n);
-    Real result = 1;
+    if (n != std::floor(n) || n > largestCounted)
+        return laneByLane<T>([n](Real one) { return std::pow(one, n); }, x);
+    T result(1);
     for (auto bits = static_cast<unsigned>(n); bits != 0; bits >>= 1) {
         if (bits & 1u) result *= x;
         x *= x;

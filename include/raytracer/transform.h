@@ -9,10 +9,12 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 // A ray in object space. Its direction is scaled by a power of two so that its largest component is of order 1 even
 // where the transform's scale is 1e100: world t = object t * Transform::worldPerObjectT().
-struct ObjectRay {
-    Vec3 origin{0};
-    Vec3 direction{0};
+template <class T>
+struct ObjectRayT {
+    Vec3T<T> origin{0};
+    Vec3T<T> direction{0};
 };
+using ObjectRay = ObjectRayT<Real>;
 
 // x_world = linear * x_object + translation. Invertible.
 class Transform {
@@ -22,28 +24,37 @@ class Transform {
     // Throws std::domain_error where the linear part is singular.
     explicit Transform(const Affine& worldFromObject);
 
-    ObjectRay toObject(const Ray& ray) const {
-        return {inverse_ * (ray.origin - translation_) * inverseScale_, inverse_ * ray.direction};
+    template <class T>
+    ObjectRayT<T> toObject(const RayT<T>& ray) const {
+        return {pointToObject(ray.origin), product(inverse_, ray.direction)};
     }
-    Vec3 pointToObject(const Vec3& world) const { return inverse_ * (world - translation_) * inverseScale_; }
+    template <class T>
+    Vec3T<T> pointToObject(const Vec3T<T>& world) const {
+        return product(inverse_, world - Vec3T<T>(translation_)) * T(inverseScale_);
+    }
     Real worldPerObjectT() const { return worldPerObjectT_; }
     Real objectPerWorldT() const { return inverseScale_; }
 
-    Vec3 pointToWorld(const Vec3& object) const { return linear_ * object + translation_; }
+    template <class T>
+    Vec3T<T> pointToWorld(const Vec3T<T>& object) const {
+        return product(linear_, object) + Vec3T<T>(translation_);
+    }
 
     // A bound, for each axis in world units, on how far pointToWorld(p) is from the true image of a point p that lies
     // on its surface to within a few roundings of its own coordinates: the matrix product, its rounded entries and the
     // roundings of p (gamma_8), the sum and the rounded translation (gamma_2).
-    Vec3 pointError(const Vec3& object) const {
-        return gamma(8) * (abs(linear_) * abs(object)) + gamma(2) * abs(translation_);
+    template <class T>
+    Vec3T<T> pointError(const Vec3T<T>& object) const {
+        return T(gamma(8)) * product(abs(linear_), abs(object)) + Vec3T<T>(gamma(2) * abs(translation_));
     }
 
     // A bound, for each axis in object units, on the error of pointToObject(world) when `world` is uncertain by
     // worldError: the roundings of difference and product (gamma_5) and this transform's own rounded numbers (gamma_2).
-    Vec3 objectError(const Vec3& world, const Vec3& worldError) const {
-        const Vec3 uncertain =
-            worldError + gamma(5) * abs(world - translation_) + gamma(2) * abs(translation_);
-        return abs(inverse_) * uncertain * inverseScale_;
+    template <class T>
+    Vec3T<T> objectError(const Vec3T<T>& world, const Vec3T<T>& worldError) const {
+        const Vec3T<T> uncertain = worldError + T(gamma(5)) * abs(world - Vec3T<T>(translation_)) +
+                                   Vec3T<T>(gamma(2) * abs(translation_));
+        return product(abs(inverse_), uncertain) * T(inverseScale_);
     }
 
     // How much larger, at most, an error can become on the way to object space and back: the largest sum of a row of
@@ -51,7 +62,10 @@ class Transform {
     Real conditioning() const;
 
     // The world direction of a surface normal: inverse transpose, not of unit length, the sign kept under mirroring.
-    Vec3 normalToWorld(const Vec3& object) const { return glm::transpose(inverse_) * object; }
+    template <class T>
+    Vec3T<T> normalToWorld(const Vec3T<T>& object) const {
+        return product(object, inverse_);
+    }
 
     const Mat3& linear() const { return linear_; }
     const Vec3& translation() const { return translation_; }

@@ -24,8 +24,15 @@ namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 using Real = RAYTRACER_REAL;
-using Vec2 = glm::vec<2, Real, glm::defaultp>;
-using Vec3 = glm::vec<3, Real, glm::defaultp>;
+
+// T is Real, or Lanes (lanes.h): the same numbers of several rays, side by side.
+template <class T>
+using Vec2T = glm::vec<2, T, glm::defaultp>;
+template <class T>
+using Vec3T = glm::vec<3, T, glm::defaultp>;
+
+using Vec2 = Vec2T<Real>;
+using Vec3 = Vec3T<Real>;
 using Mat3 = glm::mat<3, 3, Real, glm::defaultp>;  // columns
 using Color = Vec3;                                // linear RGB, not clamped
 
