@@ -34,7 +34,7 @@ void clipAxis(Chord<T>& chord, const T& origin, const T& direction, Real low, Re
     chord.entry = select(later, entry, chord.entry);
     chord.exitFace = select(earlier, select(rising, T(highFace), T(lowFace)), chord.exitFace);
     chord.exit = select(earlier, exit, chord.exit);
-    chord.hit = chord.hit & (!still | within);
+    chord.hit = chord.hit & ((!still) | within);
 }
 
 // Solids are closed: an edge or a rim that is met in a single point counts, as its first face, though the roundings of the
@@ -143,7 +143,7 @@ ConeRoots<T> coneRoots(const Vec3T<T>& p, const Vec3T<T>& d) {
     const T first = q / a, second = c / q;  // a == 0: the first is infinite, on the side where the line stays outside
     const Truth<T> touching = q == T(0);    // both roots are 0
     // A steep line always passes the level of the apex, outside.
-    const Truth<T> real = ((discriminant >= T(0)) | steep) & (!touching | !(a == T(0)));
+    const Truth<T> real = ((discriminant >= T(0)) | steep) & ((!touching) | !(a == T(0)));
     return {real, steep, select(touching, T(0), min(first, second)),
             select(touching, T(0), max(first, second))};
 }

@@ -7,13 +7,9 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-namespace {
-
 bool isListedBefore(const Hit& a, const Hit& b) {
     return std::tuple(a.shape->index(), a.primitive) < std::tuple(b.shape->index(), b.primitive);
 }
-
-}  // namespace
 
 void HitQuery::consider(const Hit& hit) {
     if (point_) return considerCoincident(hit);

@@ -39,7 +39,7 @@ LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3
     const Truth<T> edge = result.hit & ((u == T(0)) | (v == T(0)) | (w == T(0)));
     if (any(edge)) {
         const auto within = [](const Vec3& cornersX, const Vec3& cornersY) { return Real(isWithin(cornersX, cornersY)); };
-        result.hit = result.hit & (!edge | (laneByLane<T>(within, x, y) > T(0)));
+        result.hit = result.hit & ((!edge) | (laneByLane<T>(within, x, y) > T(0)));
     }
     const T sum = u + v + w;
     result.hit = result.hit & !(sum == T(0));

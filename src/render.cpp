@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "raytracer/scene.h"
+#include "raytracer/packet_tracer.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -46,7 +46,30 @@ PixelRectangle tileOf(const PixelRectangle& crop, int index) {
     return {x0, y0, std::min(x0 + tileEdge, crop.x1), std::min(y0 + tileEdge, crop.y1)};
 }
 
+// The pixels of a tile by the packets of their centres.
+void renderCenters(const Scene& scene, const PixelRectangle& tile, RenderContext& context, PixelSink& sink) {
+    glm::dvec3 rows[packetHeight][tileEdge];
+    for (int top = tile.y0; top < tile.y1; top += packetHeight) {
+        const int height = std::min(packetHeight, tile.y1 - top);
+        for (int left = tile.x0; left < tile.x1; left += packetWidth) {
+            const int width = std::min(packetWidth, tile.x1 - left);
+            Vec2 points[packetWidth * packetHeight];
+            PointColor colors[packetWidth * packetHeight];
+            const int count = width * height;
+            for (int i = 0; i < count; ++i)
+                points[i] = Vec2(static_cast<Real>(left + i % width), static_cast<Real>(top + i / width)) + Real(0.5);
+            scene.pointColors({points, static_cast<std::size_t>(count)}, {colors, static_cast<std::size_t>(count)}, context);
+            for (int i = 0; i < count; ++i) {
+                rows[i / width][left - tile.x0 + i % width] = glm::dvec3(colors[i].color);
+                context.counts.cutoffBound = std::max(context.counts.cutoffBound, colors[i].dropped);
+            }
+        }
+        for (int y = 0; y < height; ++y) sink.write(tile.x0, top + y, {rows[y], static_cast<std::size_t>(tile.width())});
+    }
+}
+
 void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& context, PixelSink& sink) {
+    if (context.options->samples == 1) return renderCenters(scene, tile, context, sink);
     glm::dvec3 row[tileEdge];
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x)
@@ -55,11 +78,11 @@ void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& c
     }
 }
 
-// Whether no channel of the four colours, as a picture shows them, differs by more than `tolerance`.
-bool agree(const Color (&color)[4], Real tolerance) {
+// Whether no channel of the colours, as a picture shows them, differs by more than `tolerance`.
+bool agree(std::span<const PointColor> colors, Real tolerance) {
     Color low(1), high(0);
-    for (const Color& c : color) {
-        const Color shown = glm::clamp(c, Real(0), Real(1));
+    for (const PointColor& c : colors) {
+        const Color shown = glm::clamp(c.color, Real(0), Real(1));
         low = glm::min(low, shown);
         high = glm::max(high, shown);
     }
@@ -94,9 +117,9 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, int jobs
 
 }  // namespace
 
-Color Scene::pointColor(Real x, Real y, RenderContext& context) const {
+Color Scene::pointColor(const Vec2& point, RenderContext& context) const {
     const RenderOptions& options = *context.options;
-    const Ray ray = camera.getRay(camera.getPixelUV(x, y, options.size.width, options.size.height));
+    const Ray ray = camera.getRay(camera.getPixelUV(point.x, point.y, options.size.width, options.size.height));
     ++context.counts.primary;
     if (options.pass == Pass::Color) return rayColor(ray, {Color(1), options.max_recursion}, context);
     const Intersection hit = closestIntersection(ray, context);
@@ -104,32 +127,53 @@ Color Scene::pointColor(Real x, Real y, RenderContext& context) const {
     return hit.valid ? (hit.normal + Real(1)) / Real(2) : Color(Real(54) / 255);
 }
 
+void Scene::pointColors(std::span<const Vec2> points, std::span<PointColor> colors, RenderContext& context) const {
+    const TracePackets tracePackets = packetTracer();
+    if (usesPackets_ && tracePackets && context.options->pass == Pass::Color)
+        return tracePackets(*this, points, colors, context);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        context.dropped = 0;
+        colors[i].color = pointColor(points[i], context);
+        colors[i].dropped = context.dropped;
+    }
+}
+
 Color Scene::pixelColor(int x, int y, RenderContext& context) const {
     const int n = context.options->samples;
-    const auto sample = [&](int i, int j) {
+    std::vector<Vec2> points;
+    const auto add = [&](int i, int j) {
         const Real cell = 1 / static_cast<Real>(n);
-        return pointColor(static_cast<Real>(x) + (static_cast<Real>(i) + Real(0.5)) * cell,
-                          static_cast<Real>(y) + (static_cast<Real>(j) + Real(0.5)) * cell, context);
+        points.emplace_back(static_cast<Real>(x) + (static_cast<Real>(i) + Real(0.5)) * cell,
+                            static_cast<Real>(y) + (static_cast<Real>(j) + Real(0.5)) * cell);
     };
-    context.dropped = 0;
     Color color(0);
+    double dropped = 0;
+    std::vector<PointColor> colors;
+    const auto take = [&] {
+        colors.resize(points.size());
+        pointColors(points, colors, context);
+        for (const PointColor& c : colors) color += c.color, dropped += c.dropped;
+        points.clear();
+    };
     int taken = 1;
     if (n == 1) {
-        color = sample(0, 0);
+        add(0, 0);
+        take();
     } else {
         // The corners first: where they agree to within `adaptive` they stand for the whole grid.
-        const Color corner[4] = {sample(0, 0), sample(n - 1, 0), sample(0, n - 1), sample(n - 1, n - 1)};
-        color = corner[0] + corner[1] + corner[2] + corner[3];
+        add(0, 0), add(n - 1, 0), add(0, n - 1), add(n - 1, n - 1);
+        take();
         taken = 4;
-        if (n > 2 && !agree(corner, static_cast<Real>(context.options->adaptive))) {
+        if (n > 2 && !agree(colors, static_cast<Real>(context.options->adaptive))) {
             for (int j = 0; j < n; ++j)
                 for (int i = 0; i < n; ++i)
-                    if ((i != 0 && i != n - 1) || (j != 0 && j != n - 1)) color += sample(i, j);
+                    if ((i != 0 && i != n - 1) || (j != 0 && j != n - 1)) add(i, j);
+            take();
             taken = n * n;
         }
         color /= static_cast<Real>(taken);
     }
-    context.counts.cutoffBound = std::max(context.counts.cutoffBound, context.dropped / taken);
+    context.counts.cutoffBound = std::max(context.counts.cutoffBound, dropped / taken);
     return color;
 }
 

@@ -7,6 +7,7 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 void Scene::index(const BuildOptions& options) {
     tree_ = ShapeTree(shapes, options);
+    usesPackets_ = options.accelerator == Accelerator::Bvh;
     hasRefractiveShape_ = std::any_of(shapes.begin(), shapes.end(),
                                       [](const auto& shape) { return shape->material().refractive; });
 }
@@ -16,8 +17,6 @@ void Scene::traverse(const Ray& ray, HitQuery& query, RenderContext& context) co
     context.counts.tests += query.tests;
 }
 
-// The query's nearest hit; where another one is within rounding of it, the first listed of those that go through the
-// same point.
 Hit Scene::closestHit(const Ray& ray, HitQuery& query, RenderContext& context) const {
     traverse(ray, query, context);
     if (!query.found() || !query.contended() || query.done()) return query.nearest();
@@ -35,16 +34,20 @@ Intersection Scene::closestIntersection(const Ray& ray, RenderContext& context) 
 
 Color Scene::rayColor(const Ray& ray, const RayPath& path, RenderContext& context) const {
     if (context.observer) context.observer->enter(ray, path);
-    Color color(0);
-    const Intersection hit = closestIntersection(ray, context);
-    if (hit.valid) {
-        const ShadingPoint point(ray, hit, context.options->bilinear);
-        if (context.observer) context.observer->meet(point);
-        color += lightColor(point, context);
-        if (hit.material->reflective) color += reflectedColor(point, path, context);
-        if (hit.material->refractive) color += refractedColor(point, path, context);
-    }
+    HitQuery query;
+    const Hit hit = closestHit(ray, query, context);
+    const Color color = hit.shape ? hitColor(ray, hit, path, context) : Color(0);
     if (context.observer) context.observer->leave(color);
+    return color;
+}
+
+Color Scene::hitColor(const Ray& ray, const Hit& hit, const RayPath& path, RenderContext& context) const {
+    const Intersection intersection = hit.shape->surfaceAt(ray, hit);
+    const ShadingPoint point(ray, intersection, context.options->bilinear);
+    if (context.observer) context.observer->meet(point);
+    Color color = lightColor(point, context);
+    if (intersection.material->reflective) color += reflectedColor(point, path, context);
+    if (intersection.material->refractive) color += refractedColor(point, path, context);
     return color;
 }
 
@@ -78,10 +81,8 @@ Shadow Scene::castShadow(const ShadingPoint& point, const Vec3& toLight, const L
 Color Scene::reflectedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const {
     const Material& material = *point.hit->material;
     const RayPath onwards{path.weight * material.color_reflect, path.max_recursion - 1, RayKind::Reflection};
-    if (const NotCast reason = whyNotReflected(material, onwards, context); reason != NotCast::Nothing) {
-        if (context.observer) context.observer->notCast(onwards.kind, reason);
-        return Color(0);
-    }
+    if (const NotCast reason = whyNotReflected(material, onwards, context); reason != NotCast::Nothing)
+        return notCast(onwards, reason, context);
     ++context.counts.reflection;
     const Ray reflected = point.leave(reflectedDirection(point), ShadingPoint::Side::Near);
     return material.color_reflect * rayColor(reflected, onwards, context);
@@ -91,37 +92,40 @@ Color Scene::refractedColor(const ShadingPoint& point, const RayPath& path, Rend
     if (!context.options->refraction) return Color(0);
     const Material& material = *point.hit->material;
     const RayPath onwards{path.weight * material.color_refract, path.max_recursion - 1, RayKind::Refraction};
+    NotCast reason = whyNotRefracted(material, onwards, context);
     Vec3 direction;
-    if (const NotCast reason = whyNotRefracted(point, onwards, direction, context); reason != NotCast::Nothing) {
-        if (context.observer) context.observer->notCast(onwards.kind, reason);
-        return Color(0);
-    }
+    if ((reason == NotCast::Nothing || reason == NotCast::Cutoff) && !refractedDirection(point, direction))
+        reason = NotCast::TotalInternalReflection;
+    if (reason != NotCast::Nothing) return notCast(onwards, reason, context);
     ++context.counts.refraction;
     const Ray refracted = point.leave(direction, ShadingPoint::Side::Far);
     return material.color_refract * rayColor(refracted, onwards, context);
 }
 
-NotCast Scene::whyNotReflected(const Material& material, const RayPath& onwards, RenderContext& context) const {
+Color Scene::notCast(const RayPath& path, NotCast reason, RenderContext& context) const {
+    if (reason == NotCast::Cutoff) context.dropped += mostChange(path, context);
+    if (context.observer) context.observer->notCast(path.kind, reason);
+    return Color(0);
+}
+
+NotCast Scene::whyNotReflected(const Material& material, const RayPath& onwards, const RenderContext& context) const {
     if (onwards.max_recursion < 0) return NotCast::MaxRecursion;
     if (isBlack(material.color_reflect)) return NotCast::Black;
     return isWorthCasting(onwards, context) ? NotCast::Nothing : NotCast::Cutoff;
 }
 
-NotCast Scene::whyNotRefracted(const ShadingPoint& point, const RayPath& onwards, Vec3& direction,
-                               RenderContext& context) const {
+NotCast Scene::whyNotRefracted(const Material& material, const RayPath& onwards, const RenderContext& context) const {
     if (onwards.max_recursion < 0) return NotCast::MaxRecursion;
-    if (isBlack(point.hit->material->color_refract)) return NotCast::Black;
-    if (!refractedDirection(point, direction)) return NotCast::TotalInternalReflection;
+    if (isBlack(material.color_refract)) return NotCast::Black;
     return isWorthCasting(onwards, context) ? NotCast::Nothing : NotCast::Cutoff;
 }
 
-bool Scene::isWorthCasting(const RayPath& path, RenderContext& context) const {
-    if (!context.brightest) return true;
-    const Color most = abs(path.weight) * context.brightest[path.max_recursion];
-    const auto change = static_cast<double>(maxComponent(most));
-    if (change >= context.options->cutoff) return true;
-    context.dropped += change;
-    return false;
+double Scene::mostChange(const RayPath& path, const RenderContext& context) const {
+    return static_cast<double>(maxComponent(abs(path.weight) * context.brightest[path.max_recursion]));
+}
+
+bool Scene::isWorthCasting(const RayPath& path, const RenderContext& context) const {
+    return !context.brightest || mostChange(path, context) >= context.options->cutoff;
 }
 
 std::vector<Color> Scene::brightestColors(int max_recursion) const {

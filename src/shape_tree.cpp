@@ -64,11 +64,12 @@ void ShapeTree::intersect(const Ray& ray, HitQuery& query) const {
         shape->intersect(ray, query);
         if (query.done()) return;
     }
-    if (bvh_.empty()) return;
+    if (!bvh_.empty()) intersectBoxed(ray, query);
+}
 
-    // The roundings of the way to object space and back, as far as they go with the distance from the ray's origin.
-    const Real slack = slackFactor_ * (maxComponent(abs(ray.origin)) + static_cast<Real>(bvh_.frame().extent));
-    BvhCursor cursor(bvh_, {glm::dvec3(ray.origin), glm::dvec3(ray.direction), static_cast<double>(slack)});
+void ShapeTree::intersectBoxed(const Ray& ray, HitQuery& query) const {
+    const auto slack = static_cast<double>(slackFrom(maxComponent(abs(ray.origin))));
+    BvhCursor cursor(bvh_, {glm::dvec3(ray.origin), glm::dvec3(ray.direction), slack});
     if (!cursor.usable()) {
         for (const Shape* shape : boxed_) shape->intersect(ray, query);
         return;

@@ -55,6 +55,12 @@ struct BvhRay {
     double slack = 0;
 };
 
+// Rays together: each starts within a box and has a direction within another, both axis by axis. A single ray is one too.
+struct BvhBeam {
+    glm::dvec3 originLow, originHigh, directionLow, directionHigh;
+    double slack = 0;  // as BvhRay's
+};
+
 // In a tree a node is found by its place in units of this many bytes.
 inline constexpr std::uint32_t bvhUnit = 32;
 
@@ -146,8 +152,10 @@ struct BvhTraversal {
     float ballOrigin[4], ballDirection[4];               // for balls: in the tree's frame
     float ballMargin;                                    // how much larger to make them
 
-    std::uint32_t x, y, z;                               // for triangles: z has the largest component of the direction
+    // For triangles: z has the largest component of the direction; the beam's middle, and half its width (0 for a ray).
+    std::uint32_t x, y, z;
     double shearX, shearY, origin[4], slack;             // in the tree's frame
+    double shearHalf, originHalf;
 
     // The most entries that a tree of the builder's greatest depth can leave.
     static constexpr int stackSize = 7 * 56 + 1;
@@ -157,12 +165,14 @@ struct BvhTraversal {
     std::uint64_t stack[stackSize];                      // distance (its bits, in the upper half) and child
 };
 
-// One ray's way through a tree, from near to far but for the overlap of boxes.
+// The way of a ray, or of a beam of them, through a tree, from near to far but for the overlap of boxes.
 class BvhCursor {
   public:
     BvhCursor(const Bvh& bvh, const BvhRay& ray);
+    BvhCursor(const Bvh& bvh, const BvhBeam& beam);
 
-    // Whether the tree can be used for this ray; if not (its numbers are out of all proportion), every primitive counts.
+    // Whether the tree can be used; if not (its numbers are out of all proportion, or a beam's rays part along some axis),
+    // every primitive counts.
     bool usable() const { return usable_; }
 
     // Moves on to the next primitives that might be hit at t <= limit; false when there are none.
@@ -172,6 +182,8 @@ class BvhCursor {
     std::span<const std::uint32_t> primitives() const { return {state_.found, state_.foundCount}; }
 
   private:
+    void start(const Bvh& bvh);
+
     BvhTraversal state_;
     double tScale_ = 0;  // the ray's t in units of the normalised direction
     bool usable_ = false;

@@ -18,14 +18,16 @@ class Camera {
 
     // Film coordinates of a point of the picture, (0, 0) at its top left, (width, height) at its bottom right; the centre
     // of pixel (x, y) is (x + 1/2, y + 1/2).
-    Vec2 getPixelUV(Real x, Real y, int width, int height) const {
-        return {left_ + (right_ - left_) * x / static_cast<Real>(width),
-                bottom_ + (top_ - bottom_) * (1 - y / static_cast<Real>(height))};
+    template <class T>
+    Vec2T<T> getPixelUV(const T& x, const T& y, int width, int height) const {
+        return {T(left_) + T(right_ - left_) * x / T(static_cast<Real>(width)),
+                T(bottom_) + T(top_ - bottom_) * (T(1) - y / T(static_cast<Real>(height)))};
     }
 
-    Ray getRay(const Vec2& uv) const {
-        const Vec3 onFilm = uv.x * u_ + uv.y * v_;
-        return perspective_ ? Ray{eye_, onFilm + forward_, {}} : Ray{eye_ + onFilm, forward_, {}};
+    template <class T>
+    RayT<T> getRay(const Vec2T<T>& uv) const {
+        const Vec3T<T> onFilm = uv.x * Vec3T<T>(u_) + uv.y * Vec3T<T>(v_), eye(eye_), forward(forward_);
+        return perspective_ ? RayT<T>{eye, onFilm + forward, {}} : RayT<T>{eye + onFilm, forward, {}};
     }
 
     // A ray's direction here is the scene file's divided by 2^directionExponent, in the frame's unit.

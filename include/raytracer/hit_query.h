@@ -21,6 +21,9 @@ struct HitT {
 };
 using Hit = HitT<Real>;
 
+// Whether a's shape stands first in the scene file, or within one shape a's primitive first.
+bool isListedBefore(const Hit& a, const Hit& b);
+
 // The end of a shadow ray: the light, at t = 1. Surfaces that the light itself lies on cast no shadow.
 struct RayEnd {
     Vec3 position{0};
@@ -33,6 +36,9 @@ class HitQuery {
 
     // The nearest hit before t = 1; with `any`, any of them.
     HitQuery(const RayEnd& end, bool any) : limit_(1 - unitRoundoff), end_(&end), any_(any) {}
+
+    // What a packet of rays asks of one of them: hits up to a limit, before an end if there is one.
+    HitQuery(const RayEnd* end, bool any, Real limit) : limit_(limit), end_(end), any_(any) {}
 
     // The first shape in the scene file, and of it the first primitive, that goes through `point` (known to within
     // pointError) and is hit at the t of `nearest`, but for rounding. Starts from `nearest` itself.

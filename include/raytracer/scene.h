@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "raytracer/camera.h"
@@ -29,6 +30,12 @@ struct RayPath {
     RayKind kind = RayKind::Primary;
 };
 
+// The colour of a point of the picture, and RenderContext::dropped for it.
+struct PointColor {
+    Color color{0};
+    double dropped = 0;
+};
+
 class Scene {
   public:
     SceneFrame frame;
@@ -48,9 +55,28 @@ class Scene {
     // K_R I_R + K_T I_T + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L). A miss is black.
     Color rayColor(const Ray& ray, const RayPath& path, RenderContext& context) const;
 
-    // The colour of a point of the picture in pixels, (0, 0) at the top left; and of a pixel, the mean of its samples.
-    Color pointColor(Real x, Real y, RenderContext& context) const;
+    // rayColor where the ray's nearest hit is known.
+    Color hitColor(const Ray& ray, const Hit& hit, const RayPath& path, RenderContext& context) const;
+
+    // The query's nearest hit; where another one is within rounding of it, the first listed of those that go through the
+    // same point.
+    Hit closestHit(const Ray& ray, HitQuery& query, RenderContext& context) const;
+
+    // The colours of points of the picture in pixels, (0, 0) at the top left: each its own, whatever the others are, but
+    // soonest where they lie together.
+    void pointColors(std::span<const Vec2> points, std::span<PointColor> colors, RenderContext& context) const;
+
+    // The mean of a pixel's samples.
     Color pixelColor(int x, int y, RenderContext& context) const;
+
+    // Why the next ray on a path is not cast: for all rays that meet the same material alike.
+    NotCast whyNotReflected(const Material& material, const RayPath& onwards, const RenderContext& context) const;
+    NotCast whyNotRefracted(const Material& material, const RayPath& onwards, const RenderContext& context) const;
+    // The most that a ray on this path can change its sample; only for a cutoff.
+    double mostChange(const RayPath& path, const RenderContext& context) const;
+
+    const ShapeTree& tree() const { return tree_; }
+    bool hasRefractiveShape() const { return hasRefractiveShape_; }
 
     // The most that a ray's colour can be, by the materials' and lights' colours alone: for max_recursion 0, 1, ...
     std::vector<Color> brightestColors(int max_recursion) const;
@@ -64,17 +90,17 @@ class Scene {
 
   private:
     void traverse(const Ray& ray, HitQuery& query, RenderContext& context) const;
-    Hit closestHit(const Ray& ray, HitQuery& query, RenderContext& context) const;
+    Color pointColor(const Vec2& point, RenderContext& context) const;
     Shadow castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const;
     Color lightColor(const ShadingPoint& point, RenderContext& context) const;
     Color reflectedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;
     Color refractedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;
-    NotCast whyNotReflected(const Material& material, const RayPath& onwards, RenderContext& context) const;
-    NotCast whyNotRefracted(const ShadingPoint& point, const RayPath& onwards, Vec3& direction, RenderContext& context) const;
-    bool isWorthCasting(const RayPath& path, RenderContext& context) const;
+    Color notCast(const RayPath& path, NotCast reason, RenderContext& context) const;
+    bool isWorthCasting(const RayPath& path, const RenderContext& context) const;
 
     ShapeTree tree_;
     bool hasRefractiveShape_ = false;
+    bool usesPackets_ = false;
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

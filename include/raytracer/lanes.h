@@ -1,0 +1,284 @@
+// Several Reals side by side, one for each ray of a packet, in the processor's vector registers.
+//
+// Every operation is IEEE's on each lane by itself, so a lane's number has the very bits that Real would have. This file is
+// compiled once for each instruction set, into a namespace of its own; only packet_tracer.cpp includes it.
+#pragma once
+
+#include <bit>
+#include <cstring>
+
+#include "raytracer/ray.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#if defined(RAYTRACER_LANES_avx2)
+#define RAYTRACER_LANES_NAMESPACE lanes_avx2
+#else
+#define RAYTRACER_LANES_NAMESPACE lanes_plain
+#endif
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+inline namespace RAYTRACER_LANES_NAMESPACE {
+
+// Rays in a packet: 4 x 2 pixels (Notes.txt has what other numbers cost).
+inline constexpr int laneCount = 8;
+
+#if defined(RAYTRACER_LANES_avx2)
+inline constexpr int registerBytes = 32;
+#else
+inline constexpr int registerBytes = 16;
+#endif
+inline constexpr int registerLanes = registerBytes / static_cast<int>(sizeof(Real));
+inline constexpr int registerCount = laneCount / registerLanes;
+
+using Register [[gnu::vector_size(registerBytes)]] = Real;
+using RegisterMask = decltype(Register{} < Register{});  // of each lane all bits or none
+
+// The bits of several truths: lane i's is 1 << i.
+using LaneBits = unsigned;
+inline constexpr LaneBits allLanes = (LaneBits{1} << laneCount) - 1;
+
+struct Mask {
+    RegisterMask part[registerCount];
+};
+
+struct Lanes {
+    Register part[registerCount];
+
+    Lanes() = default;
+    Lanes(Real x) {
+        for (Register& p : part) p = x - Register{};
+    }
+};
+
+namespace detail {
+
+inline Register sqrtOf(Register x) {
+#if defined(RAYTRACER_LANES_avx2)
+    if constexpr (sizeof(Real) == 8)
+        return reinterpret_cast<Register>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(x)));
+    else
+        return reinterpret_cast<Register>(_mm256_sqrt_ps(reinterpret_cast<__m256>(x)));
+#elif defined(__x86_64__)
+    if constexpr (sizeof(Real) == 8)
+        return reinterpret_cast<Register>(_mm_sqrt_pd(reinterpret_cast<__m128d>(x)));
+    else
+        return reinterpret_cast<Register>(_mm_sqrt_ps(reinterpret_cast<__m128>(x)));
+#else
+    for (int i = 0; i < registerLanes; ++i) x[i] = std::sqrt(x[i]);
+    return x;
+#endif
+}
+
+inline LaneBits bitsOf(RegisterMask m) {
+#if defined(RAYTRACER_LANES_avx2)
+    if constexpr (sizeof(Real) == 8)
+        return static_cast<LaneBits>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m)));
+    else
+        return static_cast<LaneBits>(_mm256_movemask_ps(reinterpret_cast<__m256>(m)));
+#elif defined(__x86_64__)
+    if constexpr (sizeof(Real) == 8)
+        return static_cast<LaneBits>(_mm_movemask_pd(reinterpret_cast<__m128d>(m)));
+    else
+        return static_cast<LaneBits>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));
+#else
+    LaneBits bits = 0;
+    for (int i = 0; i < registerLanes; ++i) bits |= static_cast<LaneBits>(m[i] != 0) << i;
+    return bits;
+#endif
+}
+
+inline Register choose(RegisterMask m, Register yes, Register no) {
+#if defined(RAYTRACER_LANES_avx2)
+    if constexpr (sizeof(Real) == 8)
+        return reinterpret_cast<Register>(_mm256_blendv_pd(reinterpret_cast<__m256d>(no), reinterpret_cast<__m256d>(yes),
+                                                           reinterpret_cast<__m256d>(m)));
+    else
+        return reinterpret_cast<Register>(_mm256_blendv_ps(reinterpret_cast<__m256>(no), reinterpret_cast<__m256>(yes),
+                                                           reinterpret_cast<__m256>(m)));
+#else
+    return reinterpret_cast<Register>((reinterpret_cast<RegisterMask>(yes) & m) |
+                                      (reinterpret_cast<RegisterMask>(no) & ~m));
+#endif
+}
+
+// The smaller of two, the second where they are equal or one is NaN; and the larger.
+inline Register smaller(Register x, Register y) {
+#if defined(RAYTRACER_LANES_avx2)
+    if constexpr (sizeof(Real) == 8)
+        return reinterpret_cast<Register>(_mm256_min_pd(reinterpret_cast<__m256d>(x), reinterpret_cast<__m256d>(y)));
+    else
+        return reinterpret_cast<Register>(_mm256_min_ps(reinterpret_cast<__m256>(x), reinterpret_cast<__m256>(y)));
+#elif defined(__x86_64__)
+    if constexpr (sizeof(Real) == 8)
+        return reinterpret_cast<Register>(_mm_min_pd(reinterpret_cast<__m128d>(x), reinterpret_cast<__m128d>(y)));
+    else
+        return reinterpret_cast<Register>(_mm_min_ps(reinterpret_cast<__m128>(x), reinterpret_cast<__m128>(y)));
+#else
+    return choose(x < y, x, y);
+#endif
+}
+inline Register larger(Register x, Register y) {
+#if defined(RAYTRACER_LANES_avx2)
+    if constexpr (sizeof(Real) == 8)
+        return reinterpret_cast<Register>(_mm256_max_pd(reinterpret_cast<__m256d>(x), reinterpret_cast<__m256d>(y)));
+    else
+        return reinterpret_cast<Register>(_mm256_max_ps(reinterpret_cast<__m256>(x), reinterpret_cast<__m256>(y)));
+#elif defined(__x86_64__)
+    if constexpr (sizeof(Real) == 8)
+        return reinterpret_cast<Register>(_mm_max_pd(reinterpret_cast<__m128d>(x), reinterpret_cast<__m128d>(y)));
+    else
+        return reinterpret_cast<Register>(_mm_max_ps(reinterpret_cast<__m128>(x), reinterpret_cast<__m128>(y)));
+#else
+    return choose(x > y, x, y);
+#endif
+}
+
+inline RegisterMask signBit() { return reinterpret_cast<RegisterMask>(-Register{}); }
+
+template <class Result, class Operation, class... Arguments>
+inline Result partwise(Operation operation, const Arguments&... arguments) {
+    Result result;
+    for (int i = 0; i < registerCount; ++i) result.part[i] = operation(arguments.part[i]...);
+    return result;
+}
+
+}  // namespace detail
+
+inline Lanes operator+(const Lanes& a, const Lanes& b) {
+    return detail::partwise<Lanes>([](Register x, Register y) { return x + y; }, a, b);
+}
+inline Lanes operator-(const Lanes& a, const Lanes& b) {
+    return detail::partwise<Lanes>([](Register x, Register y) { return x - y; }, a, b);
+}
+inline Lanes operator*(const Lanes& a, const Lanes& b) {
+    return detail::partwise<Lanes>([](Register x, Register y) { return x * y; }, a, b);
+}
+inline Lanes operator/(const Lanes& a, const Lanes& b) {
+    return detail::partwise<Lanes>([](Register x, Register y) { return x / y; }, a, b);
+}
+inline Lanes operator-(const Lanes& a) {
+    return detail::partwise<Lanes>([](Register x) { return -x; }, a);
+}
+inline Lanes& operator+=(Lanes& a, const Lanes& b) { return a = a + b; }
+inline Lanes& operator-=(Lanes& a, const Lanes& b) { return a = a - b; }
+inline Lanes& operator*=(Lanes& a, const Lanes& b) { return a = a * b; }
+inline Lanes& operator/=(Lanes& a, const Lanes& b) { return a = a / b; }
+
+inline Mask operator<(const Lanes& a, const Lanes& b) {
+    return detail::partwise<Mask>([](Register x, Register y) { return x < y; }, a, b);
+}
+inline Mask operator<=(const Lanes& a, const Lanes& b) {
+    return detail::partwise<Mask>([](Register x, Register y) { return x <= y; }, a, b);
+}
+inline Mask operator>(const Lanes& a, const Lanes& b) { return b < a; }
+inline Mask operator>=(const Lanes& a, const Lanes& b) { return b <= a; }
+inline Mask operator==(const Lanes& a, const Lanes& b) {
+    return detail::partwise<Mask>([](Register x, Register y) { return x == y; }, a, b);
+}
+inline Mask operator&(const Mask& a, const Mask& b) {
+    return detail::partwise<Mask>([](RegisterMask x, RegisterMask y) { return x & y; }, a, b);
+}
+inline Mask operator|(const Mask& a, const Mask& b) {
+    return detail::partwise<Mask>([](RegisterMask x, RegisterMask y) { return x | y; }, a, b);
+}
+inline Mask operator!(const Mask& a) {
+    return detail::partwise<Mask>([](RegisterMask x) { return ~x; }, a);
+}
+
+inline LaneBits bits(const Mask& mask) {
+    LaneBits result = 0;
+    for (int i = 0; i < registerCount; ++i) result |= detail::bitsOf(mask.part[i]) << (i * registerLanes);
+    return result;
+}
+inline Mask maskOf(LaneBits bits) {
+    Mask mask;
+    for (int i = 0; i < laneCount; ++i) mask.part[i / registerLanes][i % registerLanes] = bits >> i & 1 ? -1 : 0;
+    return mask;
+}
+inline bool any(const Mask& mask) { return bits(mask) != 0; }
+inline bool all(const Mask& mask) { return bits(mask) == allLanes; }
+
+inline Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
+    return detail::partwise<Lanes>(detail::choose, mask, yes, no);
+}
+inline Mask select(const Mask& mask, const Mask& yes, const Mask& no) { return (mask & yes) | ((!mask) & no); }
+inline Lanes sqrt(const Lanes& x) { return detail::partwise<Lanes>(detail::sqrtOf, x); }
+inline Lanes abs(const Lanes& a) {
+    const auto one = [](Register x) {
+        return reinterpret_cast<Register>(reinterpret_cast<RegisterMask>(x) & ~detail::signBit());
+    };
+    return detail::partwise<Lanes>(one, a);
+}
+inline Lanes copysign(const Lanes& magnitude, const Lanes& sign) {
+    const auto one = [](Register x, Register y) {
+        return reinterpret_cast<Register>((reinterpret_cast<RegisterMask>(x) & ~detail::signBit()) |
+                                          (reinterpret_cast<RegisterMask>(y) & detail::signBit()));
+    };
+    return detail::partwise<Lanes>(one, magnitude, sign);
+}
+// As std::max and std::min have it: the first where they are equal or one is NaN.
+inline Lanes max(const Lanes& a, const Lanes& b) { return detail::partwise<Lanes>(detail::larger, b, a); }
+inline Lanes min(const Lanes& a, const Lanes& b) { return detail::partwise<Lanes>(detail::smaller, b, a); }
+
+inline void setLane(Mask& mask, int lane, bool value) {
+    mask.part[lane / registerLanes][lane % registerLanes] = value ? -1 : 0;
+}
+inline Real laneOf(const Lanes& x, int lane) { return x.part[lane / registerLanes][lane % registerLanes]; }
+inline void setLane(Lanes& x, int lane, Real value) { x.part[lane / registerLanes][lane % registerLanes] = value; }
+template <int n>
+glm::vec<n, Real, glm::defaultp> laneOf(const glm::vec<n, Lanes, glm::defaultp>& v, int lane) {
+    glm::vec<n, Real, glm::defaultp> result;
+    for (int i = 0; i < n; ++i) result[i] = laneOf(v[i], lane);
+    return result;
+}
+template <int n>
+void setLane(glm::vec<n, Lanes, glm::defaultp>& v, int lane, const glm::vec<n, Real, glm::defaultp>& value) {
+    for (int i = 0; i < n; ++i) setLane(v[i], lane, value[i]);
+}
+
+// The number of each ray's face or triangle.
+struct LanePrimitives {
+    std::uint32_t of[laneCount];
+};
+inline Mask equals(const LanePrimitives& a, std::uint32_t b) {
+    LaneBits bits = 0;
+    for (int i = 0; i < laneCount; ++i) bits |= static_cast<LaneBits>(a.of[i] == b) << i;
+    return maskOf(bits);
+}
+template <class Function>
+void forEachLane(const LanePrimitives& primitives, Function function) {
+    for (int i = 0; i < laneCount; ++i) function(i, primitives.of[i]);
+}
+inline std::uint32_t faceOf(const LanePrimitives& primitives) { return primitives.of[0]; }
+
+template <class Result>
+struct OneLaneAfterTheOther {
+    template <class Function, class... Arguments>
+    static Result call(Function function, const Arguments&... arguments) {
+        Result result;
+        for (int i = 0; i < laneCount; ++i) setLane(result, i, function(laneOf(arguments, i)...));
+        return result;
+    }
+};
+
+}  // namespace RAYTRACER_LANES_NAMESPACE
+
+template <>
+struct PrimitiveOf<Lanes> {
+    using type = LanePrimitives;
+};
+template <>
+struct LaneByLane<Lanes> : OneLaneAfterTheOther<Lanes> {};
+template <int n>
+struct LaneByLane<glm::vec<n, Lanes, glm::defaultp>> : OneLaneAfterTheOther<glm::vec<n, Lanes, glm::defaultp>> {};
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer
+
+// A Lanes is a number to GLM.
+template <>
+class std::numeric_limits<raytracer::Lanes> : public std::numeric_limits<raytracer::Real> {};

@@ -1,0 +1,319 @@
+// Packets (packet_tracer.h). Compiled once for each instruction set, into a namespace of its own; nothing but templates on
+// Lanes may be compiled here that another file might share, or it would run where the instruction set is not.
+#include "raytracer/packet_tracer.h"
+
+#include "mesh_formulas.h"
+#include "packet_query.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+template <>
+struct LaneByLane<Chord<Lanes>> : OneLaneAfterTheOther<Chord<Lanes>> {};
+
+inline namespace RAYTRACER_LANES_NAMESPACE {
+
+inline void setLane(Chord<Lanes>& to, int lane, const Chord<Real>& chord) {
+    setLane(to.hit, lane, chord.hit);
+    setLane(to.entry, lane, chord.entry);
+    setLane(to.exit, lane, chord.exit);
+    setLane(to.entryFace, lane, chord.entryFace);
+    setLane(to.exitFace, lane, chord.exitFace);
+}
+
+namespace {
+
+using RayLanes = RayT<Lanes>;
+using Vec3Lanes = Vec3T<Lanes>;
+using ColorLanes = ColorT<Lanes>;
+
+// Fewer rays than this are sooner traced one at a time.
+constexpr int leastRays = 3;
+
+// Rays whose directions differ by more than this share of their length meet too much that only one of them meets.
+constexpr double widestBeam = 0.25;
+
+Ray laneOf(const RayLanes& ray, int lane) {
+    const DepartureT<Lanes>& departure = ray.departure;
+    return {laneOf(ray.origin, lane), laneOf(ray.direction, lane),
+            {departure.shape, departure.primitive.of[lane], departure.inside, laneOf(departure.positionError, lane)}};
+}
+
+// Lanes that are not in use hold one that is, so that nothing out of the ordinary happens in them.
+Vec3Lanes filled(const Vec3Lanes& v, LaneBits used) {
+    return select<Lanes>(maskOf(used), v, Vec3Lanes(laneOf(v, std::countr_zero(used))));
+}
+RayLanes filled(const RayLanes& ray, LaneBits used) {
+    if (used == allLanes) return ray;
+    RayLanes result{filled(ray.origin, used), filled(ray.direction, used), ray.departure};
+    result.departure.positionError = filled(ray.departure.positionError, used);
+    for (int lane = 0; lane < laneCount; ++lane)
+        if (!(used >> lane & 1)) result.departure.primitive.of[lane] = ray.departure.primitive.of[std::countr_zero(used)];
+    return result;
+}
+
+Real least(const Lanes& x) {
+    Real result = laneOf(x, 0);
+    for (int lane = 1; lane < laneCount; ++lane) result = std::min(result, laneOf(x, lane));
+    return result;
+}
+glm::dvec3 least(const Vec3Lanes& v) {
+    return {static_cast<double>(least(v.x)), static_cast<double>(least(v.y)), static_cast<double>(least(v.z))};
+}
+
+struct Beam {
+    BvhBeam bvh;
+    bool narrow;
+};
+Beam beamOf(const Vec3Lanes& origin, const Vec3Lanes& direction) {
+    Beam beam{{least(origin), -least(-origin), least(direction), -least(-direction)}, false};
+    double widest = 0, longest = 0;
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        const double low = beam.bvh.directionLow[axis], high = beam.bvh.directionHigh[axis];
+        widest = std::max(widest, high - low);
+        longest = std::max(longest, std::max(-low, high));
+    }
+    beam.narrow = widest <= widestBeam * longest;
+    return beam;
+}
+
+double farthest(const BvhBeam& beam) {
+    double result = 0;
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        result = std::max(result, std::max(-beam.originLow[axis], beam.originHigh[axis]));
+    return result;
+}
+
+class PacketTracer {
+  public:
+    PacketTracer(const Scene& scene, RenderContext& context) : scene_(&scene), context_(&context) {}
+
+    ColorLanes rayColor(const RayLanes& ray, LaneBits asked, const RayPath& path);
+
+    double dropped[laneCount] = {};
+
+  private:
+    void closestHits(const RayLanes& ray, PacketQuery& query);
+    void traverse(const RayLanes& ray, PacketQuery& query);
+    void meet(const Shape& shape, const RayLanes& ray, PacketQuery& query);
+    void meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query);
+
+    ColorLanes hitColor(const RayLanes& ray, const PacketQuery& query, LaneBits alike, const RayPath& path);
+    ColorLanes oneByOne(const RayLanes& ray, const PacketQuery& query, LaneBits lanes, const RayPath& path);
+    ColorLanes lightColor(const ShadingPointT<Lanes>& point, LaneBits lanes);
+    ColorLanes shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight, const Light& light, LaneBits lanes);
+    ColorLanes reflectedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
+    ColorLanes refractedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
+    bool isCast(NotCast reason, LaneBits lanes, const RayPath& onwards);
+
+    const Scene* scene_;
+    RenderContext* context_;
+};
+
+// The axes that every ray's test is made along; false where they differ.
+bool commonAxes(const Vec3Lanes& direction, LaneBits lanes, ShearAxes& axes) {
+    axes = shearAxes(laneOf(direction, std::countr_zero(lanes)));
+    bool common = true;
+    forEach(lanes & (lanes - 1), [&](int lane) { common = common && shearAxes(laneOf(direction, lane)) == axes; });
+    return common;
+}
+
+void PacketTracer::meet(const Shape& shape, const RayLanes& ray, PacketQuery& query) {
+    switch (shape.kind()) {
+        case ShapeKind::Sphere: return static_cast<const Sphere&>(shape).meet(ray, query);
+        case ShapeKind::Plane: return static_cast<const Plane&>(shape).meet(ray, query);
+        case ShapeKind::Cylinder: return static_cast<const Cylinder&>(shape).meet(ray, query);
+        case ShapeKind::Cone: return static_cast<const Cone&>(shape).meet(ray, query);
+        case ShapeKind::Cube: return static_cast<const Cube&>(shape).meet(ray, query);
+        case ShapeKind::Mesh: return meetMesh(static_cast<const Mesh&>(shape), ray, query);
+    }
+}
+
+// Each ray by itself, where they do not stay together.
+template <class Intersect>
+void meetOneByOne(const RayLanes& ray, PacketQuery& query, Intersect intersect) {
+    forEach(query.asked(), [&](int lane) {
+        if (!(laneOf(query.limit(), lane) >= 0)) return;
+        HitQuery one = query.one(lane);
+        intersect(laneOf(ray, lane), one);
+        query.offer(lane, one);
+    });
+}
+
+double most(const Lanes& x) { return -static_cast<double>(least(-x)); }
+
+void PacketTracer::meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query) {
+    const ObjectRayT<Lanes> object = mesh.toObject(ray);
+    Beam beam = beamOf(object.origin, object.direction);
+    ShearAxes axes;
+    const auto alone = [&] { meetOneByOne(ray, query, [&](const Ray& one, HitQuery& q) { mesh.intersect(one, q); }); };
+    const Bvh& bvh = mesh.triangles().bvh();
+    if (bvh.empty() || !beam.narrow || !commonAxes(object.direction, query.asked(), axes)) return alone();
+    beam.bvh.slack = static_cast<double>(mesh.slackFrom(static_cast<Real>(farthest(beam.bvh))));
+    BvhCursor cursor(bvh, beam.bvh);
+    if (!cursor.usable()) return alone();
+    const Mesh::MeshRay<Lanes> meshRay{ray, {object, axes}};
+    const auto perWorld = static_cast<double>(mesh.transform().objectPerWorldT());
+    while (!query.done() && cursor.next(most(query.limit()) * perWorld))
+        mesh.meetTriangles(meshRay, cursor.primitives(), query);
+}
+
+void PacketTracer::traverse(const RayLanes& ray, PacketQuery& query) {
+    const ShapeTree& tree = scene_->tree();
+    for (const Shape* shape : tree.list()) {
+        meet(*shape, ray, query);
+        if (query.done()) return;
+    }
+    if (tree.bvh().empty()) return;
+    Beam beam = beamOf(ray.origin, ray.direction);
+    beam.bvh.slack = static_cast<double>(tree.slackFrom(static_cast<Real>(farthest(beam.bvh))));
+    const auto alone = [&] {
+        meetOneByOne(ray, query, [&](const Ray& one, HitQuery& q) { tree.intersectBoxed(one, q); });
+    };
+    if (!beam.narrow) return alone();
+    BvhCursor cursor(tree.bvh(), beam.bvh);
+    if (!cursor.usable()) return alone();
+    while (!query.done() && cursor.next(most(query.limit())))
+        for (const std::uint32_t name : cursor.primitives()) meet(tree.named(name), ray, query);
+}
+
+void PacketTracer::closestHits(const RayLanes& ray, PacketQuery& query) {
+    traverse(ray, query);
+    context_->counts.tests += query.tests;
+    forEach(query.contended(), [&](int lane) {
+        HitQuery one = query.whole();
+        query.set(lane, scene_->closestHit(laneOf(ray, lane), one, *context_));
+    });
+}
+
+ColorLanes PacketTracer::rayColor(const RayLanes& ray, LaneBits asked, const RayPath& path) {
+    PacketQuery query(asked);
+    closestHits(ray, query);
+    ColorLanes color(0);
+    for (LaneBits left = query.found(); left != 0;) {
+        const LaneBits alike = query.alike(left);
+        left &= ~alike;
+        const bool together = std::popcount(alike) >= leastRays;
+        color = select<Lanes>(maskOf(alike), (together ? hitColor(ray, query, alike, path) : oneByOne(ray, query, alike, path)), color);
+    }
+    return color;
+}
+
+ColorLanes PacketTracer::oneByOne(const RayLanes& ray, const PacketQuery& query, LaneBits lanes, const RayPath& path) {
+    ColorLanes color(0);
+    forEach(lanes, [&](int lane) {
+        context_->dropped = 0;
+        setLane(color, lane, scene_->hitColor(laneOf(ray, lane), query.hit(lane), path, *context_));
+        dropped[lane] += context_->dropped;
+    });
+    return color;
+}
+
+IntersectionT<Lanes> surfaceAt(const RayLanes& ray, const HitT<Lanes>& hit, const ShearAxes& axes) {
+    const Shape& shape = *hit.shape;
+    switch (shape.kind()) {
+        case ShapeKind::Sphere: return static_cast<const Sphere&>(shape).surface(ray, hit);
+        case ShapeKind::Plane: return static_cast<const Plane&>(shape).surface(ray, hit);
+        case ShapeKind::Cylinder: return static_cast<const Cylinder&>(shape).surface(ray, hit);
+        case ShapeKind::Cone: return static_cast<const Cone&>(shape).surface(ray, hit);
+        case ShapeKind::Cube: return static_cast<const Cube&>(shape).surface(ray, hit);
+        case ShapeKind::Mesh: break;
+    }
+    return static_cast<const Mesh&>(shape).surface(ray, hit, axes);
+}
+
+ColorLanes PacketTracer::hitColor(const RayLanes& ray, const PacketQuery& query, LaneBits alike, const RayPath& path) {
+    const RayLanes together = filled(ray, alike);
+    const HitT<Lanes> hit = query.hits(alike);
+    ShearAxes axes{};
+    if (hit.shape->kind() == ShapeKind::Mesh &&
+        !commonAxes(hit.shape->transform().toObject(together).direction, alike, axes))
+        return oneByOne(ray, query, alike, path);
+    const IntersectionT<Lanes> intersection = surfaceAt(together, hit, axes);
+    const ShadingPointT<Lanes> point(together, intersection, context_->options->bilinear);
+    ColorLanes color = lightColor(point, alike);
+    if (intersection.material->reflective) color += reflectedColor(point, alike, path);
+    if (intersection.material->refractive) color += refractedColor(point, alike, path);
+    return color;
+}
+
+ColorLanes PacketTracer::lightColor(const ShadingPointT<Lanes>& point, LaneBits lanes) {
+    ColorLanes color(0);
+    for (const Light& light : scene_->lights) {
+        const DirectLightT<Lanes> direct = directLight(point, light);
+        const ColorLanes lit = direct.lit();
+        const LaneBits asked =
+            context_->options->shadows ? lanes & ~bits((lit.x == 0) & (lit.y == 0) & (lit.z == 0)) : 0;
+        ColorLanes sum = direct.ambient;
+        sum += asked != 0 ? lit * shadow(point, direct.toLight, light, asked) : lit;
+        color += sum;
+    }
+    return color;
+}
+
+// S_L.
+ColorLanes PacketTracer::shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight, const Light& light, LaneBits lanes) {
+    context_->counts.shadow += static_cast<std::uint64_t>(std::popcount(lanes));
+    const RayEnd end{light.position};
+    PacketQuery query(lanes, end, !scene_->hasRefractiveShape());
+    closestHits(point.leave(toLight, ShadingPointT<Lanes>::Side::Near), query);
+    ColorLanes factor = select<Lanes>(maskOf(query.found()), ColorLanes(0), ColorLanes(1));
+    if (scene_->hasRefractiveShape())
+        forEach(query.found(), [&](int lane) {
+            const Material& material = query.hit(lane).shape->material();
+            if (material.refractive) setLane(factor, lane, material.color_refract);
+        });
+    return factor;
+}
+
+bool PacketTracer::isCast(NotCast reason, LaneBits lanes, const RayPath& onwards) {
+    if (reason == NotCast::Cutoff)
+        forEach(lanes, [&](int lane) { dropped[lane] += scene_->mostChange(onwards, *context_); });
+    return reason == NotCast::Nothing;
+}
+
+ColorLanes PacketTracer::reflectedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path) {
+    const Material& material = *point.hit->material;
+    const RayPath onwards{path.weight * material.color_reflect, path.max_recursion - 1, RayKind::Reflection};
+    if (!isCast(scene_->whyNotReflected(material, onwards, *context_), lanes, onwards)) return ColorLanes(0);
+    context_->counts.reflection += static_cast<std::uint64_t>(std::popcount(lanes));
+    const RayLanes reflected = point.leave(reflectedDirection(point), ShadingPointT<Lanes>::Side::Near);
+    return ColorLanes(material.color_reflect) * rayColor(reflected, lanes, onwards);
+}
+
+ColorLanes PacketTracer::refractedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path) {
+    if (!context_->options->refraction) return ColorLanes(0);
+    const Material& material = *point.hit->material;
+    const RayPath onwards{path.weight * material.color_refract, path.max_recursion - 1, RayKind::Refraction};
+    const NotCast reason = scene_->whyNotRefracted(material, onwards, *context_);
+    if (reason == NotCast::MaxRecursion || reason == NotCast::Black) return ColorLanes(0);
+    Vec3Lanes direction;
+    lanes &= bits(refractedDirection(point, direction));
+    if (lanes == 0 || !isCast(reason, lanes, onwards)) return ColorLanes(0);
+    context_->counts.refraction += static_cast<std::uint64_t>(std::popcount(lanes));
+    const RayLanes refracted = filled(point.leave(direction, ShadingPointT<Lanes>::Side::Far), lanes);
+    return select<Lanes>(maskOf(lanes), ColorLanes(material.color_refract) * rayColor(refracted, lanes, onwards), ColorLanes(0));
+}
+
+}  // namespace
+
+void tracePackets(const Scene& scene, std::span<const Vec2> points, std::span<PointColor> colors, RenderContext& context) {
+    const RenderOptions& options = *context.options;
+    for (std::size_t begin = 0; begin < points.size(); begin += laneCount) {
+        const auto count = static_cast<int>(std::min(points.size() - begin, std::size_t{laneCount}));
+        Vec2T<Lanes> place;
+        for (int lane = 0; lane < laneCount; ++lane)
+            setLane(place, lane, points[begin + static_cast<std::size_t>(std::min(lane, count - 1))]);
+        const auto uv = scene.camera.getPixelUV<Lanes>(place.x, place.y, options.size.width, options.size.height);
+        PacketTracer tracer(scene, context);
+        context.counts.primary += static_cast<std::uint64_t>(count);
+        const ColorLanes color = tracer.rayColor(scene.camera.getRay(uv), allLanes >> (laneCount - count),
+                                                 {Color(1), options.max_recursion});
+        for (int lane = 0; lane < count; ++lane)
+            colors[begin + static_cast<std::size_t>(lane)] = {laneOf(color, lane), tracer.dropped[lane]};
+    }
+}
+
+}  // namespace RAYTRACER_LANES_NAMESPACE
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer
