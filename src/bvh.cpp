@@ -108,6 +108,7 @@ bool shearBeam(BvhTraversal& s, const glm::dvec3& low, const glm::dvec3& high, c
     double halfX, halfY;
     shear(x, s.shearX, halfX);
     shear(y, s.shearY, halfY);
+    s.isBeam = true;
     s.shearHalf = std::max(halfX, halfY);
     const glm::dvec3 origin = (low + high) * 0.5, half = (high - low) * 0.5;
     for (glm::length_t axis = 0; axis < 3; ++axis) s.origin[axis] = origin[axis];
@@ -199,6 +200,21 @@ bool Bvh::usable(const FloatBox& box) {
 }
 
 std::size_t Bvh::memory() const { return nodes_.capacity() * sizeof(BvhNode) + words_.capacity() * sizeof(words_[0]); }
+
+// Were the primitives a surface spread evenly over the tree's frame, the beam would meet the share of them that its cross
+// section, at the frame's far end, has in the frame's.
+bool Bvh::suits(const BvhBeam& beam) const {
+    constexpr double manyPrimitives = 16;  // Notes.txt
+    double originWidth = 0, wayWidth = 0, longest = 0, distance = frame_.extent;
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        originWidth = std::max(originWidth, beam.originHigh[axis] - beam.originLow[axis]);
+        wayWidth = std::max(wayWidth, beam.directionHigh[axis] - beam.directionLow[axis]);
+        longest = std::max(longest, std::max(std::abs(beam.directionLow[axis]), std::abs(beam.directionHigh[axis])));
+        distance = std::max(distance, std::abs(beam.originLow[axis] - frame_.center[axis]) + frame_.extent);
+    }
+    const double width = originWidth + wayWidth / longest * distance;
+    return width * width * static_cast<double>(count_) <= manyPrimitives * 4 * frame_.extent * frame_.extent;
+}
 
 BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) {
     tScale_ = chosen.prepare(state_, bvh.frame_, ray);

@@ -30,9 +30,6 @@ using ColorLanes = ColorT<Lanes>;
 // Fewer rays than this are sooner traced one at a time.
 constexpr int leastRays = 3;
 
-// Rays whose directions differ by more than this share of their length meet too much that only one of them meets.
-constexpr double widestBeam = 0.25;
-
 Ray laneOf(const RayLanes& ray, int lane) {
     const DepartureT<Lanes>& departure = ray.departure;
     return {laneOf(ray.origin, lane), laneOf(ray.direction, lane),
@@ -61,20 +58,8 @@ glm::dvec3 least(const Vec3Lanes& v) {
     return {static_cast<double>(least(v.x)), static_cast<double>(least(v.y)), static_cast<double>(least(v.z))};
 }
 
-struct Beam {
-    BvhBeam bvh;
-    bool narrow;
-};
-Beam beamOf(const Vec3Lanes& origin, const Vec3Lanes& direction) {
-    Beam beam{{least(origin), -least(-origin), least(direction), -least(-direction)}, false};
-    double widest = 0, longest = 0;
-    for (glm::length_t axis = 0; axis < 3; ++axis) {
-        const double low = beam.bvh.directionLow[axis], high = beam.bvh.directionHigh[axis];
-        widest = std::max(widest, high - low);
-        longest = std::max(longest, std::max(-low, high));
-    }
-    beam.narrow = widest <= widestBeam * longest;
-    return beam;
+BvhBeam beamOf(const Vec3Lanes& origin, const Vec3Lanes& direction) {
+    return {least(origin), -least(-origin), least(direction), -least(-direction)};
 }
 
 double farthest(const BvhBeam& beam) {
@@ -144,13 +129,13 @@ double most(const Lanes& x) { return -static_cast<double>(least(-x)); }
 
 void PacketTracer::meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query) {
     const ObjectRayT<Lanes> object = mesh.toObject(ray);
-    Beam beam = beamOf(object.origin, object.direction);
+    BvhBeam beam = beamOf(object.origin, object.direction);
     ShearAxes axes;
     const auto alone = [&] { meetOneByOne(ray, query, [&](const Ray& one, HitQuery& q) { mesh.intersect(one, q); }); };
     const Bvh& bvh = mesh.triangles().bvh();
-    if (bvh.empty() || !beam.narrow || !commonAxes(object.direction, query.asked(), axes)) return alone();
-    beam.bvh.slack = static_cast<double>(mesh.slackFrom(static_cast<Real>(farthest(beam.bvh))));
-    BvhCursor cursor(bvh, beam.bvh);
+    if (bvh.empty() || !bvh.suits(beam) || !commonAxes(object.direction, query.asked(), axes)) return alone();
+    beam.slack = static_cast<double>(mesh.slackFrom(static_cast<Real>(farthest(beam))));
+    BvhCursor cursor(bvh, beam);
     if (!cursor.usable()) return alone();
     const Mesh::MeshRay<Lanes> meshRay{ray, {object, axes}};
     const auto perWorld = static_cast<double>(mesh.transform().objectPerWorldT());
@@ -165,13 +150,13 @@ void PacketTracer::traverse(const RayLanes& ray, PacketQuery& query) {
         if (query.done()) return;
     }
     if (tree.bvh().empty()) return;
-    Beam beam = beamOf(ray.origin, ray.direction);
-    beam.bvh.slack = static_cast<double>(tree.slackFrom(static_cast<Real>(farthest(beam.bvh))));
+    BvhBeam beam = beamOf(ray.origin, ray.direction);
+    beam.slack = static_cast<double>(tree.slackFrom(static_cast<Real>(farthest(beam))));
     const auto alone = [&] {
         meetOneByOne(ray, query, [&](const Ray& one, HitQuery& q) { tree.intersectBoxed(one, q); });
     };
-    if (!beam.narrow) return alone();
-    BvhCursor cursor(tree.bvh(), beam.bvh);
+    if (!tree.bvh().suits(beam)) return alone();
+    BvhCursor cursor(tree.bvh(), beam);
     if (!cursor.usable()) return alone();
     while (!query.done() && cursor.next(most(query.limit())))
         for (const std::uint32_t name : cursor.primitives()) meet(tree.named(name), ray, query);

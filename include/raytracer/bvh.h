@@ -119,6 +119,9 @@ class Bvh {
 
     bool empty() const { return !hasRoot_; }
 
+    // Whether a beam meets few primitives more than each of its rays does, as far as its width tells.
+    bool suits(const BvhBeam& beam) const;
+
     const BvhFrame& frame() const { return frame_; }
     std::size_t memory() const;  // bytes
 
@@ -130,6 +133,7 @@ class Bvh {
     std::vector<std::uint32_t, LargePages<std::uint32_t>> words_;  // of blocks
     std::uint32_t root_ = 0;
     bool hasRoot_ = false;
+    std::size_t count_ = 0;  // primitives
     BvhFrame frame_;
 };
 
@@ -152,9 +156,10 @@ struct BvhTraversal {
     float ballOrigin[4], ballDirection[4];               // for balls: in the tree's frame
     float ballMargin;                                    // how much larger to make them
 
-    // For triangles: z has the largest component of the direction; the beam's middle, and half its width (0 for a ray).
+    // For triangles: z has the largest component of the direction. In the tree's frame.
     std::uint32_t x, y, z;
-    double shearX, shearY, origin[4], slack;             // in the tree's frame
+    double shearX, shearY, origin[4], slack;
+    bool isBeam;                                         // these are its middle's; its lines' differ by up to half its width:
     double shearHalf, originHalf;
 
     // The most entries that a tree of the builder's greatest depth can leave.
