@@ -9,8 +9,6 @@
 #include <new>
 #include <string_view>
 
-#include <glm/common.hpp>
-
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
@@ -40,6 +38,9 @@ constexpr double largestOrigin = 0x1p60;
 // turns the ray by is allowed for in the origin's box.
 constexpr double leastDirection = 0x1p-40;
 
+// A beam that may meet more primitives than this is followed sooner ray by ray (Notes.txt).
+constexpr double manyPrimitives = 16;
+
 InstructionSet chooseInstructionSet() {
     const char* name = std::getenv("RAYTRACER_SIMD");
     const std::string_view asked = name ? name : "";
@@ -49,6 +50,7 @@ InstructionSet chooseInstructionSet() {
 }
 
 using Prepare = double (*)(BvhTraversal&, const BvhFrame&, const BvhRay&);
+using PrepareBeam = double (*)(BvhTraversal&, const BvhFrame&, const BvhBeam&);
 using Advance = bool (*)(BvhTraversal&, float limit);
 
 }  // namespace
@@ -56,15 +58,18 @@ using Advance = bool (*)(BvhTraversal&, float limit);
 // The inner loop, once for each instruction set: bvh_kernel.inc, at the end of this file.
 namespace scalar {
 double prepare(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);
+double prepareBeam(BvhTraversal& s, const BvhFrame& frame, const BvhBeam& beam);
 bool advance(BvhTraversal& s, float limit);
 }
 #if defined(__x86_64__)
 namespace sse2 {
 double prepare(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);
+double prepareBeam(BvhTraversal& s, const BvhFrame& frame, const BvhBeam& beam);
 bool advance(BvhTraversal& s, float limit);
 }
 namespace avx2 {
 double prepare(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);
+double prepareBeam(BvhTraversal& s, const BvhFrame& frame, const BvhBeam& beam);
 bool advance(BvhTraversal& s, float limit);
 }
 #endif
@@ -74,91 +79,19 @@ namespace {
 struct Chosen {
     InstructionSet set;
     Prepare prepare;
+    PrepareBeam prepareBeam;
     Advance advance;
-    bool offsetIsProduct;  // BvhTraversal's offsets: the origin times the inverse, or the origin
 };
 
 Chosen choose(InstructionSet set) {
 #if defined(__x86_64__)
-    if (set == InstructionSet::Avx2) return {set, avx2::prepare, avx2::advance, true};
-    if (set == InstructionSet::Sse2) return {set, sse2::prepare, sse2::advance, false};
+    if (set == InstructionSet::Avx2) return {set, avx2::prepare, avx2::prepareBeam, avx2::advance};
+    if (set == InstructionSet::Sse2) return {set, sse2::prepare, sse2::prepareBeam, sse2::advance};
 #endif
-    return {set, scalar::prepare, scalar::advance, false};
+    return {set, scalar::prepare, scalar::prepareBeam, scalar::advance};
 }
 
 Chosen chosen = choose(chooseInstructionSet());
-
-// Seen along z, the rays' lines are sheared by shearX and shearY to within shearHalf, and start within originHalf of the
-// middle's. False where some of them do not move along z.
-bool shearBeam(BvhTraversal& s, const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& wayLow, const glm::dvec3& wayHigh) {
-    const glm::dvec3 middle = wayLow * 0.5 + wayHigh * 0.5, size = glm::abs(middle);
-    s.z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    s.x = s.z == 2 ? 0 : s.z + 1;
-    s.y = s.z == 0 ? 2 : s.z - 1;
-    const auto x = static_cast<glm::length_t>(s.x), y = static_cast<glm::length_t>(s.y), z = static_cast<glm::length_t>(s.z);
-    if (wayLow[z] == 0 || wayHigh[z] == 0) return false;
-    const double inverseLow = 1 / wayLow[z], inverseHigh = 1 / wayHigh[z];
-    const auto shear = [&](glm::length_t axis, double& center, double& half) {
-        const double a = wayLow[axis] * inverseLow, b = wayLow[axis] * inverseHigh, c = wayHigh[axis] * inverseLow,
-                     d = wayHigh[axis] * inverseHigh;
-        const double least = std::min(std::min(a, b), std::min(c, d)), most = std::max(std::max(a, b), std::max(c, d));
-        center = (least + most) / 2;
-        half = (most - least) / 2;
-    };
-    double halfX, halfY;
-    shear(x, s.shearX, halfX);
-    shear(y, s.shearY, halfY);
-    s.isBeam = true;
-    s.shearHalf = std::max(halfX, halfY);
-    const glm::dvec3 origin = (low + high) * 0.5, half = (high - low) * 0.5;
-    for (glm::length_t axis = 0; axis < 3; ++axis) s.origin[axis] = origin[axis];
-    // A depth that is off by half[z] shifts the line by the shear.
-    s.originHalf = std::max(half[x] + (std::abs(s.shearX) + s.shearHalf) * half[z],
-                            half[y] + (std::abs(s.shearY) + s.shearHalf) * half[z]);
-    return true;
-}
-
-// As prepare does it for a ray. Of the planes that the rays enter by, the nearest t of all is that of the origin nearest to
-// them and of the fastest direction; of those that they leave by, the farthest t is that of the farthest origin and the
-// slowest direction. (Where such a t would be negative the other choice is farther, but then the box is behind.)
-// 0 where the rays do not all go the same way along each axis.
-double prepareBeam(BvhTraversal& s, const BvhFrame& frame, const BvhBeam& beam, bool offsetIsProduct) {
-    const glm::dvec3 low = (beam.originLow - frame.center) * frame.scale, high = (beam.originHigh - frame.center) * frame.scale;
-    const glm::dvec3 wayLow = beam.directionLow * frame.scale, wayHigh = beam.directionHigh * frame.scale;
-    const auto largest = [](const glm::dvec3& a, const glm::dvec3& b) {
-        const glm::dvec3 most = glm::max(glm::abs(a), glm::abs(b));
-        return std::max(most.x, std::max(most.y, most.z));
-    };
-    const double longest = largest(wayLow, wayHigh), farthest = largest(low, high);
-    const double all = low.x + low.y + low.z + high.x + high.y + high.z + wayLow.x + wayLow.y + wayLow.z + wayHigh.x +
-                       wayHigh.y + wayHigh.z;
-    s.slack = beam.slack * frame.scale;
-    if (!(all - all == 0 && farthest <= largestOrigin && longest >= 0x1p-1000 && longest <= 0x1p1000 &&
-          s.slack <= largestOrigin))
-        return 0;
-
-    const double tScale = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) >> 52 << 52);
-    const double spread = s.slack + 0x1p-38 * (farthest + frame.extent * frame.scale);
-    for (glm::length_t axis = 0; axis < 3; ++axis) {
-        const bool falling = std::signbit(wayLow[axis]);
-        if (falling != std::signbit(wayHigh[axis])) return 0;
-        const double most = std::max(std::abs(wayLow[axis]), std::abs(wayHigh[axis])) * (1 / tScale);
-        const double least = std::min(std::abs(wayLow[axis]), std::abs(wayHigh[axis])) * (1 / tScale);
-        const double margin = spread + 4 * roundoff * std::max(std::abs(low[axis]), std::abs(high[axis]));
-        const auto nearOrigin = static_cast<float>(falling ? low[axis] - margin : high[axis] + margin);
-        const auto farOrigin = static_cast<float>(falling ? high[axis] + margin : low[axis] - margin);
-        const float sign = falling ? -1 : 1;
-        s.nearInverse[axis] = sign / static_cast<float>(std::max(most, leastDirection));
-        s.farInverse[axis] = sign / static_cast<float>(std::max(least, leastDirection)) * BvhTraversal::growth;
-        s.nearOffset[axis] = offsetIsProduct ? nearOrigin * s.nearInverse[axis] : nearOrigin;
-        s.farOffset[axis] = offsetIsProduct ? farOrigin * s.farInverse[axis] : farOrigin;
-        s.nearPlane[axis] = 2 * static_cast<std::uint32_t>(axis) + (falling ? 1 : 0);
-    }
-    s.objects = frame.objects;
-    s.balls = false;
-    if (frame.triangles && !shearBeam(s, low, high, wayLow, wayHigh)) return 0;
-    return tScale;
-}
 
 }  // namespace
 
@@ -201,28 +134,13 @@ bool Bvh::usable(const FloatBox& box) {
 
 std::size_t Bvh::memory() const { return nodes_.capacity() * sizeof(BvhNode) + words_.capacity() * sizeof(words_[0]); }
 
-// Were the primitives a surface spread evenly over the tree's frame, the beam would meet the share of them that its cross
-// section, at the frame's far end, has in the frame's.
-bool Bvh::suits(const BvhBeam& beam) const {
-    constexpr double manyPrimitives = 16;  // Notes.txt
-    double originWidth = 0, wayWidth = 0, longest = 0, distance = frame_.extent;
-    for (glm::length_t axis = 0; axis < 3; ++axis) {
-        originWidth = std::max(originWidth, beam.originHigh[axis] - beam.originLow[axis]);
-        wayWidth = std::max(wayWidth, beam.directionHigh[axis] - beam.directionLow[axis]);
-        longest = std::max(longest, std::max(std::abs(beam.directionLow[axis]), std::abs(beam.directionHigh[axis])));
-        distance = std::max(distance, std::abs(beam.originLow[axis] - frame_.center[axis]) + frame_.extent);
-    }
-    const double width = originWidth + wayWidth / longest * distance;
-    return width * width * static_cast<double>(count_) <= manyPrimitives * 4 * frame_.extent * frame_.extent;
-}
-
 BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) {
     tScale_ = chosen.prepare(state_, bvh.frame_, ray);
     start(bvh);
 }
 
 BvhCursor::BvhCursor(const Bvh& bvh, const BvhBeam& beam) {
-    tScale_ = prepareBeam(state_, bvh.frame_, beam, chosen.offsetIsProduct);
+    tScale_ = chosen.prepareBeam(state_, bvh.frame_, beam);
     start(bvh);
 }
 

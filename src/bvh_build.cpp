@@ -442,7 +442,7 @@ void BvhBuilder::halve(const Range& range, Range& left, Range& right) {
 
 Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads) {
     Bvh bvh;
-    bvh.count_ = boxes.size();
+    bvh.frame_.count = boxes.size();
     BvhBuilder(bvh, threads).build(boxes, names);
     for (const FloatBox& box : boxes)
         for (int axis = 0; axis < 3; ++axis)
@@ -452,7 +452,7 @@ Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int thr
 
 Bvh Bvh::ofTriangles(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices, int threads) {
     Bvh bvh;
-    bvh.count_ = indices.size() / 3;
+    bvh.frame_.count = indices.size() / 3;
     BvhBuilder(bvh, threads).build(positions, indices);
     return bvh;
 }

@@ -49,24 +49,22 @@ RayLanes filled(const RayLanes& ray, LaneBits used) {
     return result;
 }
 
-Real least(const Lanes& x) {
-    Real result = laneOf(x, 0);
-    for (int lane = 1; lane < laneCount; ++lane) result = std::min(result, laneOf(x, lane));
-    return result;
-}
-glm::dvec3 least(const Vec3Lanes& v) {
-    return {static_cast<double>(least(v.x)), static_cast<double>(least(v.y)), static_cast<double>(least(v.z))};
-}
-
 BvhBeam beamOf(const Vec3Lanes& origin, const Vec3Lanes& direction) {
-    return {least(origin), -least(-origin), least(direction), -least(-direction)};
+    BvhBeam beam{};
+    for (int axis = 0; axis < 3; ++axis) {
+        beam.originLow[axis] = static_cast<double>(least(origin[axis]));
+        beam.originHigh[axis] = static_cast<double>(greatest(origin[axis]));
+        beam.directionLow[axis] = static_cast<double>(least(direction[axis]));
+        beam.directionHigh[axis] = static_cast<double>(greatest(direction[axis]));
+    }
+    return beam;
 }
 
-double farthest(const BvhBeam& beam) {
+// The farthest that a ray starts from the world's origin, along an axis.
+Real farthest(const BvhBeam& beam) {
     double result = 0;
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        result = std::max(result, std::max(-beam.originLow[axis], beam.originHigh[axis]));
-    return result;
+    for (int axis = 0; axis < 3; ++axis) result = std::max(result, std::max(-beam.originLow[axis], beam.originHigh[axis]));
+    return static_cast<Real>(result);
 }
 
 class PacketTracer {
@@ -125,21 +123,19 @@ void meetOneByOne(const RayLanes& ray, PacketQuery& query, Intersect intersect) 
     });
 }
 
-double most(const Lanes& x) { return -static_cast<double>(least(-x)); }
-
 void PacketTracer::meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query) {
     const ObjectRayT<Lanes> object = mesh.toObject(ray);
     BvhBeam beam = beamOf(object.origin, object.direction);
     ShearAxes axes;
     const auto alone = [&] { meetOneByOne(ray, query, [&](const Ray& one, HitQuery& q) { mesh.intersect(one, q); }); };
     const Bvh& bvh = mesh.triangles().bvh();
-    if (bvh.empty() || !bvh.suits(beam) || !commonAxes(object.direction, query.asked(), axes)) return alone();
-    beam.slack = static_cast<double>(mesh.slackFrom(static_cast<Real>(farthest(beam))));
+    if (bvh.empty() || !commonAxes(object.direction, query.asked(), axes)) return alone();
+    beam.slack = static_cast<double>(mesh.slackFrom(farthest(beam)));
     BvhCursor cursor(bvh, beam);
     if (!cursor.usable()) return alone();
     const Mesh::MeshRay<Lanes> meshRay{ray, {object, axes}};
     const auto perWorld = static_cast<double>(mesh.transform().objectPerWorldT());
-    while (!query.done() && cursor.next(most(query.limit()) * perWorld))
+    while (!query.done() && cursor.next(static_cast<double>(greatest(query.limit())) * perWorld))
         mesh.meetTriangles(meshRay, cursor.primitives(), query);
 }
 
@@ -151,14 +147,13 @@ void PacketTracer::traverse(const RayLanes& ray, PacketQuery& query) {
     }
     if (tree.bvh().empty()) return;
     BvhBeam beam = beamOf(ray.origin, ray.direction);
-    beam.slack = static_cast<double>(tree.slackFrom(static_cast<Real>(farthest(beam))));
+    beam.slack = static_cast<double>(tree.slackFrom(farthest(beam)));
     const auto alone = [&] {
         meetOneByOne(ray, query, [&](const Ray& one, HitQuery& q) { tree.intersectBoxed(one, q); });
     };
-    if (!tree.bvh().suits(beam)) return alone();
     BvhCursor cursor(tree.bvh(), beam);
     if (!cursor.usable()) return alone();
-    while (!query.done() && cursor.next(most(query.limit())))
+    while (!query.done() && cursor.next(static_cast<double>(greatest(query.limit()))))
         for (const std::uint32_t name : cursor.primitives()) meet(tree.named(name), ray, query);
 }
 

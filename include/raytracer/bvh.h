@@ -55,9 +55,9 @@ struct BvhRay {
     double slack = 0;
 };
 
-// Rays together: each starts within a box and has a direction within another, both axis by axis. A single ray is one too.
+// Rays together: each starts within a box and has a direction within another, both axis by axis (x, y, z, 0).
 struct BvhBeam {
-    glm::dvec3 originLow, originHigh, directionLow, directionHigh;
+    alignas(32) double originLow[4], originHigh[4], directionLow[4], directionHigh[4];
     double slack = 0;  // as BvhRay's
 };
 
@@ -101,6 +101,7 @@ struct BvhFrame {
     glm::dvec3 center{0};
     double extent = 0;  // no primitive is further from the center, along any axis
     double scale = 1;   // a power of two
+    std::size_t count = 0;  // of primitives
     bool triangles = false, balls = false;  // what kinds of leaves there are beside boxes
     const char* objects = nullptr;          // BvhNames::start
 };
@@ -119,8 +120,6 @@ class Bvh {
 
     bool empty() const { return !hasRoot_; }
 
-    // Whether a beam meets few primitives more than each of its rays does, as far as its width tells.
-    bool suits(const BvhBeam& beam) const;
 
     const BvhFrame& frame() const { return frame_; }
     std::size_t memory() const;  // bytes
@@ -133,7 +132,6 @@ class Bvh {
     std::vector<std::uint32_t, LargePages<std::uint32_t>> words_;  // of blocks
     std::uint32_t root_ = 0;
     bool hasRoot_ = false;
-    std::size_t count_ = 0;  // primitives
     BvhFrame frame_;
 };
 
@@ -176,8 +174,8 @@ class BvhCursor {
     BvhCursor(const Bvh& bvh, const BvhRay& ray);
     BvhCursor(const Bvh& bvh, const BvhBeam& beam);
 
-    // Whether the tree can be used; if not (its numbers are out of all proportion, or a beam's rays part along some axis),
-    // every primitive counts.
+    // Whether the tree can be used; if not, every primitive counts. A ray's numbers may be out of all proportion; a beam's
+    // rays may also part along some axis, or spread so wide that they would be followed sooner one at a time.
     bool usable() const { return usable_; }
 
     // Moves on to the next primitives that might be hit at t <= limit; false when there are none.

@@ -139,6 +139,13 @@ inline Register larger(Register x, Register y) {
 
 inline RegisterMask signBit() { return reinterpret_cast<RegisterMask>(-Register{}); }
 
+// The least of a register's lanes.
+inline Real least(Register x) {
+    Real result = x[0];
+    for (int i = 1; i < registerLanes; ++i) result = std::min(result, x[i]);
+    return result;
+}
+
 template <class Result, class Operation, class... Arguments>
 inline Result partwise(Operation operation, const Arguments&... arguments) {
     Result result;
@@ -223,6 +230,14 @@ inline Lanes copysign(const Lanes& magnitude, const Lanes& sign) {
 // As std::max and std::min have it: the first where they are equal or one is NaN.
 inline Lanes max(const Lanes& a, const Lanes& b) { return detail::partwise<Lanes>(detail::larger, b, a); }
 inline Lanes min(const Lanes& a, const Lanes& b) { return detail::partwise<Lanes>(detail::smaller, b, a); }
+
+// The least lane, and the greatest.
+inline Real least(const Lanes& x) {
+    Register result = x.part[0];
+    for (int i = 1; i < registerCount; ++i) result = detail::smaller(result, x.part[i]);
+    return detail::least(result);
+}
+inline Real greatest(const Lanes& x) { return -least(-x); }
 
 inline void setLane(Mask& mask, int lane, bool value) {
     mask.part[lane / registerLanes][lane % registerLanes] = value ? -1 : 0;
