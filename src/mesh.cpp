@@ -96,10 +96,7 @@ Intersection Mesh::surfaceAt(const Ray& ray, const Hit& hit) const {
 }
 
 bool Mesh::touches(const Vec3& point, const Vec3& pointError, std::uint32_t triangle) const {
-    const auto corner = triangles_->corners<Real>(triangle);
-    const Vec3 normal = normalOf(corner), relative = transform_.pointToObject(point) - corner[0];
-    const Vec3 error = transform_.objectError(point, pointError) + gamma(6) * (abs(relative) + abs(corner[0]));
-    return std::abs(glm::dot(normal, relative)) <= glm::dot(abs(normal), error);
+    return touchesTriangle(point, pointError, triangle);
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -65,6 +65,14 @@ Vec3T<T> normalOf(const std::array<Vec3T<T>, 3>& corner) {
     return glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
 }
 
+template <class T>
+Truth<T> Mesh::touchesTriangle(const Vec3T<T>& point, const Vec3T<T>& pointError, std::uint32_t triangle) const {
+    const auto corner = triangles_->corners<Real>(triangle);
+    const Vec3T<T> normal(normalOf(corner)), first(corner[0]), relative = transform_.pointToObject(point) - first;
+    const Vec3T<T> error = transform_.objectError(point, pointError) + T(gamma(6)) * (abs(relative) + abs(first));
+    return abs(glm::dot(normal, relative)) <= glm::dot(abs(normal), error);
+}
+
 template <class T, class Query>
 void Mesh::meetTriangles(const MeshRay<T>& ray, std::span<const std::uint32_t> triangles, Query& query) const {
     const DepartureT<T>& departure = ray.world.departure;
@@ -78,10 +86,8 @@ void Mesh::meetTriangles(const MeshRay<T>& ray, std::span<const std::uint32_t> t
         const T t = line.t * T(transform_.worldPerObjectT());
         Truth<T> hit = others & line.hit & (t >= T(0)) & (t <= query.limit());
         if (!any(hit)) continue;
-        if (departure.shape && departure.shape != this) {
-            const auto touching = [&](const Vec3& point, const Vec3& error) { return Real(touches(point, error, triangle)); };
-            hit = hit & (laneByLane<T>(touching, ray.world.origin, departure.positionError) == T(0));
-        }
+        if (departure.shape && departure.shape != this)
+            hit = hit & !touchesTriangle(ray.world.origin, departure.positionError, triangle);
         query.offer(hit, t, *this, triangle, line.entering);
     }
 }

@@ -6,24 +6,24 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 // packet_tracer.cpp, compiled for each instruction set.
 #if !defined(RAYTRACER_PRECISION_extended)
 inline namespace lanes_plain {
-void tracePackets(const Scene& scene, std::span<const Vec2> points, std::span<PointColor> colors, RenderContext& context);
+void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context);
 }
 #if defined(__x86_64__)
 namespace lanes_avx2 {
-void tracePackets(const Scene& scene, std::span<const Vec2> points, std::span<PointColor> colors, RenderContext& context);
+void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context);
 }
 #endif
 #endif
 
-TracePackets packetTracer() {
+TracePacket packetTracer() {
 #if defined(RAYTRACER_PRECISION_extended)
     return nullptr;  // no processor has long doubles side by side
 #else
     switch (instructionSet()) {
 #if defined(__x86_64__)
-        case InstructionSet::Avx2: return lanes_avx2::tracePackets;
+        case InstructionSet::Avx2: return lanes_avx2::tracePacket;
 #endif
-        case InstructionSet::Sse2: return lanes_plain::tracePackets;
+        case InstructionSet::Sse2: return lanes_plain::tracePacket;
         default: return nullptr;
     }
 #endif

@@ -41,7 +41,6 @@ Vec3Lanes filled(const Vec3Lanes& v, LaneBits used) {
     return select<Lanes>(maskOf(used), v, Vec3Lanes(laneOf(v, std::countr_zero(used))));
 }
 RayLanes filled(const RayLanes& ray, LaneBits used) {
-    if (used == allLanes) return ray;
     RayLanes result{filled(ray.origin, used), filled(ray.direction, used), ray.departure};
     result.departure.positionError = filled(ray.departure.positionError, used);
     for (int lane = 0; lane < laneCount; ++lane)
@@ -93,12 +92,14 @@ class PacketTracer {
     RenderContext* context_;
 };
 
-// The axes that every ray's test is made along; false where they differ.
+// The axes that every ray's test is made along (shearAxes); false where they differ.
 bool commonAxes(const Vec3Lanes& direction, LaneBits lanes, ShearAxes& axes) {
     axes = shearAxes(laneOf(direction, std::countr_zero(lanes)));
-    bool common = true;
-    forEach(lanes & (lanes - 1), [&](int lane) { common = common && shearAxes(laneOf(direction, lane)) == axes; });
-    return common;
+    const Vec3Lanes size = abs(direction);
+    const LaneBits xy = bits(size.x > size.y), xz = bits(size.x > size.z), yz = bits(size.y > size.z);
+    const LaneBits longest[3] = {xy & xz, ~xy & yz, ~(xy & xz) & ~(~xy & yz)};
+    const LaneBits falling = lanes & bits(direction[axes.z] < Lanes(0));
+    return (lanes & ~longest[axes.z]) == 0 && (falling == 0 || falling == lanes);
 }
 
 void PacketTracer::meet(const Shape& shape, const RayLanes& ray, PacketQuery& query) {
@@ -203,7 +204,9 @@ IntersectionT<Lanes> surfaceAt(const RayLanes& ray, const HitT<Lanes>& hit, cons
 }
 
 ColorLanes PacketTracer::hitColor(const RayLanes& ray, const PacketQuery& query, LaneBits alike, const RayPath& path) {
-    const RayLanes together = filled(ray, alike);
+    RayLanes some;
+    if (alike != allLanes) some = filled(ray, alike);
+    const RayLanes& together = alike == allLanes ? ray : some;
     const HitT<Lanes> hit = query.hits(alike);
     ShearAxes axes{};
     if (hit.shape->kind() == ShapeKind::Mesh &&
@@ -271,27 +274,25 @@ ColorLanes PacketTracer::refractedColor(const ShadingPointT<Lanes>& point, LaneB
     lanes &= bits(refractedDirection(point, direction));
     if (lanes == 0 || !isCast(reason, lanes, onwards)) return ColorLanes(0);
     context_->counts.refraction += static_cast<std::uint64_t>(std::popcount(lanes));
-    const RayLanes refracted = filled(point.leave(direction, ShadingPointT<Lanes>::Side::Far), lanes);
+    if (lanes != allLanes) direction = filled(direction, lanes);
+    const RayLanes refracted = point.leave(direction, ShadingPointT<Lanes>::Side::Far);
     return select<Lanes>(maskOf(lanes), ColorLanes(material.color_refract) * rayColor(refracted, lanes, onwards), ColorLanes(0));
 }
 
 }  // namespace
 
-void tracePackets(const Scene& scene, std::span<const Vec2> points, std::span<PointColor> colors, RenderContext& context) {
+void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context) {
     const RenderOptions& options = *context.options;
-    for (std::size_t begin = 0; begin < points.size(); begin += laneCount) {
-        const auto count = static_cast<int>(std::min(points.size() - begin, std::size_t{laneCount}));
-        Vec2T<Lanes> place;
-        for (int lane = 0; lane < laneCount; ++lane)
-            setLane(place, lane, points[begin + static_cast<std::size_t>(std::min(lane, count - 1))]);
-        const auto uv = scene.camera.getPixelUV<Lanes>(place.x, place.y, options.size.width, options.size.height);
-        PacketTracer tracer(scene, context);
-        context.counts.primary += static_cast<std::uint64_t>(count);
-        const ColorLanes color = tracer.rayColor(scene.camera.getRay(uv), allLanes >> (laneCount - count),
-                                                 {Color(1), options.max_recursion});
-        for (int lane = 0; lane < count; ++lane)
-            colors[begin + static_cast<std::size_t>(lane)] = {laneOf(color, lane), tracer.dropped[lane]};
-    }
+    for (int lane = points.count; lane < laneCount; ++lane) points.x[lane] = points.x[0], points.y[lane] = points.y[0];
+    const auto uv = scene.camera.getPixelUV(lanesOf(points.x), lanesOf(points.y), options.size.width, options.size.height);
+    PacketTracer tracer(scene, context);
+    context.counts.primary += static_cast<std::uint64_t>(points.count);
+    const ColorLanes color =
+        tracer.rayColor(scene.camera.getRay(uv), allLanes >> (laneCount - points.count), {Color(1), options.max_recursion});
+    store(color.x, points.color[0]);
+    store(color.y, points.color[1]);
+    store(color.z, points.color[2]);
+    for (int lane = 0; lane < laneCount; ++lane) points.dropped[lane] = tracer.dropped[lane];
 }
 
 }  // namespace RAYTRACER_LANES_NAMESPACE

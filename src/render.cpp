@@ -46,22 +46,21 @@ PixelRectangle tileOf(const PixelRectangle& crop, int index) {
     return {x0, y0, std::min(x0 + tileEdge, crop.x1), std::min(y0 + tileEdge, crop.y1)};
 }
 
-// The pixels of a tile by the packets of their centres.
+// The pixels of a tile by packets of their centres.
 void renderCenters(const Scene& scene, const PixelRectangle& tile, RenderContext& context, PixelSink& sink) {
-    glm::dvec3 rows[packetHeight][tileEdge];
-    for (int top = tile.y0; top < tile.y1; top += packetHeight) {
-        const int height = std::min(packetHeight, tile.y1 - top);
-        for (int left = tile.x0; left < tile.x1; left += packetWidth) {
-            const int width = std::min(packetWidth, tile.x1 - left);
-            Vec2 points[packetWidth * packetHeight];
-            PointColor colors[packetWidth * packetHeight];
-            const int count = width * height;
-            for (int i = 0; i < count; ++i)
-                points[i] = Vec2(static_cast<Real>(left + i % width), static_cast<Real>(top + i / width)) + Real(0.5);
-            scene.pointColors({points, static_cast<std::size_t>(count)}, {colors, static_cast<std::size_t>(count)}, context);
-            for (int i = 0; i < count; ++i) {
-                rows[i / width][left - tile.x0 + i % width] = glm::dvec3(colors[i].color);
-                context.counts.cutoffBound = std::max(context.counts.cutoffBound, colors[i].dropped);
+    glm::dvec3 rows[PointPacket::height][tileEdge];
+    for (int top = tile.y0; top < tile.y1; top += PointPacket::height) {
+        const int height = std::min(PointPacket::height, tile.y1 - top);
+        for (int left = tile.x0; left < tile.x1; left += PointPacket::width) {
+            const int width = std::min(PointPacket::width, tile.x1 - left);
+            PointPacket points;
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x)
+                    points.add(static_cast<Real>(left + x) + Real(0.5), static_cast<Real>(top + y) + Real(0.5));
+            scene.pointColors(points, context);
+            for (int i = 0; i < points.count; ++i) {
+                rows[i / width][left - tile.x0 + i % width] = glm::dvec3(points.colorOf(i));
+                context.counts.cutoffBound = std::max(context.counts.cutoffBound, points.dropped[i]);
             }
         }
         for (int y = 0; y < height; ++y) sink.write(tile.x0, top + y, {rows[y], static_cast<std::size_t>(tile.width())});
@@ -79,10 +78,10 @@ void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& c
 }
 
 // Whether no channel of the colours, as a picture shows them, differs by more than `tolerance`.
-bool agree(std::span<const PointColor> colors, Real tolerance) {
+bool agree(const PointPacket& points, Real tolerance) {
     Color low(1), high(0);
-    for (const PointColor& c : colors) {
-        const Color shown = glm::clamp(c.color, Real(0), Real(1));
+    for (int i = 0; i < points.count; ++i) {
+        const Color shown = glm::clamp(points.colorOf(i), Real(0), Real(1));
         low = glm::min(low, shown);
         high = glm::max(high, shown);
     }
@@ -117,9 +116,9 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, int jobs
 
 }  // namespace
 
-Color Scene::pointColor(const Vec2& point, RenderContext& context) const {
+Color Scene::pointColor(Real x, Real y, RenderContext& context) const {
     const RenderOptions& options = *context.options;
-    const Ray ray = camera.getRay(camera.getPixelUV(point.x, point.y, options.size.width, options.size.height));
+    const Ray ray = camera.getRay(camera.getPixelUV(x, y, options.size.width, options.size.height));
     ++context.counts.primary;
     if (options.pass == Pass::Color) return rayColor(ray, {Color(1), options.max_recursion}, context);
     const Intersection hit = closestIntersection(ray, context);
@@ -127,33 +126,31 @@ Color Scene::pointColor(const Vec2& point, RenderContext& context) const {
     return hit.valid ? (hit.normal + Real(1)) / Real(2) : Color(Real(54) / 255);
 }
 
-void Scene::pointColors(std::span<const Vec2> points, std::span<PointColor> colors, RenderContext& context) const {
-    const TracePackets tracePackets = packetTracer();
-    if (usesPackets_ && tracePackets && context.options->pass == Pass::Color)
-        return tracePackets(*this, points, colors, context);
-    for (std::size_t i = 0; i < points.size(); ++i) {
+void Scene::pointColors(PointPacket& points, RenderContext& context) const {
+    const TracePacket tracePacket = packetTracer();
+    if (usesPackets_ && tracePacket && context.options->pass == Pass::Color) return tracePacket(*this, points, context);
+    for (int i = 0; i < points.count; ++i) {
         context.dropped = 0;
-        colors[i].color = pointColor(points[i], context);
-        colors[i].dropped = context.dropped;
+        const Color color = pointColor(points.x[i], points.y[i], context);
+        for (int channel = 0; channel < 3; ++channel) points.color[channel][i] = color[channel];
+        points.dropped[i] = context.dropped;
     }
 }
 
 Color Scene::pixelColor(int x, int y, RenderContext& context) const {
     const int n = context.options->samples;
-    std::vector<Vec2> points;
-    const auto add = [&](int i, int j) {
-        const Real cell = 1 / static_cast<Real>(n);
-        points.emplace_back(static_cast<Real>(x) + (static_cast<Real>(i) + Real(0.5)) * cell,
-                            static_cast<Real>(y) + (static_cast<Real>(j) + Real(0.5)) * cell);
-    };
     Color color(0);
     double dropped = 0;
-    std::vector<PointColor> colors;
+    PointPacket points;
+    const auto add = [&](int i, int j) {
+        const Real cell = 1 / static_cast<Real>(n);
+        points.add(static_cast<Real>(x) + (static_cast<Real>(i) + Real(0.5)) * cell,
+                   static_cast<Real>(y) + (static_cast<Real>(j) + Real(0.5)) * cell);
+    };
     const auto take = [&] {
-        colors.resize(points.size());
-        pointColors(points, colors, context);
-        for (const PointColor& c : colors) color += c.color, dropped += c.dropped;
-        points.clear();
+        if (points.count == 0) return;
+        pointColors(points, context);
+        for (int i = 0; i < points.count; ++i) color += points.colorOf(i), dropped += points.dropped[i];
     };
     int taken = 1;
     if (n == 1) {
@@ -164,10 +161,14 @@ Color Scene::pixelColor(int x, int y, RenderContext& context) const {
         add(0, 0), add(n - 1, 0), add(0, n - 1), add(n - 1, n - 1);
         take();
         taken = 4;
-        if (n > 2 && !agree(colors, static_cast<Real>(context.options->adaptive))) {
+        if (n > 2 && !agree(points, static_cast<Real>(context.options->adaptive))) {
+            points.count = 0;
             for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i)
-                    if ((i != 0 && i != n - 1) || (j != 0 && j != n - 1)) add(i, j);
+                for (int i = 0; i < n; ++i) {
+                    if ((i == 0 || i == n - 1) && (j == 0 || j == n - 1)) continue;
+                    add(i, j);
+                    if (points.count == PointPacket::most) take(), points.count = 0;
+                }
             take();
             taken = n * n;
         }

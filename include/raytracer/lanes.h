@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstring>
 
-#include "raytracer/ray.h"
+#include "raytracer/scene.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -23,8 +23,7 @@ namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 inline namespace RAYTRACER_LANES_NAMESPACE {
 
-// Rays in a packet: 4 x 2 pixels (Notes.txt has what other numbers cost).
-inline constexpr int laneCount = 8;
+inline constexpr int laneCount = PointPacket::most;
 
 #if defined(RAYTRACER_LANES_avx2)
 inline constexpr int registerBytes = 32;
@@ -238,6 +237,14 @@ inline Real least(const Lanes& x) {
     return detail::least(result);
 }
 inline Real greatest(const Lanes& x) { return -least(-x); }
+
+// Lane i is numbers[i].
+inline Lanes lanesOf(const Real (&numbers)[laneCount]) {
+    Lanes result;
+    std::memcpy(&result, numbers, sizeof result);
+    return result;
+}
+inline void store(const Lanes& x, Real (&numbers)[laneCount]) { std::memcpy(numbers, &x, sizeof x); }
 
 inline void setLane(Mask& mask, int lane, bool value) {
     mask.part[lane / registerLanes][lane % registerLanes] = value ? -1 : 0;

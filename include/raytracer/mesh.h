@@ -100,6 +100,9 @@ class Mesh final : public Shape {
     template <class T>
     IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit, const ShearAxes& axes) const;
 
+    template <class T>
+    Truth<T> touchesTriangle(const Vec3T<T>& point, const Vec3T<T>& pointError, std::uint32_t triangle) const;
+
     // The ray in object space, made ready for the test: one that leaves this mesh starts a little off its triangle.
     template <class T>
     ObjectRayT<T> toObject(const RayT<T>& ray) const;

@@ -97,6 +97,13 @@ Vec3T<T> product(const Mat3& m, const Vec3T<T>& v) {
     return {m[0].x * v.x + m[1].x * v.y + m[2].x * v.z, m[0].y * v.x + m[1].y * v.y + m[2].y * v.z,
             m[0].z * v.x + m[1].z * v.y + m[2].z * v.z};
 }
+// |m| |v|.
+template <class T>
+Vec3T<T> absoluteProduct(const Mat3& m, const Vec3T<T>& v) {
+    return {abs(m[0].x * v.x) + abs(m[1].x * v.y) + abs(m[2].x * v.z),
+            abs(m[0].y * v.x) + abs(m[1].y * v.y) + abs(m[2].y * v.z),
+            abs(m[0].z * v.x) + abs(m[1].z * v.y) + abs(m[2].z * v.z)};
+}
 template <class T>
 Vec3T<T> product(const Vec3T<T>& v, const Mat3& m) {
     return {m[0].x * v.x + m[0].y * v.y + m[0].z * v.z, m[1].x * v.x + m[1].y * v.y + m[1].z * v.z,

@@ -3,7 +3,6 @@
 
 #include <deque>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "raytracer/camera.h"
@@ -30,10 +29,21 @@ struct RayPath {
     RayKind kind = RayKind::Primary;
 };
 
-// The colour of a point of the picture, and RenderContext::dropped for it.
-struct PointColor {
-    Color color{0};
-    double dropped = 0;
+// A few points of the picture, in pixels, (0, 0) at the top left; and what is seen there.
+struct PointPacket {
+    static constexpr int width = 4, height = 2;  // pixels that it holds when it is filled best
+    static constexpr int most = width * height;
+
+    int count = 0;
+    alignas(32) Real x[most], y[most];
+    alignas(32) Real color[3][most];
+    double dropped[most];  // RenderContext::dropped
+
+    void add(Real pointX, Real pointY) {
+        x[count] = pointX;
+        y[count++] = pointY;
+    }
+    Color colorOf(int i) const { return {color[0][i], color[1][i], color[2][i]}; }
 };
 
 class Scene {
@@ -62,9 +72,8 @@ class Scene {
     // same point.
     Hit closestHit(const Ray& ray, HitQuery& query, RenderContext& context) const;
 
-    // The colours of points of the picture in pixels, (0, 0) at the top left: each its own, whatever the others are, but
-    // soonest where they lie together.
-    void pointColors(std::span<const Vec2> points, std::span<PointColor> colors, RenderContext& context) const;
+    // Fills in the points' colours: each its own, whatever the others are, but soonest where they lie together.
+    void pointColors(PointPacket& points, RenderContext& context) const;
 
     // The mean of a pixel's samples.
     Color pixelColor(int x, int y, RenderContext& context) const;
@@ -90,7 +99,7 @@ class Scene {
 
   private:
     void traverse(const Ray& ray, HitQuery& query, RenderContext& context) const;
-    Color pointColor(const Vec2& point, RenderContext& context) const;
+    Color pointColor(Real x, Real y, RenderContext& context) const;
     Shadow castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const;
     Color lightColor(const ShadingPoint& point, RenderContext& context) const;
     Color reflectedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;

@@ -45,7 +45,7 @@ class Transform {
     // roundings of p (gamma_8), the sum and the rounded translation (gamma_2).
     template <class T>
     Vec3T<T> pointError(const Vec3T<T>& object) const {
-        return T(gamma(8)) * product(abs(linear_), abs(object)) + Vec3T<T>(gamma(2) * abs(translation_));
+        return T(gamma(8)) * absoluteProduct(linear_, object) + Vec3T<T>(gamma(2) * abs(translation_));
     }
 
     // A bound, for each axis in object units, on the error of pointToObject(world) when `world` is uncertain by
@@ -54,7 +54,7 @@ class Transform {
     Vec3T<T> objectError(const Vec3T<T>& world, const Vec3T<T>& worldError) const {
         const Vec3T<T> uncertain = worldError + T(gamma(5)) * abs(world - Vec3T<T>(translation_)) +
                                    Vec3T<T>(gamma(2) * abs(translation_));
-        return product(abs(inverse_), uncertain) * T(inverseScale_);
+        return absoluteProduct(inverse_, uncertain) * T(inverseScale_);
     }
 
     // How much larger, at most, an error can become on the way to object space and back: the largest sum of a row of
