@@ -210,6 +210,11 @@ inline unsigned ballFlags(const std::uint32_t* child) {
     for (int i = 0; i < 8; ++i) mask |= (child[i] >> 30 & 1) << i;
     return mask;
 }
+inline unsigned leafFlags(const std::uint32_t* child) {
+    unsigned mask = 0;
+    for (int i = 0; i < 8; ++i) mask |= (child[i] >> 31) << i;
+    return mask;
+}
 inline Float4 offsetOf(Float4 origin, Float4) { return origin; }
 inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return (plane - offset) * inverse;
@@ -261,6 +266,12 @@ inline unsigned ballFlags(const std::uint32_t* child) {
     };
     return static_cast<unsigned>(flags(0) | flags(4) << 4);
 }
+inline unsigned leafFlags(const std::uint32_t* child) {
+    const auto flags = [child](int i) {
+        return _mm_movemask_ps(_mm_loadu_ps(reinterpret_cast<const float*>(child + i)));
+    };
+    return static_cast<unsigned>(flags(0) | flags(4) << 4);
+}
 inline Float4 offsetOf(Float4 origin, Float4) { return origin; }
 inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return (plane - offset) * inverse;
@@ -301,6 +312,9 @@ RAYTRACER_TARGET inline Lanes multiplySubtract(const Lanes& x, const Lanes& y, c
 RAYTRACER_TARGET inline unsigned ballFlags(const std::uint32_t* child) {
     const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(child));
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_slli_epi32(eight, 1))));
+}
+RAYTRACER_TARGET inline unsigned leafFlags(const std::uint32_t* child) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_loadu_ps(reinterpret_cast<const float*>(child))));
 }
 RAYTRACER_TARGET inline Lanes multiplyAdd(const Lanes& x, const Lanes& y, const Lanes& z) {
     return {_mm256_fmadd_ps(x.v, y.v, z.v)};

@@ -8,7 +8,7 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 inline namespace lanes_plain {
 void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context);
 }
-#if defined(__x86_64__)
+#if defined(RAYTRACER_AVX2_LANES)
 namespace lanes_avx2 {
 void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context);
 }
@@ -19,13 +19,11 @@ TracePacket packetTracer() {
 #if defined(RAYTRACER_PRECISION_extended)
     return nullptr;  // no processor has long doubles side by side
 #else
-    switch (instructionSet()) {
-#if defined(__x86_64__)
-        case InstructionSet::Avx2: return lanes_avx2::tracePacket;
+    if (instructionSet() == InstructionSet::Scalar) return nullptr;
+#if defined(RAYTRACER_AVX2_LANES)
+    if (instructionSet() == InstructionSet::Avx2) return lanes_avx2::tracePacket;
 #endif
-        case InstructionSet::Sse2: return lanes_plain::tracePacket;
-        default: return nullptr;
-    }
+    return lanes_plain::tracePacket;
 #endif
 }
 

@@ -47,7 +47,11 @@ class PacketQuery {
         consider(hit, t, shape, bits(entering), [&](int) { return primitive; });
     }
     void offerFace(const Mask& hit, const Lanes& t, const Shape& shape, const Lanes& face, const Mask& entering) {
-        consider(hit, t, shape, bits(entering), [&](int lane) { return static_cast<std::uint32_t>(laneOf(face, lane)); });
+        alignas(32) Real faces[laneCount];
+        store(face, faces);
+        consider(hit, t, shape, bits(entering), [&](int lane) {
+            return static_cast<std::uint32_t>(static_cast<std::int32_t>(faces[lane]));  // what registers can convert
+        });
     }
 
     // The same question for one of the lanes alone: of what is left, or from the start; and its answer.
@@ -65,13 +69,13 @@ class PacketQuery {
     // The lanes that met the same face of the same shape as the first of these, from the same side; of a mesh, any triangle.
     LaneBits alike(LaneBits lanes) const {
         const int first = std::countr_zero(lanes);
-        const Shape* shape = shape_[first];
+        const bool anyPrimitive = shape_[first]->kind() == ShapeKind::Mesh;
         LaneBits same = 0;
-        forEach(lanes, [&](int lane) {
-            const bool face = primitive_.of[lane] == primitive_.of[first] || shape->kind() == ShapeKind::Mesh;
-            same |= static_cast<LaneBits>(shape_[lane] == shape && face) << lane;
-        });
-        return same & (entering_ >> first & 1 ? entering_ : ~entering_);
+        for (int lane = 0; lane < laneCount; ++lane) {
+            const bool face = (primitive_.of[lane] == primitive_.of[first]) | anyPrimitive;
+            same |= static_cast<LaneBits>((shape_[lane] == shape_[first]) & face) << lane;
+        }
+        return lanes & same & (entering_ >> first & 1 ? entering_ : ~entering_);
     }
     HitT<Lanes> hits(LaneBits alike) const {
         const int first = std::countr_zero(alike);
@@ -111,10 +115,11 @@ class PacketQuery {
         limit_ = select(takes, any_ ? Lanes(-1) : min(limit_, t * window), limit_);
         found_ |= taken;
         entering_ = (entering_ & ~taken) | (entering & taken);
-        forEach(taken, [&](int lane) {
-            shape_[lane] = &shape;
-            primitive_.of[lane] = primitiveOf(lane);
-        });
+        for (int lane = 0; lane < laneCount; ++lane) {
+            const bool takesThis = (taken >> lane & 1) != 0;
+            shape_[lane] = takesThis ? &shape : shape_[lane];
+            primitive_.of[lane] = takesThis ? primitiveOf(lane) : primitive_.of[lane];
+        }
     }
 
     LaneBits asked_, found_ = 0, contended_ = 0, entering_ = 0;

@@ -50,12 +50,12 @@ RayLanes filled(const RayLanes& ray, LaneBits used) {
 
 BvhBeam beamOf(const Vec3Lanes& origin, const Vec3Lanes& direction) {
     BvhBeam beam{};
-    for (int axis = 0; axis < 3; ++axis) {
-        beam.originLow[axis] = static_cast<double>(least(origin[axis]));
-        beam.originHigh[axis] = static_cast<double>(greatest(origin[axis]));
-        beam.directionLow[axis] = static_cast<double>(least(direction[axis]));
-        beam.directionHigh[axis] = static_cast<double>(greatest(direction[axis]));
-    }
+    storeLeast(origin, beam.originLow);
+    storeLeast(-origin, beam.originHigh);
+    storeLeast(direction, beam.directionLow);
+    storeLeast(-direction, beam.directionHigh);
+    for (double& x : beam.originHigh) x = -x;
+    for (double& x : beam.directionHigh) x = -x;
     return beam;
 }
 

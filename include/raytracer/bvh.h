@@ -157,8 +157,8 @@ struct BvhTraversal {
     // For triangles: z has the largest component of the direction. In the tree's frame.
     std::uint32_t x, y, z;
     double shearX, shearY, origin[4], slack;
-    bool isBeam;                                         // these are its middle's; its lines' differ by up to half its width:
-    double shearHalf, originHalf;
+    double shearHalf, originHalf;                        // of a beam these are its middle's; its lines' differ by so much
+    bool isBeam;
 
     // The most entries that a tree of the builder's greatest depth can leave.
     static constexpr int stackSize = 7 * 56 + 1;

@@ -141,7 +141,7 @@ inline RegisterMask signBit() { return reinterpret_cast<RegisterMask>(-Register{
 // The least of a register's lanes.
 inline Real least(Register x) {
     Real result = x[0];
-    for (int i = 1; i < registerLanes; ++i) result = std::min(result, x[i]);
+    for (int i = 1; i < registerLanes; ++i) result = x[i] < result ? x[i] : result;
     return result;
 }
 
@@ -202,7 +202,11 @@ inline LaneBits bits(const Mask& mask) {
 }
 inline Mask maskOf(LaneBits bits) {
     Mask mask;
-    for (int i = 0; i < laneCount; ++i) mask.part[i / registerLanes][i % registerLanes] = bits >> i & 1 ? -1 : 0;
+    for (int part = 0; part < registerCount; ++part) {
+        RegisterMask place;
+        for (int i = 0; i < registerLanes; ++i) place[i] = 1 << (part * registerLanes + i);
+        mask.part[part] = (((RegisterMask{} + static_cast<int>(bits)) & place) == place);
+    }
     return mask;
 }
 inline bool any(const Mask& mask) { return bits(mask) != 0; }
@@ -237,6 +241,22 @@ inline Real least(const Lanes& x) {
     return detail::least(result);
 }
 inline Real greatest(const Lanes& x) { return -least(-x); }
+
+// The least lanes of three, one after the other; the fourth number means nothing.
+inline void storeLeast(const Vec3T<Lanes>& v, double (&to)[4]) {
+#if defined(RAYTRACER_LANES_avx2) && defined(RAYTRACER_PRECISION_double)
+    static_assert(registerCount == 2);
+    const Register x = detail::smaller(v.x.part[0], v.x.part[1]), y = detail::smaller(v.y.part[0], v.y.part[1]),
+                   z = detail::smaller(v.z.part[0], v.z.part[1]);
+    const Register xy = detail::smaller(__builtin_shufflevector(x, y, 0, 4, 2, 6), __builtin_shufflevector(x, y, 1, 5, 3, 7));
+    const Register zz = detail::smaller(z, __builtin_shufflevector(z, z, 1, 0, 3, 2));
+    const Register all =
+        detail::smaller(__builtin_shufflevector(xy, zz, 0, 1, 4, 5), __builtin_shufflevector(xy, zz, 2, 3, 6, 7));
+    std::memcpy(to, &all, sizeof to);
+#else
+    for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<double>(least(v[axis]));
+#endif
+}
 
 // Lane i is numbers[i].
 inline Lanes lanesOf(const Real (&numbers)[laneCount]) {
