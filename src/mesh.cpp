@@ -105,7 +105,7 @@ void Mesh::intersect(const Ray& ray, HitQuery& query) const {
     const Real slack = 64 * roundoff * meshRay.reach;
     BvhCursor cursor(bvh, {glm::dvec3(object.origin), glm::dvec3(object.direction), static_cast<double>(slack)});
     if (!cursor.usable()) return intersectAll(meshRay, query);
-    const auto next = [&] { return cursor.next(static_cast<double>(query.limit() * transform_.objectPerWorldT())); };
+    const auto next = [&] { return cursor.next(static_cast<double>(query.limit())); };
     if (!next()) return;
     const ShearedRay sheared(object);
     do {
@@ -125,10 +125,9 @@ void Mesh::intersectTriangle(const MeshRay& ray, const ShearedRay& sheared, std:
     ++query.tests;
     const TriangleMesh::LineHit line = triangles_->intersectLine(sheared, triangle);
     if (!line.hit) return;
-    const Real t = line.t * transform_.worldPerObjectT();
-    if (!(t >= 0 && t <= query.limit())) return;
+    if (!(line.t >= 0 && line.t <= query.limit())) return;
     if (departure.shape && departure.shape != this && touches(ray.world.origin, departure.positionError, triangle)) return;
-    query.offer(t, *this, triangle, line.entering);
+    query.offer(line.t, *this, triangle, line.entering);
 }
 
 // A ray that leaves this mesh starts off its triangle's plane, on its own side, and within the edges, by more than the

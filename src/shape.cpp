@@ -86,7 +86,7 @@ bool Solid::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) co
 
 Vec3 Solid::pointObject(const Ray& ray, const Hit& hit) const {
     const ObjectRay object = transform_.toObject(ray);
-    return object.origin + (hit.t / transform_.worldPerObjectT()) * object.direction;
+    return object.origin + hit.t * object.direction;
 }
 
 template <class ChordFinder>
@@ -95,21 +95,20 @@ void Solid::offerChord(const Ray& ray, HitQuery& query, ChordFinder chordOf) con
     if (leavesThis && !ray.departure.inside) return;
     ++query.tests;
     const Chord chord = chordOf(transform_.toObject(ray));
-    const Real scale = transform_.worldPerObjectT();
-    if (leavesThis) return query.offer(std::max(Real(0), chord.exit * scale), *this, chord.exitFace, false);
+    if (leavesThis) return query.offer(std::max(Real(0), chord.exit), *this, chord.exitFace, false);
     if (!chord.hit || !(chord.exit >= 0)) return;
 
     bool entering = chord.entry >= 0;
-    if ((entering ? chord.entry : chord.exit) * scale > query.limit()) return;
+    if ((entering ? chord.entry : chord.exit) > query.limit()) return;
     if (ray.departure.shape && touches(ray.origin, ray.departure.positionError, 0)) {
         // One of the chord's ends is the ray's origin: the one nearer to it. Only the other counts.
         if (std::abs(chord.exit) < std::abs(chord.entry)) return;
         entering = false;
     }
     if (entering)
-        query.offer(chord.entry * scale, *this, chord.entryFace, true);
+        query.offer(chord.entry, *this, chord.entryFace, true);
     else
-        query.offer(chord.exit * scale, *this, chord.exitFace, false);
+        query.offer(chord.exit, *this, chord.exitFace, false);
 }
 
 // Sphere
@@ -216,7 +215,7 @@ void Plane::intersect(const Ray& ray, HitQuery& query) const {
     if (ray.departure.shape == this) return;
     ++query.tests;
     const ObjectRay object = transform_.toObject(ray);
-    const Real t = -object.origin.z / object.direction.z * transform_.worldPerObjectT();
+    const Real t = -object.origin.z / object.direction.z;
     if (!(t >= 0 && t <= query.limit()) || object.direction.z == 0) return;
     if (ray.departure.shape && touches(ray.origin, ray.departure.positionError, 0)) return;
     query.offer(t, *this, 0, object.direction.z < 0);
@@ -224,7 +223,7 @@ void Plane::intersect(const Ray& ray, HitQuery& query) const {
 
 Intersection Plane::surfaceAt(const Ray& ray, const Hit& hit) const {
     const ObjectRay object = transform_.toObject(ray);
-    Vec3 p = object.origin + (hit.t / transform_.worldPerObjectT()) * object.direction;
+    Vec3 p = object.origin + hit.t * object.direction;
     p.z = 0;
     Intersection intersection = surface(hit, p, {0, 0, 1});
     if (wantsTexCoord()) intersection.texCoord = capTexCoord(p) - glm::floor(capTexCoord(p));

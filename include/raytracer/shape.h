@@ -76,7 +76,7 @@ class Shape {
     std::uint32_t index_;
 };
 
-// The part of a line inside a convex solid, in object-space t.
+// The part of a line inside a convex solid, in t of the ray.
 struct Chord {
     bool hit = false;
     Real entry = 0, exit = 0;  // entry <= exit where hit; exit is meaningful for a line through the inside regardless

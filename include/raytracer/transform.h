@@ -7,8 +7,8 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// A ray in object space. Its direction is scaled by a power of two so that its largest component is of order 1 even
-// where the transform's scale is 1e100: world t = object t * Transform::worldPerObjectT().
+// A ray in object space, with the t of the ray in the world. Where the transform's scale is 1e-200 its direction's square
+// overflows: who squares it looks at that (isSafeSquare).
 struct ObjectRay {
     Vec3 origin{0};
     Vec3 direction{0};
@@ -23,11 +23,9 @@ class Transform {
     explicit Transform(const Affine& worldFromObject);
 
     ObjectRay toObject(const Ray& ray) const {
-        return {inverse_ * (ray.origin - translation_) * inverseScale_, inverse_ * ray.direction};
+        return {inverse_ * (ray.origin - translation_), inverse_ * ray.direction};
     }
-    Vec3 pointToObject(const Vec3& world) const { return inverse_ * (world - translation_) * inverseScale_; }
-    Real worldPerObjectT() const { return worldPerObjectT_; }
-    Real objectPerWorldT() const { return inverseScale_; }
+    Vec3 pointToObject(const Vec3& world) const { return inverse_ * (world - translation_); }
 
     Vec3 pointToWorld(const Vec3& object) const { return linear_ * object + translation_; }
 
@@ -43,7 +41,7 @@ class Transform {
     Vec3 objectError(const Vec3& world, const Vec3& worldError) const {
         const Vec3 uncertain =
             worldError + gamma(5) * abs(world - translation_) + gamma(2) * abs(translation_);
-        return abs(inverse_) * uncertain * inverseScale_;
+        return abs(inverse_) * uncertain;
     }
 
     // How much larger, at most, an error can become on the way to object space and back: the largest sum of a row of
@@ -58,10 +56,8 @@ class Transform {
 
   private:
     // What rays need comes first, together.
-    Mat3 inverse_{1};          // of linear_, divided by inverseScale_
+    Mat3 inverse_{1};  // of linear_
     Vec3 translation_{0};
-    Real inverseScale_ = 1;    // a power of two: the magnitude of the inverse's largest entry
-    Real worldPerObjectT_ = 1;  // 1 / inverseScale_
     Mat3 linear_{1};
 };
 
