@@ -10,6 +10,7 @@
 #include <memory>
 #include <string_view>
 
+#include <libdeflate.h>
 #include <stb_image.h>
 #include <stb_image_write.h>
 
@@ -31,11 +32,35 @@ bool isTruncatedJpeg(std::string_view file) {
     return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
 }
 
+std::uint32_t bigEndian(std::string_view bytes) {
+    std::uint32_t number = 0;
+    for (const char byte : bytes.substr(0, 4)) number = number << 8 | static_cast<unsigned char>(byte);
+    return number;
+}
+
+// stb does not look at a PNG's checksums: a flipped bit would pass for another colour. A chunk: length, type, as many bytes,
+// and a CRC of type and bytes.
+bool isDamagedPng(std::string_view file) {
+    constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
+    if (!file.starts_with(signature)) return false;
+    for (file.remove_prefix(signature.size()); file.size() >= 12;) {
+        const std::size_t length = bigEndian(file);
+        if (length > file.size() - 12) break;
+        const std::string_view covered = file.substr(4, 4 + length);
+        if (libdeflate_crc32(0, covered.data(), covered.size()) != bigEndian(file.substr(8 + length))) break;
+        if (covered.starts_with("IEND")) return false;
+        file.remove_prefix(12 + length);
+    }
+    return true;
+}
+
 using Decoded = std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>;
 
 Decoded decode(const FileBytes& file, int& width, int& height) {
     if (file.size() > largestStbSize) throw ImageError("cannot decode: the file is over 2 GiB");
     if (isTruncatedJpeg({file.begin(), file.end()})) throw ImageError("broken JPEG picture: it has no end marker");
+    if (isDamagedPng({file.begin(), file.end()}))
+        throw ImageError("broken PNG picture: it is cut short, or a checksum in it is wrong");
     int channelsInFile = 0;
     stbi_uc* const pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.begin()),
                                                   static_cast<int>(file.size()), &width, &height, &channelsInFile,
