@@ -22,6 +22,16 @@ void checkPowersOfTwo(Precision precision, const std::vector<int>& exponents, in
     }
 }
 
+// With a cube far away to either side, where no ray is likely to meet it. The scene's extent is then theirs, and with it the
+// unit in which it is computed, however small the rest of it is.
+SceneDescription betweenFarCubes(SceneDescription scene, double distance) {
+    for (const double side : {-distance, distance}) {
+        scene.transforms.push_back({"", side * glm::dvec3(0.48, 0.6, 0.64), {}, glm::dvec3(distance * 0x1p-20), {}});
+        scene.shapes.push_back({ShapeDescription::Type::Cube, scene.transforms.size() - 1, 0, nullptr});
+    }
+    return scene;
+}
+
 // How far the scene reaches from the camera: what translations are measured in.
 double sizeOf(const SceneDescription& scene) {
     double largest = 1e-3;
@@ -55,6 +65,23 @@ TEST_CASE("a scene times a power of two is the same picture in float") {
     std::vector<int> exponents;
     for (int exponent = -30; exponent <= 30; ++exponent) exponents.push_back(exponent);
     checkPowersOfTwo(Precision::Float, exponents, 16);
+}
+
+// The unit stays, so all numbers of the arithmetic change, and a constant among them shows.
+TEST_CASE("a scene times a power of two is the same picture beside what stays as it is") {
+    const auto check = [](Precision precision, double distance, const std::vector<int>& exponents) {
+        for (const std::string& file : sceneFiles()) {
+            const SceneDescription scene = loadScene(file, true).description;
+            const ByteImage plain = bytesOf(scene, 24, precision);
+            for (const int exponent : exponents) {
+                INFO(file << " times 2^" << exponent << " in " << precisionName[static_cast<int>(precision)]);
+                const SceneDescription other = betweenFarCubes(scaled(scene, std::ldexp(1.0, exponent)), distance);
+                CHECK(bytesOf(other, 24, precision).pixels == plain.pixels);
+            }
+        }
+    };
+    check(Precision::Double, 0x1p330, {-300, -100, -20, 0, 40, 300});
+    check(Precision::Float, 0x1p45, {-20, -5, 0, 15, 30});
 }
 
 TEST_CASE("a scene times a power of ten is what extended precision makes of it") {
