@@ -155,6 +155,27 @@ TEST_CASE("A PNG with any bit flipped is refused") {
     }
 }
 
+TEST_CASE("A PNG with a palette") {
+    // Colours red, green and blue, the second one transparent; three texels, each the byte of an uncompressed block.
+    const auto paletted = [](std::uint8_t a, std::uint8_t b, std::uint8_t c) {
+        std::string bytes("\0" "abc", 4);
+        bytes[1] = static_cast<char>(a), bytes[2] = static_cast<char>(b), bytes[3] = static_cast<char>(c);
+        const std::uint32_t adler = libdeflate_adler32(1, bytes.data(), bytes.size());
+        std::string zlib("\x78\x01\x01\x04\0\xfb\xff", 7);
+        zlib += bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) zlib += static_cast<char>(adler >> shift);
+        const char head[] =
+            "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\3\0\0\0\1\x8\3\0\0\0@@@@"
+            "\0\0\0\x9PLTE\xff\0\0\0\xff\0\0\0\xff@@@@\0\0\0\2tRNS\xff\0@@@@\0\0\0\xfIDAT";
+        return checksummed(std::string(head, sizeof head - 1) + zlib + std::string("@@@@\0\0\0\0IEND@@@@", 16));
+    };
+    const TemporaryFolder folder;
+    const auto read = [&](const std::string& png) { return readImage(folder.write("a.png", png)); };
+    CHECK(read(paletted(2, 1, 0)).pixels == std::vector<std::uint8_t>{0, 0, 255, 0, 255, 0, 255, 0, 0});
+    for (const int beyond : {3, 4, 255})
+        CHECK_THROWS_WITH(read(paletted(0, static_cast<std::uint8_t>(beyond), 1)), "broken PNG picture: a texel has a colour beyond its palette");
+}
+
 TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
     const TemporaryFolder folder;
     const float inf = std::numeric_limits<float>::infinity();
