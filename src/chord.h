@@ -26,9 +26,10 @@ inline void clipAxis(Chord& chord, Real origin, Real direction, Real low, Real h
 }
 
 // Solids are closed: an edge or a rim that is met in a single point counts, as its first face, though the roundings of the
-// two faces' t (of a quotient, of a quadratic's root) may have put the exit there before the entry.
-inline void closeChord(Chord& chord) {
-    const Real slack = gamma(16) * std::max(std::abs(chord.entry), std::abs(chord.exit));
+// two faces' t (of a quotient, of a quadratic's root) may have put the exit there before the entry. shift: how far along the
+// line the origin of t has been moved, which has its own rounding.
+inline void closeChord(Chord& chord, Real shift = 0) {
+    const Real slack = gamma(16) * std::max(std::abs(shift), std::max(std::abs(chord.entry), std::abs(chord.exit)));
     chord.hit = chord.hit && chord.entry <= chord.exit + slack;
     if (!chord.hit || chord.entry < chord.exit) return;
     chord.exit = chord.entry;
@@ -130,7 +131,7 @@ inline Chord coneChord(const ObjectRay& ray) {
         clipAxis(chord, p.z, d.z, 0, 1, 0, 1);
     else
         chord.hit = chord.hit && p.z >= 0 && p.z < 1;
-    closeChord(chord);
+    closeChord(chord, shift);
     chord.entry += shift;
     chord.exit += shift;
     return chord;

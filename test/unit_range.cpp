@@ -126,6 +126,22 @@ TEST_CASE("range: a camera of very long and very short vectors") {
     }
 }
 
+// Of a line that passes by the apex, the textbook's discriminant is all but cancelled: to a root of the roundoff, which is more
+// than a pixel here.
+TEST_CASE("range: the tip of a cone, seen from very near") {
+    for (const double size : {1e-3, 1e-6, 1e-9}) {
+        SceneMaker maker = perspective();
+        maker.scene.camera.eye *= size;
+        MaterialDescription& m = maker.material(glm::dvec3(0.1));
+        m.color_diffuse = glm::dvec3(0.7, 0.5, 0.3);
+        const glm::dmat4 tipToOrigin(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1);
+        maker.shape(Type::Cone, {"", {}, TransformDescription::Rotation{-60, {1, 0.2, 0}}, {}, tipToOrigin});
+        maker.light(size * glm::dvec3(-4, 3, 6));
+        INFO(size);
+        CHECK(differingPixels(bytesOf(maker.scene, edge), bytesOf(maker.scene, edge, Precision::Extended), 1) <= 1);
+    }
+}
+
 TEST_CASE("range: shininess and indices of refraction") {
     for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})
         for (const double shininess : {0., 1e-300, 0.5, 1., 1e6, 1e300})
