@@ -49,6 +49,28 @@ TEST_CASE("watertight: exactly through the vertices and edges of a cube of trian
                 }
 }
 
+// Four triangles around a vertex at which two edges go straight on, as in every subdivided face, and a line that passes by one of
+// these edges so closely that rounded products agree: guessed there, the sides of two edges contradict each other.
+TEST_CASE("watertight: by an edge that goes straight on through a vertex") {
+    Random random(7);
+    int wrong = 0;
+    for (int i = 0; i < 100000; ++i) {
+        // Rounded to Real so that a mesh, which has double, holds what the test means.
+        const auto rounded = [](const glm::dvec3& v) { return glm::dvec3(Vec3(v)); };
+        const glm::dvec3 way(random.between(0.5, 1), random.between(0.5, 1), 0), side(-way.y, way.x, 0);
+        const glm::dvec3 middle = rounded(random.between(-0.1, 0.1) * way);
+        auto data = std::make_shared<MeshData>();
+        data->positions = {middle, rounded(way), rounded(side), rounded(middle + random.between(0.5, 2) * (middle - way)), rounded(-side)};
+        data->positionIndex = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
+        const TriangleMesh triangles(data);
+        const ShearedRay line({Vec3(0, 0, -1), Vec3(0, 0, 1)});
+        int met = 0;
+        for (std::uint32_t triangle = 0; triangle < 4; ++triangle) met += triangles.intersectLine(line, triangle).hit;
+        wrong += met != 1;
+    }
+    CHECK(wrong == 0);
+}
+
 TEST_CASE("watertight: the side of an edge is exact where rounded products agree") {
     const Real step = 2 * unitRoundoff, a = 1 + step;
     CHECK(signOfDifferenceOfProducts(a, a, 1 + 2 * step, 1) == 1);  // (1 + e)^2 = 1 + 2e + e^2

@@ -46,12 +46,12 @@ double sizeOf(const SceneDescription& scene) {
     return largest;
 }
 
-// Of 10,000 pixels, those in which double and extended differ by more than 1 of 255, on the very same numbers.
+// Of 10,000 pixels, those that differ from extended precision's by more than 1 of 255, on the very same numbers.
 struct Tally {
     int wrong = 0, pixels = 0;
 
-    void add(const SceneDescription& scene) {
-        const ByteImage judge = bytesOf(scene, 60, Precision::Extended), image = bytesOf(scene, 60);
+    void add(const SceneDescription& scene, const ByteImage& judge, Precision precision = Precision::Double) {
+        const ByteImage image = bytesOf(scene, 60, precision);
         wrong += differingPixels(image, judge, 1);
         pixels += image.width * image.height;
     }
@@ -88,14 +88,22 @@ TEST_CASE("a scene times a power of two is the same picture beside what stays as
     check(Precision::Float, 0x1p45, {-20, -5, 0, 15, 30});
 }
 
+// Double in every scene; float in all of them together.
 TEST_CASE("a scene times a power of ten is what extended precision makes of it") {
+    Tally inFloat;
     for (const std::string& file : sceneFiles()) {
         INFO(file);
         const SceneDescription scene = loadScene(file, true).description;
         Tally tally;
-        for (int exponent = -12; exponent <= 12; ++exponent) tally.add(scaled(scene, std::pow(10, exponent)));
+        for (int exponent = -12; exponent <= 12; ++exponent) {
+            const SceneDescription other = scaled(scene, std::pow(10, exponent));
+            const ByteImage judge = bytesOf(other, 60, Precision::Extended);
+            tally.add(other, judge);
+            inFloat.add(other, judge, Precision::Float);
+        }
         tally.check();
     }
+    inFloat.check();
 }
 
 TEST_CASE("a scene moved far away is what extended precision makes of it") {
@@ -103,8 +111,10 @@ TEST_CASE("a scene moved far away is what extended precision makes of it") {
         INFO(file);
         const SceneDescription scene = loadScene(file, true).description;
         Tally tally;
-        for (int exponent = 0; exponent <= 8; ++exponent)
-            tally.add(translated(scene, sizeOf(scene) * std::pow(10, exponent) * glm::dvec3(0.8, -0.31, 0.53)));
+        for (int exponent = 0; exponent <= 8; ++exponent) {
+            const SceneDescription other = translated(scene, sizeOf(scene) * std::pow(10, exponent) * glm::dvec3(0.8, -0.31, 0.53));
+            tally.add(other, bytesOf(other, 60, Precision::Extended));
+        }
         tally.check();
     }
 }
