@@ -14,8 +14,8 @@ constexpr std::uint32_t listLimit = 8;
 // On which side of the edge p -> q the origin lies, +1 or -1, as if the origin were displaced by (e, e^2) with e
 // infinitesimal: never 0 unless p == q, and opposite for q -> p. (Simulation of Simplicity, Edelsbrunner and Mucke 1990.)
 int sideOfEdge(Real px, Real py, Real qx, Real qy) {
-    const int sign = signOfDifferenceOfProducts(px, qy, py, qx);
-    if (sign != 0) return sign;
+    const Real difference = differenceOfProducts(px, qy, py, qx);
+    if (difference != 0) return difference > 0 ? 1 : -1;
     if (py != qy) return py > qy ? 1 : -1;
     return (qx > px) - (qx < px);
 }
@@ -72,14 +72,17 @@ TriangleMesh::LineHit TriangleMesh::intersectLine(const ShearedRay& ray, std::ui
         pz[i] = ray.scaleZ * relative[ray.z];
     }
     // All three edges must have the origin on the same side. A rounded difference that is not zero has the right sign.
-    const Real u = px[2] * py[1] - py[2] * px[1], v = px[0] * py[2] - py[0] * px[2],
-               w = px[1] * py[0] - py[1] * px[0];
+    Real u = px[2] * py[1] - py[2] * px[1], v = px[0] * py[2] - py[0] * px[2], w = px[1] * py[0] - py[1] * px[0];
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
     if (u == 0 || v == 0 || w == 0) {
         const int side = sideOfEdge(px[2], py[2], px[1], py[1]);
         if (side == 0 || side != sideOfEdge(px[0], py[0], px[2], py[2]) ||
             side != sideOfEdge(px[1], py[1], px[0], py[0]))
             return {};
+        // A sliver may be seen so closely that all three were rounded to zero.
+        u = differenceOfProducts(px[2], py[1], py[2], px[1]);
+        v = differenceOfProducts(px[0], py[2], py[0], px[2]);
+        w = differenceOfProducts(px[1], py[0], py[1], px[0]);
     }
     const Real sum = u + v + w;
     if (sum == 0) return {};

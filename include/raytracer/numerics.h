@@ -24,7 +24,7 @@
 // widens the origin (BvhRay::slack, prepare in bvh_kernel.inc).
 //
 // Triangles. Which side of an edge the line passes by is found exactly, so that two triangles never disagree about the edge
-// that they share: signOfDifferenceOfProducts (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013).
+// that they share: differenceOfProducts (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013).
 #pragma once
 
 #include <cmath>
@@ -99,15 +99,13 @@ inline Real power(Real x, Real n) {
     return result;
 }
 
-// The sign of a * b - c * d, exact unless a product underflows: rounding is monotone, so unequal rounded products are
-// in the order of the exact ones; where they are equal, their rounding errors (exact by fma) decide. The exact fallback is
-// Woop, Benthin and Wald's (section 3.3), who have the next larger type for it: there is none for every Real.
-inline int signOfDifferenceOfProducts(Real a, Real b, Real c, Real d) {
+// a * b - c * d with the exact sign, unless a product underflows: rounding is monotone, so unequal rounded products are in the
+// order of the exact ones; where they are equal, their rounding errors, exact by fma, are all of the difference. The exact
+// fallback is Woop, Benthin and Wald's (section 3.3), who have the next larger type for it: there is none for every Real.
+inline Real differenceOfProducts(Real a, Real b, Real c, Real d) {
     const Real ab = a * b, cd = c * d;
-    if (ab > cd) return 1;
-    if (ab < cd) return -1;
-    const Real abError = std::fma(a, b, -ab), cdError = std::fma(c, d, -cd);
-    return (abError > cdError) - (abError < cdError);
+    if (ab != cd) return ab - cd;
+    return std::fma(a, b, -ab) - std::fma(c, d, -cd);
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
