@@ -6,7 +6,7 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// The part of a line inside a convex solid, in object-space t. A face is a number of T, so that it is chosen as the t are.
+// The part of a line inside a convex solid, in t of the ray. A face is a number of T, so that it is chosen as the t are.
 template <class T>
 struct Chord {
     Truth<T> hit;
@@ -38,10 +38,11 @@ void clipAxis(Chord<T>& chord, const T& origin, const T& direction, Real low, Re
 }
 
 // Solids are closed: an edge or a rim that is met in a single point counts, as its first face, though the roundings of the
-// two faces' t (of a quotient, of a quadratic's root) may have put the exit there before the entry.
+// two faces' t (of a quotient, of a quadratic's root) may have put the exit there before the entry. shift: how far along the
+// line the origin of t has been moved, which has its own rounding.
 template <class T>
-void closeChord(Chord<T>& chord) {
-    const T slack = T(gamma(16)) * max(abs(chord.entry), abs(chord.exit));
+void closeChord(Chord<T>& chord, const T& shift = T(0)) {
+    const T slack = T(gamma(16)) * max(abs(shift), max(abs(chord.entry), abs(chord.exit)));
     chord.hit = chord.hit & (chord.entry <= chord.exit + slack);
     const Truth<T> single = chord.hit & !(chord.entry < chord.exit);
     if (!any(single)) return;
@@ -167,7 +168,7 @@ struct ConeChord {
         chord.exit = select(roots.steep, select(down, T(infinity), roots.low), chord.exit);
         // w = 0 is no face but the apex, which belongs to the body.
         clipAxis(chord, p.z, d.z, 0, 1, 0, 1, (p.z >= T(0)) & (p.z < T(1)));
-        closeChord(chord);
+        closeChord(chord, shift);
         chord.entry += shift;
         chord.exit += shift;
         return chord;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <string_view>
 
+#include <libdeflate.h>
 #include <stb_image.h>
 #include <stb_image_write.h>
 
@@ -31,17 +32,88 @@ bool isTruncatedJpeg(std::string_view file) {
     return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
 }
 
+std::uint32_t bigEndian(std::string_view bytes) {
+    std::uint32_t number = 0;
+    for (const char byte : bytes.substr(0, 4)) number = number << 8 | static_cast<unsigned char>(byte);
+    return number;
+}
+
+// A chunk of a PNG: length, type, as many bytes, and a CRC of type and bytes.
+constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
+constexpr std::size_t chunkFrame = 12;
+
+// The chunk, whole, that the text begins with; empty where it is cut short or its checksum is wrong, which stb does not look
+// at: a flipped bit would pass for another colour.
+std::string_view firstChunk(std::string_view text) {
+    if (text.size() < chunkFrame) return {};
+    const std::size_t length = bigEndian(text);
+    if (length > text.size() - chunkFrame) return {};
+    const std::uint32_t crc = libdeflate_crc32(0, text.data() + 4, 4 + length);
+    return crc == bigEndian(text.substr(8 + length)) ? text.substr(0, chunkFrame + length) : std::string_view{};
+}
+
+std::vector<std::string_view> readChunks(std::string_view png) {
+    std::vector<std::string_view> chunks;
+    do {
+        png.remove_prefix(chunks.empty() ? pngSignature.size() : chunks.back().size());
+        chunks.push_back(firstChunk(png));
+        if (chunks.back().empty()) throw ImageError("broken PNG picture: it is cut short, or a checksum in it is wrong");
+    } while (chunks.back().substr(4, 4) != "IEND");
+    return chunks;
+}
+
+// A texel beyond the palette is for stb whatever its memory holds. So before the file's own palette comes one of 256 colours that
+// are transparent; what the file says of transparency is left out, for the colours that it has are not to be so.
+std::string withWholePalette(const std::vector<std::string_view>& chunks) {
+    const auto chunk = [](std::string_view head, std::size_t size) {
+        return std::string(head) + std::string(size + 4, '\0');  // black, or transparent; and a checksum that is not looked at
+    };
+    std::string png(pngSignature);
+    for (const std::string_view& own : chunks) {
+        if (own.substr(4, 4) != "tRNS") png += own;
+        if (&own == &chunks.front()) png += chunk({"\0\0\3\0PLTE", 8}, 768) + chunk({"\0\0\1\0tRNS", 8}, 256);
+    }
+    return png;
+}
+
+bool hasPalette(std::string_view header) {
+    constexpr std::size_t colorType = 17;
+    return header.size() > colorType && (header[colorType] & 3) == 3;
+}
+
 using Decoded = std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>;
 
-Decoded decode(const FileBytes& file, int& width, int& height) {
-    if (file.size() > largestStbSize) throw ImageError("cannot decode: the file is over 2 GiB");
-    if (isTruncatedJpeg({file.begin(), file.end()})) throw ImageError("broken JPEG picture: it has no end marker");
+Decoded decode(std::string_view file, int wanted, int& width, int& height) {
     int channelsInFile = 0;
-    stbi_uc* const pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.begin()),
-                                                  static_cast<int>(file.size()), &width, &height, &channelsInFile,
-                                                  static_cast<int>(channels));
+    stbi_uc* const pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()),
+                                                  &width, &height, &channelsInFile, wanted);
     if (!pixels) throw ImageError(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
     return {pixels, &stbi_image_free};
+}
+
+ByteImage decodePaletted(const std::vector<std::string_view>& chunks) {
+    ByteImage image;
+    const Decoded pixels = decode(withWholePalette(chunks), 4, image.width, image.height);
+    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    for (const stbi_uc* p = pixels.get(); p != pixels.get() + 4 * count; p += 4) {
+        if (p[3] == 0) throw ImageError("broken PNG picture: a texel has a colour beyond its palette");
+        image.pixels.insert(image.pixels.end(), p, p + channels);
+    }
+    return image;
+}
+
+ByteImage decode(std::string_view file) {
+    if (file.size() > largestStbSize / 2) throw ImageError("cannot decode: the file is over 1 GiB");
+    if (isTruncatedJpeg(file)) throw ImageError("broken JPEG picture: it has no end marker");
+    if (file.starts_with(pngSignature)) {
+        const auto chunks = readChunks(file);
+        if (hasPalette(chunks.front())) return decodePaletted(chunks);
+    }
+    ByteImage image;
+    const Decoded pixels = decode(file, static_cast<int>(channels), image.width, image.height);
+    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
+    image.pixels.assign(pixels.get(), pixels.get() + count);
+    return image;
 }
 
 // stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a little
@@ -133,11 +205,7 @@ std::uint8_t toByte(double channel) {
 
 ByteImage readImage(const std::string& path) try {
     const FileBytes file(path);
-    ByteImage image;
-    const Decoded pixels = decode(file, image.width, image.height);
-    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
-    image.pixels.assign(pixels.get(), pixels.get() + count);
-    return image;
+    return decode({file.begin(), file.end()});
 } catch (const FileError& error) {
     throw ImageError(error.what());
 }

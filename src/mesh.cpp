@@ -15,8 +15,8 @@ constexpr std::uint32_t listLimit = 8;
 }  // namespace
 
 int sideOfEdge(Real px, Real py, Real qx, Real qy) {
-    const int sign = signOfDifferenceOfProducts(px, qy, py, qx);
-    if (sign != 0) return sign;
+    const Real difference = differenceOfProducts(px, qy, py, qx);
+    if (difference != 0) return difference > 0 ? 1 : -1;
     if (py != qy) return py > qy ? 1 : -1;
     return (qx > px) - (qx < px);
 }
@@ -24,6 +24,11 @@ int sideOfEdge(Real px, Real py, Real qx, Real qy) {
 bool isWithin(const Vec3& x, const Vec3& y) {
     const int side = sideOfEdge(x[2], y[2], x[1], y[1]);
     return side != 0 && side == sideOfEdge(x[0], y[0], x[2], y[2]) && side == sideOfEdge(x[1], y[1], x[0], y[0]);
+}
+
+Vec3 exactEdges(const Vec3& x, const Vec3& y) {
+    return {differenceOfProducts(x[2], y[1], y[2], x[1]), differenceOfProducts(x[0], y[2], y[0], x[2]),
+            differenceOfProducts(x[1], y[0], y[1], x[0])};
 }
 
 ShearAxes shearAxes(const Vec3& direction) {
@@ -75,7 +80,7 @@ void Mesh::intersect(const Ray& ray, HitQuery& query) const {
     const auto slack = static_cast<double>(slackFrom(maxComponent(abs(object.origin))));
     BvhCursor cursor(bvh, {glm::dvec3(object.origin), glm::dvec3(object.direction), slack});
     if (!cursor.usable()) return intersectAll(meshRay(), query);
-    const auto next = [&] { return cursor.next(static_cast<double>(query.limit() * transform_.objectPerWorldT())); };
+    const auto next = [&] { return cursor.next(static_cast<double>(query.limit())); };
     if (!next()) return;
     const MeshRay<Real> sheared = meshRay();
     do meetTriangles(sheared, cursor.primitives(), query);

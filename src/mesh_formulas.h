@@ -21,6 +21,9 @@ int sideOfEdge(Real px, Real py, Real qx, Real qy);
 // Whether the origin is within a triangle of these corners, on an edge of which it seems to be.
 bool isWithin(const Vec3& x, const Vec3& y);
 
+// On which side of its edges the origin is, twice the area that it spans with each: 0 only where it is on it.
+Vec3 exactEdges(const Vec3& x, const Vec3& y);
+
 template <class T>
 LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3>& corner) {
     Vec3T<T> x, y, z;
@@ -31,7 +34,7 @@ LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3
         z[i] = ray.scaleZ * relative[ray.axes.z];
     }
     // All three edges must have the origin on the same side. A rounded difference that is not zero has the right sign.
-    const T u = x.z * y.y - y.z * x.y, v = x.x * y.z - y.x * x.z, w = x.y * y.x - y.y * x.x;
+    T u = x.z * y.y - y.z * x.y, v = x.x * y.z - y.x * x.z, w = x.y * y.x - y.y * x.x;
     LineHit<T> result;
     const Truth<T> below = (u < T(0)) | (v < T(0)) | (w < T(0)), above = (u > T(0)) | (v > T(0)) | (w > T(0));
     result.hit = !(below & above);
@@ -40,6 +43,9 @@ LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3
     if (any(edge)) {
         const auto within = [](const Vec3& cornersX, const Vec3& cornersY) { return Real(isWithin(cornersX, cornersY)); };
         result.hit = result.hit & ((!edge) | (laneByLane<T>(within, x, y) > T(0)));
+        // A sliver may be seen so closely that all three were rounded to zero.
+        const Vec3T<T> exact = laneByLane<Vec3T<T>>(exactEdges, x, y);
+        u = select(edge, exact.x, u), v = select(edge, exact.y, v), w = select(edge, exact.z, w);
     }
     const T sum = u + v + w;
     result.hit = result.hit & !(sum == T(0));
@@ -83,12 +89,11 @@ void Mesh::meetTriangles(const MeshRay<T>& ray, std::span<const std::uint32_t> t
         const auto corner = triangles_->corners<Real>(triangle);
         const LineHit<T> line = intersectLine(ray.sheared, {Vec3T<T>(corner[0]), Vec3T<T>(corner[1]), Vec3T<T>(corner[2])});
         if (!any(line.hit)) continue;
-        const T t = line.t * T(transform_.worldPerObjectT());
-        Truth<T> hit = others & line.hit & (t >= T(0)) & (t <= query.limit());
+        Truth<T> hit = others & line.hit & (line.t >= T(0)) & (line.t <= query.limit());
         if (!any(hit)) continue;
         if (departure.shape && departure.shape != this)
             hit = hit & !touchesTriangle(ray.world.origin, departure.positionError, triangle);
-        query.offer(hit, t, *this, triangle, line.entering);
+        query.offer(hit, line.t, *this, triangle, line.entering);
     }
 }
 

@@ -135,8 +135,7 @@ void PacketTracer::meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& 
     BvhCursor cursor(bvh, beam);
     if (!cursor.usable()) return alone();
     const Mesh::MeshRay<Lanes> meshRay{ray, {object, axes}};
-    const auto perWorld = static_cast<double>(mesh.transform().objectPerWorldT());
-    while (!query.done() && cursor.next(static_cast<double>(greatest(query.limit())) * perWorld))
+    while (!query.done() && cursor.next(static_cast<double>(greatest(query.limit()))))
         mesh.meetTriangles(meshRay, cursor.primitives(), query);
 }
 

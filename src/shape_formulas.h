@@ -50,7 +50,7 @@ Vec3T<T> offCenter(const Vec3T<T>& p) {
 template <class T>
 Vec3T<T> Shape::pointObject(const RayT<T>& ray, const HitT<T>& hit) const {
     const ObjectRayT<T> object = transform_.toObject(ray);
-    return object.origin + (hit.t / T(transform_.worldPerObjectT())) * object.direction;
+    return object.origin + hit.t * object.direction;
 }
 
 template <class T>
@@ -80,12 +80,11 @@ void Solid::offerChord(const RayT<T>& ray, Query& query, ChordFinder chordOf, Of
     if (leavesThis && !ray.departure.inside) return;
     query.count();
     const Chord<T> chord = chordOf(transform_.toObject(ray));
-    const T scale(transform_.worldPerObjectT());
     const Truth<T> never = T(0) < T(0);
-    if (leavesThis) return query.offerFace(!never, max(T(0), chord.exit * scale), *this, chord.exitFace, never);
+    if (leavesThis) return query.offerFace(!never, max(T(0), chord.exit), *this, chord.exitFace, never);
 
     Truth<T> entering = chord.entry >= T(0);
-    const T first = select(entering, chord.entry, chord.exit) * scale;
+    const T first = select(entering, chord.entry, chord.exit);
     Truth<T> hit = chord.hit & (chord.exit >= T(0)) & !(first > query.limit());
     if (!any(hit)) return;
     if (ray.departure.shape) {
@@ -94,7 +93,7 @@ void Solid::offerChord(const RayT<T>& ray, Query& query, ChordFinder chordOf, Of
         hit = hit & !(starts & (abs(chord.exit) < abs(chord.entry)));
         entering = entering & !starts;
     }
-    query.offerFace(hit, select(entering, chord.entry, chord.exit) * scale, *this,
+    query.offerFace(hit, select(entering, chord.entry, chord.exit), *this,
                     select(entering, chord.entryFace, chord.exitFace), entering);
 }
 
@@ -232,7 +231,7 @@ void Plane::meet(const RayT<T>& ray, Query& query) const {
     if (ray.departure.shape == this) return;
     query.count();
     const ObjectRayT<T> object = transform_.toObject(ray);
-    const T t = -object.origin.z / object.direction.z * T(transform_.worldPerObjectT());
+    const T t = -object.origin.z / object.direction.z;
     Truth<T> hit = (t >= T(0)) & (t <= query.limit()) & !(object.direction.z == T(0));
     if (!any(hit)) return;
     if (ray.departure.shape) hit = hit & !touchesPlane(ray.origin, ray.departure.positionError);

@@ -1,6 +1,5 @@
 #include "raytracer/transform.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace raytracer {
@@ -9,23 +8,17 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 Transform::Transform(const Affine& worldFromObject) {
     const auto inverse = inverseLinear(worldFromObject);
     if (!inverse) throw std::domain_error("singular transform");
-    long double largest = 0;
-    for (const auto& row : inverse->entry)
-        for (const long double entry : row) largest = std::max(largest, std::abs(entry));
-    const int exponent = std::ilogb(largest);
-    inverseScale_ = std::scalbn(Real(1), exponent);
-    worldPerObjectT_ = std::scalbn(Real(1), -exponent);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             linear_[column][row] = static_cast<Real>(worldFromObject.linear[row][column]);
-            inverse_[column][row] = static_cast<Real>(std::scalbn(inverse->entry[row][column], -exponent));
+            inverse_[column][row] = static_cast<Real>(inverse->entry[row][column]);
         }
         translation_[row] = static_cast<Real>(worldFromObject.translation[row]);
     }
 }
 
 Real Transform::conditioning() const {
-    return maxComponent(abs(linear_) * (abs(inverse_) * Vec3(1) * inverseScale_));
+    return maxComponent(abs(linear_) * (abs(inverse_) * Vec3(1)));
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -36,8 +36,6 @@ ADVICE = ("look and up are taken as given", "it is not seen, but it may cast a s
 DUE = {
     "camera_test2.json": ": /camera: look and up are taken as given, and these distort the picture: expected lengths 1 "
                          "and 1 at 90 degrees, found lengths 1 and 1.25 at 90 degrees\n",
-    "lantern_lake.json": ": /lights/2: the light is inside of /shapes/13, an opaque cylinder, and the camera is not: it "
-                         "lights nothing outside but by color_ambient\n",
     "least.json": ": the picture is all black: the scene has no shapes\n",
 }
 

@@ -68,8 +68,8 @@ inline Affine randomAffine(Random& random, const Extents& extents) {
     return compose(t);
 }
 
-// A closed, strictly convex mesh: an icosahedron, each face split in four, the vertices on the unit sphere.
-inline std::shared_ptr<const MeshData> roundMesh() {
+// A closed, strictly convex mesh with its vertices on the unit sphere: an icosahedron, each face split in four unless `coarse`.
+inline std::shared_ptr<const MeshData> roundMesh(bool coarse = false) {
     auto mesh = std::make_shared<MeshData>();
     const double g = (1 + std::sqrt(5.0)) / 2, length = std::sqrt(1 + g * g);
     for (int axis = 0; axis < 3; ++axis)
@@ -94,9 +94,12 @@ inline std::shared_ptr<const MeshData> roundMesh() {
                 if (glm::distance(p[a], p[b]) > edge || glm::distance(p[b], p[c]) > edge || glm::distance(p[c], p[a]) > edge)
                     continue;
                 if (b == c || glm::dot(glm::cross(p[b] - p[a], p[c] - p[a]), p[a]) < 0) continue;
-                const std::uint32_t ab = split(a, b), bc = split(b, c), ca = split(c, a);
-                const std::uint32_t triangles[] = {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca};
-                mesh->positionIndex.insert(mesh->positionIndex.end(), std::begin(triangles), std::end(triangles));
+                std::vector<std::uint32_t> triangles{a, b, c};
+                if (!coarse) {
+                    const std::uint32_t ab = split(a, b), bc = split(b, c), ca = split(c, a);
+                    triangles = {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca};
+                }
+                mesh->positionIndex.insert(mesh->positionIndex.end(), triangles.begin(), triangles.end());
             }
     return mesh;
 }
@@ -148,8 +151,23 @@ inline Wide placeOn(Kind kind, const MeshData* mesh, Place place, Random& random
 // A point of object space in a convex solid's inside.
 inline Wide placeInside(Random& random) { return 0.2L * Wide(random.box()) + Wide(0, 0, 0.3L); }
 
-// F(p) <= 0 inside, convex, of the order of the distance in object units: the solid's equation without its code.
-inline long double offsetOf(Kind kind, const MeshData* mesh, const Wide& p) {
+// The planes of a mesh's triangles, with unit normals.
+struct Facet {
+    Wide normal, corner;
+};
+
+inline std::vector<Facet> facetsOf(const MeshData& mesh) {
+    std::vector<Facet> facets;
+    for (std::size_t i = 0; i < mesh.positionIndex.size(); i += 3) {
+        const auto corner = [&](std::size_t c) { return Wide(mesh.positions[mesh.positionIndex[i + c]]); };
+        const Wide n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        facets.push_back({n / std::sqrt(glm::dot(n, n)), corner(0)});
+    }
+    return facets;
+}
+
+// F(p) <= 0 inside, convex, of the order of the distance in object units: the shape's equation without its code.
+inline long double offsetOf(Kind kind, const Wide& p) {
     const long double r = std::sqrt(p.x * p.x + p.y * p.y);
     switch (kind) {
         case Kind::Sphere: return std::sqrt(glm::dot(p, p)) - 1;
@@ -159,13 +177,14 @@ inline long double offsetOf(Kind kind, const MeshData* mesh, const Wide& p) {
         case Kind::Cube: return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 1;
         case Kind::Mesh: break;
     }
-    long double largest = -1;
-    for (std::size_t i = 0; i < mesh->positionIndex.size(); i += 3) {
-        const auto corner = [&](std::size_t c) { return Wide(mesh->positions[mesh->positionIndex[i + c]]); };
-        const Wide n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
-        largest = std::max(largest, glm::dot(n, p - corner(0)) / std::sqrt(glm::dot(n, n)));
-    }
-    return largest;
+    return -1;  // isDeepInside
+}
+
+// Whether p is inside by more than `depth`; of a convex mesh, behind all of its facets.
+inline bool isDeepInside(Kind kind, const std::vector<Facet>& facets, const Wide& p, long double depth) {
+    if (kind != Kind::Mesh) return offsetOf(kind, p) < -depth;
+    return std::all_of(facets.begin(), facets.end(),
+                       [&](const Facet& facet) { return glm::dot(facet.normal, p - facet.corner) < -depth; });
 }
 
 #if defined(__SIZEOF_FLOAT128__)

@@ -21,7 +21,9 @@ struct Reintersections {
 class Reintersection {
   public:
     Reintersection(Kind kind, std::shared_ptr<const MeshData> mesh, std::uint64_t seed, const Extents& extents)
-        : kind_(kind), mesh_(std::move(mesh)), random_(seed), extents_(extents) {}
+        : kind_(kind), mesh_(std::move(mesh)), random_(seed), extents_(extents) {
+        if (mesh_) facets_ = facetsOf(*mesh_);
+    }
 
     // In poses of 64 places each, with 16 rays from each place.
     Reintersections run(std::uint64_t rays) {
@@ -99,7 +101,7 @@ class Reintersection {
             const long double t = out.t + ahead * step;
             const Wide unsure = from + t * turned;
             const long double tolerance = 64 * (unsure.x + unsure.y + unsure.z) + 256 * u;
-            if (offsetOf(kind_, mesh_.get(), origin + t * way) < -tolerance) return true;
+            if (isDeepInside(kind_, facets_, origin + t * way, tolerance)) return true;
         }
         return false;
     }
@@ -125,6 +127,7 @@ class Reintersection {
 
     Kind kind_;
     std::shared_ptr<const MeshData> mesh_;
+    std::vector<Facet> facets_;  // of the mesh
     Random random_;
     Extents extents_;
     Material material_;

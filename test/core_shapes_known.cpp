@@ -226,6 +226,19 @@ TEST_CASE("quadrics far from the ray's origin") {
         }
 }
 
+// From so far that the place of the hit is rounded into the very centre, where there is no direction outwards.
+TEST_CASE("a normal is of unit length however far the ray comes from") {
+    const Material material;
+    for (const Kind kind : {Kind::Sphere, Kind::Cylinder, Kind::Cone})
+        for (int exponent = 0; exponent < 100; ++exponent) {
+            const Vec3 origin(std::scalbn(Real(1), exponent), 0, Real(0.25));
+            const Intersection hit = makeShape(kind, Affine{}, material)->rayIntersect({origin, {-1, 0, 0}, {}});
+            INFO(nameOf(kind) << " from 2^" << exponent);
+            REQUIRE(hit.valid);
+            CHECK(near(glm::dot(hit.normal, hit.normal), 1, 1));
+        }
+}
+
 TEST_CASE("answers in the world, worked by hand") {
     const Material material;
     const auto hit = [&](Kind kind, const TransformDescription& t, const Vec3& origin, const Vec3& direction) {

@@ -26,6 +26,7 @@ FloatImage picture(const SceneDescription& scene, Precision precision, Accelerat
     return renderFloats(*makeRenderer(scene, precision, {accelerator, 0}), wholePicture(scene, longEdge));
 }
 
+// With packets of rays too, where the instruction set has them: without a tree there are none.
 void checkAll(const SceneDescription& scene, int longEdge) {
     const InstructionSet usual = instructionSet();
     for (const Precision precision : {Precision::Double, Precision::Float, Precision::Extended}) {
@@ -122,6 +123,35 @@ TEST_CASE("the scenes are the same with and without a tree") {
     }
 }
 
+TEST_CASE("packets are the same whatever the samples, the depth and the terms") {
+    const InstructionSet usual = instructionSet();
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const SceneDescription scene = loadScene(file, true).description;
+        const auto without = makeRenderer(scene, Precision::Double, {Accelerator::None, 0});
+        const auto with = makeRenderer(scene, Precision::Double, {Accelerator::Bvh, 0});
+        RenderOptions several = wholePicture(scene, 24), deep = wholePicture(scene, 30), plain = wholePicture(scene, 31);
+        several.samples = 3, several.adaptive = 0.02, several.bilinear = true;
+        deep.max_recursion = 8, deep.cutoff = 0.01;
+        plain.shadows = plain.refraction = false, plain.crop = {3, 1, 20, 14};
+        for (const RenderOptions& options : {several, deep, plain}) {
+            FloatSink one(options.crop);
+            const RenderCounts counts = without->render(options, one);
+            for (const InstructionSet set : instructionSets()) {
+                setInstructionSet(set);
+                FloatSink packets(options.crop);
+                const RenderCounts packetCounts = with->render(options, packets);
+                CHECK(packets.image().pixels == one.image().pixels);
+                CHECK(packetCounts.shadow == counts.shadow);
+                CHECK(packetCounts.reflection == counts.reflection);
+                CHECK(packetCounts.refraction == counts.refraction);
+                CHECK(packetCounts.cutoffBound == Approx(counts.cutoffBound).epsilon(1e-12));
+            }
+        }
+    }
+    setInstructionSet(usual);
+}
+
 TEST_CASE("many solids are the same with and without a tree") {
     for (const bool glass : {false, true}) {
         Random random(7);
@@ -181,7 +211,7 @@ TEST_CASE("a tree over many triangles, built by several threads, returns each of
         for (std::uint32_t triangle = 0; triangle < mesh->triangleCount(); triangle += 7) {
             const glm::dvec3* corner = &mesh->positions[3 * triangle];
             const glm::dvec3 middle = (corner[0] + corner[1] + corner[2]) / 3.0, origin = random.inCube(3);
-            BvhCursor cursor(bvh, {origin, middle - origin, 1e-14});
+            BvhCursor cursor(bvh, BvhRay{origin, middle - origin, 1e-14});
             REQUIRE(cursor.usable());
             bool found = false;
             while (!found && cursor.next(1 + 1e-9))
@@ -192,15 +222,86 @@ TEST_CASE("a tree over many triangles, built by several threads, returns each of
     }
 }
 
-TEST_CASE("a tree is no use for rays that are out of all proportion") {
+// The beam of rays that differ a little.
+BvhBeam beamAround(std::span<const BvhRay> rays) {
+    BvhBeam beam{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto range = [&](auto numberOf, double& low, double& high) {
+            low = high = numberOf(rays[0]);
+            for (const BvhRay& ray : rays) low = std::min(low, numberOf(ray)), high = std::max(high, numberOf(ray));
+        };
+        range([axis](const BvhRay& ray) { return ray.origin[axis]; }, beam.originLow[axis], beam.originHigh[axis]);
+        range([axis](const BvhRay& ray) { return ray.direction[axis]; }, beam.directionLow[axis], beam.directionHigh[axis]);
+    }
+    beam.slack = rays[0].slack;
+    return beam;
+}
+
+TEST_CASE("a beam meets whatever one of its rays does, with each instruction set") {
+    const InstructionSet usual = instructionSet();
+    Random random(12);
+    const auto mesh = triangleSoup(random, 5000);
+    std::vector<FloatBox> boxes;
+    BvhNames names;
+    for (std::uint32_t i = 0; i < mesh->triangleCount(); ++i) {
+        FloatBox box;
+        for (int axis = 0; axis < 3; ++axis) {
+            const glm::dvec3* corner = &mesh->positions[3 * i];
+            box.low[axis] = floatBelow(std::min({corner[0][axis], corner[1][axis], corner[2][axis]}));
+            box.high[axis] = floatAbove(std::max({corner[0][axis], corner[1][axis], corner[2][axis]}));
+        }
+        boxes.push_back(box);
+        names.names.push_back(i);
+    }
+    const Bvh trees[2] = {Bvh::ofTriangles(mesh->positions, mesh->positionIndex), Bvh::ofBoxes(boxes, names)};
+    for (const InstructionSet set : instructionSets()) {
+        setInstructionSet(set);
+        for (const Bvh& tree : trees) {
+            int used = 0, missing = 0;
+            for (int n = 0; n < 3000; ++n) {
+                const glm::dvec3* corner = &mesh->positions[3 * random.below(mesh->triangleCount())];
+                const glm::dvec3 middle = (corner[0] + corner[1] + corner[2]) / 3.0, origin = random.inCube(3);
+                const auto triangle = static_cast<std::uint32_t>((corner - mesh->positions.data()) / 3);
+                // The first goes through the triangle's middle, the others anywhere near.
+                std::vector<BvhRay> rays{{origin, middle - origin, 1e-14}};
+                const double spread = std::pow(10, random.between(-8, -1));
+                for (int i = 0; i < 7; ++i) {
+                    const glm::dvec3 from = origin + random.inCube(spread);
+                    rays.push_back({from, middle + random.inCube(spread) - from, 1e-14});
+                }
+                BvhCursor cursor(tree, beamAround(rays));
+                if (!cursor.usable()) continue;
+                ++used;
+                bool found = false;
+                while (!found && cursor.next(1 + 1e-9))
+                    found = std::ranges::count(cursor.primitives(), triangle) != 0;
+                missing += !found;
+            }
+            CHECK(used > 1000);
+            CHECK(missing == 0);
+        }
+    }
+    setInstructionSet(usual);
+}
+
+TEST_CASE("a tree is no use for rays that are out of all proportion, or part") {
     const FloatBox boxes[2] = {{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
     const Bvh bvh = Bvh::ofBoxes(boxes, {{0, 1}, nullptr});
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-    CHECK(BvhCursor(bvh, {{0, 0, 0}, {1, 0, 0}}).usable());
-    CHECK_FALSE(BvhCursor(bvh, {{0, 0, 0}, {0, 0, 0}}).usable());
-    CHECK_FALSE(BvhCursor(bvh, {{0, nan, 0}, {1, 0, 0}}).usable());
-    CHECK_FALSE(BvhCursor(bvh, {{0, 0, 0}, {1, nan, 0}}).usable());
-    CHECK_FALSE(BvhCursor(bvh, {{infinity, 0, 0}, {1, 0, 0}}).usable());
-    CHECK_FALSE(BvhCursor(bvh, {{1e30, 0, 0}, {1, 0, 0}}).usable());
-    CHECK_FALSE(BvhCursor(bvh, {{0, 0, 0}, {infinity, 0, 0}}).usable());
+    CHECK(BvhCursor(bvh, BvhRay{{0, 0, 0}, {1, 0, 0}}).usable());
+    CHECK_FALSE(BvhCursor(bvh, BvhRay{{0, 0, 0}, {0, 0, 0}}).usable());
+    CHECK_FALSE(BvhCursor(bvh, BvhRay{{0, nan, 0}, {1, 0, 0}}).usable());
+    CHECK_FALSE(BvhCursor(bvh, BvhRay{{0, 0, 0}, {1, nan, 0}}).usable());
+    CHECK_FALSE(BvhCursor(bvh, BvhRay{{infinity, 0, 0}, {1, 0, 0}}).usable());
+    CHECK_FALSE(BvhCursor(bvh, BvhRay{{1e30, 0, 0}, {1, 0, 0}}).usable());
+    CHECK_FALSE(BvhCursor(bvh, BvhRay{{0, 0, 0}, {infinity, 0, 0}}).usable());
+    const auto isUsable = [&](const BvhRay& a, const BvhRay& b) {
+        const BvhRay rays[2] = {a, b};
+        return BvhCursor(bvh, beamAround(rays)).usable();
+    };
+    CHECK(isUsable({{0, 0, 0}, {1, 0.1, 0.1}}, {{0, 0, 0}, {1, 0.2, 0.1}}));
+    CHECK_FALSE(isUsable({{0, 0, 0}, {1, 0.1, 0.1}}, {{0, 0, 0}, {1, -0.1, 0.1}}));
+    CHECK_FALSE(isUsable({{0, 0, 0}, {1, 0.1, 0.1}}, {{0, 0, 0}, {1, 90, 0.1}}));
+    CHECK_FALSE(isUsable({{0, 0, 0}, {1, 0.1, 0.1}}, {{0, 0, 0}, {1, nan, 0.1}}));
+    CHECK_FALSE(isUsable({{infinity, 0, 0}, {1, 0.1, 0.1}}, {{infinity, 0, 0}, {1, 0.1, 0.1}}));
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <thread>
 
+#include <libdeflate.h>
 #include <stb_image_write.h>
 
 #include "raytracer/image.h"
@@ -32,6 +33,18 @@ void append(void* to, void* bytes, int size) {
 std::string pngOf(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
     std::string png;
     stbi_write_png_to_func(append, &png, width, height, channels, pixels.data(), 0);
+    return png;
+}
+
+// The PNG with each chunk's checksum as it must be.
+std::string checksummed(std::string png) {
+    for (std::size_t chunk = 8; chunk < png.size();) {
+        std::size_t length = 0;
+        for (std::size_t i = chunk; i < chunk + 4; ++i) length = length << 8 | static_cast<std::uint8_t>(png[i]);
+        const std::uint32_t crc = libdeflate_crc32(0, &png[chunk + 4], length + 4);
+        for (std::size_t i = 0; i < 4; ++i) png[chunk + 8 + length + i] = static_cast<char>(crc >> (24 - 8 * i));
+        chunk += length + 12;
+    }
     return png;
 }
 
@@ -103,7 +116,7 @@ TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
         const char png[] =
             "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x10\2\0\0\0@@@@"
             "\0\0\0\x12IDAT\x78\x01\x01\x07\0\xf8\xff\0\x12\x34\xab\xcd\xff\0\x09\x01\x02\xbe@@@@\0\0\0\0IEND@@@@";
-        CHECK(pixels({png, sizeof png - 1}) == Bytes{0x12, 0xab, 0xff});
+        CHECK(pixels(checksummed({png, sizeof png - 1})) == Bytes{0x12, 0xab, 0xff});
     }
     SECTION("JPEG") {
         const ByteImage flat{9, 9, Bytes(9 * 9 * 3, 100)};
@@ -121,14 +134,46 @@ TEST_CASE("A picture that cannot be read is told") {
     const std::string png = pngOf(20, 20, 3, testPicture(20, 20).pixels), jpeg = jpegOf(testPicture(20, 20));
     check("", "cannot decode as PNG or JPEG: Image not of any known type, or corrupt");
     check("GIF89a", "cannot decode as PNG or JPEG: Image not of any known type, or corrupt");
-    check(png.substr(0, png.size() / 2), "cannot decode as PNG or JPEG: Corrupt PNG");
+    check(png.substr(0, png.size() / 2), "broken PNG picture: it is cut short, or a checksum in it is wrong");
     check(jpeg.substr(0, jpeg.size() - 10), "broken JPEG picture: it has no end marker");
     std::string huge = png;
     huge.replace(16, 8, std::string("\0\xff\xff\xff\0\xff\xff\xff", 8));  // IHDR's width and height
-    check(huge, "cannot decode as PNG or JPEG: Image too large to decode");
+    check(checksummed(huge), "cannot decode as PNG or JPEG: Image too large to decode");
     CHECK_THROWS_WITH(readImage(folder.file("b.png")), "cannot read: No such file or directory");
     CHECK_THROWS_WITH(readImage(folder.file("")), "cannot read: Is a directory");
     CHECK_THROWS_AS(readImage(folder.file("")), ImageError);
+}
+
+TEST_CASE("A PNG with any bit flipped is refused") {
+    const TemporaryFolder folder;
+    const std::string png = pngOf(5, 4, 3, testPicture(5, 4).pixels);
+    for (std::size_t bit = 0; bit < 8 * png.size(); ++bit) {
+        std::string flipped = png;
+        flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ 1 << bit % 8);
+        INFO("bit " << bit % 8 << " of byte " << bit / 8);
+        CHECK_THROWS_AS(readImage(folder.write("a.png", flipped)), ImageError);
+    }
+}
+
+TEST_CASE("A PNG with a palette") {
+    // Colours red, green and blue, the second one transparent; three texels, each the byte of an uncompressed block.
+    const auto paletted = [](std::uint8_t a, std::uint8_t b, std::uint8_t c) {
+        std::string bytes("\0" "abc", 4);
+        bytes[1] = static_cast<char>(a), bytes[2] = static_cast<char>(b), bytes[3] = static_cast<char>(c);
+        const std::uint32_t adler = libdeflate_adler32(1, bytes.data(), bytes.size());
+        std::string zlib("\x78\x01\x01\x04\0\xfb\xff", 7);
+        zlib += bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) zlib += static_cast<char>(adler >> shift);
+        const char head[] =
+            "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\3\0\0\0\1\x8\3\0\0\0@@@@"
+            "\0\0\0\x9PLTE\xff\0\0\0\xff\0\0\0\xff@@@@\0\0\0\2tRNS\xff\0@@@@\0\0\0\xfIDAT";
+        return checksummed(std::string(head, sizeof head - 1) + zlib + std::string("@@@@\0\0\0\0IEND@@@@", 16));
+    };
+    const TemporaryFolder folder;
+    const auto read = [&](const std::string& png) { return readImage(folder.write("a.png", png)); };
+    CHECK(read(paletted(2, 1, 0)).pixels == std::vector<std::uint8_t>{0, 0, 255, 0, 255, 0, 255, 0, 0});
+    for (const int beyond : {3, 4, 255})
+        CHECK_THROWS_WITH(read(paletted(0, static_cast<std::uint8_t>(beyond), 1)), "broken PNG picture: a texel has a colour beyond its palette");
 }
 
 TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {

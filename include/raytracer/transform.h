@@ -7,8 +7,8 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// A ray in object space. Its direction is scaled by a power of two so that its largest component is of order 1 even
-// where the transform's scale is 1e100: world t = object t * Transform::worldPerObjectT().
+// A ray in object space, with the t of the ray in the world. Where the transform's scale is 1e-200 its direction's square
+// overflows: who squares it looks at that (isSafeSquare).
 template <class T>
 struct ObjectRayT {
     Vec3T<T> origin{0};
@@ -30,10 +30,8 @@ class Transform {
     }
     template <class T>
     Vec3T<T> pointToObject(const Vec3T<T>& world) const {
-        return product(inverse_, world - Vec3T<T>(translation_)) * T(inverseScale_);
+        return product(inverse_, world - Vec3T<T>(translation_));
     }
-    Real worldPerObjectT() const { return worldPerObjectT_; }
-    Real objectPerWorldT() const { return inverseScale_; }
 
     template <class T>
     Vec3T<T> pointToWorld(const Vec3T<T>& object) const {
@@ -54,7 +52,7 @@ class Transform {
     Vec3T<T> objectError(const Vec3T<T>& world, const Vec3T<T>& worldError) const {
         const Vec3T<T> uncertain = worldError + T(gamma(5)) * abs(world - Vec3T<T>(translation_)) +
                                    Vec3T<T>(gamma(2) * abs(translation_));
-        return absoluteProduct(inverse_, uncertain) * T(inverseScale_);
+        return absoluteProduct(inverse_, uncertain);
     }
 
     // How much larger, at most, an error can become on the way to object space and back: the largest sum of a row of
@@ -72,10 +70,8 @@ class Transform {
 
   private:
     // What rays need comes first, together.
-    Mat3 inverse_{1};          // of linear_, divided by inverseScale_
+    Mat3 inverse_{1};  // of linear_
     Vec3 translation_{0};
-    Real inverseScale_ = 1;    // a power of two: the magnitude of the inverse's largest entry
-    Real worldPerObjectT_ = 1;  // 1 / inverseScale_
     Mat3 linear_{1};
 };
 
