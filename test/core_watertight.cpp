@@ -33,7 +33,6 @@ TEST_CASE("watertight: aimed at vertices and edges, far from the origin") {
 
 TEST_CASE("watertight: exactly through the vertices and edges of a cube of triangles") {
     const auto data = cubeMesh();
-    const Material material;
     const auto triangles = std::make_shared<TriangleMesh>(data, BuildOptions{});
     for (int x = -2; x <= 2; ++x)
         for (int y = -2; y <= 2; ++y)
