@@ -153,8 +153,8 @@ TEST_CASE("normalized") {
     const Real sizes[] = {std::numeric_limits<Real>::min(), std::numeric_limits<Real>::denorm_min(), 1,
                           std::numeric_limits<Real>::max()};
     for (const Real size : sizes) {
-        CHECK(near(normalized({size, 0, 0}), {1, 0, 0}));
-        CHECK(near(normalized({size, -size, size}), Vec3(1, -1, 1) / std::sqrt(Real(3))));
+        CHECK(near(normalized(Vec3{size, 0, 0}), {1, 0, 0}));
+        CHECK(near(normalized(Vec3{size, -size, size}), Vec3(1, -1, 1) / std::sqrt(Real(3))));
     }
     CHECK(normalized(Vec3(0)) == Vec3(0));
 }
