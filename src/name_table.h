@@ -2,15 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "json_view.h"
 
 namespace raytracer {
 
+// A hash table by open addressing (linear probing), for a scene may have a million names.
 class NameTable {
   public:
     // `kind` is for messages: no material named ...
@@ -27,10 +28,14 @@ class NameTable {
         std::string_view name;
         JsonView owner;
     };
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    std::size_t slotOf(std::string_view name) const;
+    void grow();
 
     const char* kind_;
     std::vector<Entry> entries_;
-    std::unordered_map<std::string_view, std::size_t> indices_;
+    std::vector<std::uint32_t> slots_{none, none};  // indices of entries or none; a power of two, at most half of them taken
 };
 
 }  // namespace raytracer

@@ -90,12 +90,7 @@ class SceneRenderer final : public Renderer {
 
 std::unique_ptr<Scene> buildScene(const SceneDescription& description, const BuildOptions& options) {
     auto scene = std::make_unique<Scene>();
-    std::vector<Affine> affines;
-    for (const TransformDescription& transform : description.transforms) affines.push_back(compose(transform));
-    const SceneFrame frame = chooseFrame(description, affines);
-    std::vector<Transform> transforms;
-    for (const Affine& affine : affines) transforms.emplace_back(frame.toFrame(affine));
-
+    const SceneFrame frame = chooseFrame(description);
     scene->frame = frame;
     scene->camera = Camera(description.camera, frame);
     for (const TextureDescription& texture : description.textures) scene->textures.push_back(texture.texture);
@@ -103,9 +98,13 @@ std::unique_ptr<Scene> buildScene(const SceneDescription& description, const Bui
         scene->materials.push_back(buildMaterial(material, description));
     for (const LightDescription& light : description.lights) scene->lights.push_back(buildLight(light, frame));
     MeshCache meshes;
-    for (const ShapeDescription& shape : description.shapes)
-        scene->shapes.push_back(buildShape(shape, transforms[shape.transform], scene->materials[shape.material],
+    scene->shapes.reserve(description.shapes.size());
+    for (const ShapeDescription& shape : description.shapes) {
+        // Composed anew: cheaper than to keep what was composed for the frame.
+        const Transform transform(frame.toFrame(compose(description.transforms[shape.transform])));
+        scene->shapes.push_back(buildShape(shape, transform, scene->materials[shape.material],
                                            static_cast<std::uint32_t>(scene->shapes.size()), options, meshes));
+    }
     scene->index(options);
     return scene;
 }

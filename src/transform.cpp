@@ -15,10 +15,11 @@ Transform::Transform(const Affine& worldFromObject) {
     const int exponent = std::ilogb(largest);
     inverseScale_ = std::scalbn(Real(1), exponent);
     worldPerObjectT_ = std::scalbn(Real(1), -exponent);
+    const long double unit = std::scalbn(1.0L, -exponent);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             linear_[column][row] = static_cast<Real>(worldFromObject.linear[row][column]);
-            inverse_[column][row] = static_cast<Real>(std::scalbn(inverse->entry[row][column], -exponent));
+            inverse_[column][row] = static_cast<Real>(inverse->entry[row][column] * unit);
         }
         translation_[row] = static_cast<Real>(worldFromObject.translation[row]);
     }
