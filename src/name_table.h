@@ -21,7 +21,7 @@ class NameTable {
     void add(std::string_view name, JsonView owner);
 
     // The index of the name that this string is; an error with the nearest one if it is none.
-    std::size_t find(JsonView name) const;
+    std::size_t find(JsonView name);
 
   private:
     struct Entry {
@@ -29,13 +29,17 @@ class NameTable {
         JsonView owner;
     };
     static constexpr std::uint32_t none = ~std::uint32_t{0};
+    struct Slot {
+        std::uint32_t hash = 0, index = none;  // of an entry
+    };
 
-    std::size_t slotOf(std::string_view name) const;
+    Slot& slotOf(std::string_view name);
     void grow();
 
     const char* kind_;
     std::vector<Entry> entries_;
-    std::vector<std::uint32_t> slots_{none, none};  // indices of entries or none; a power of two, at most half of them taken
+    std::vector<Slot> slots_ = std::vector<Slot>(2);  // as many as a power of two, at most half of them taken
+    std::size_t next_ = 0;  // behind the one found last: likely to be asked for next
 };
 
 }  // namespace raytracer
