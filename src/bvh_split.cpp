@@ -9,18 +9,25 @@ namespace raytracer {
 namespace {
 
 constexpr int mostBins = 16;
-constexpr std::uint32_t fewPrimitives = 64;  // for which half of the bins will do
-constexpr int medianDepth = 24;              // from here on halves, so that the depth is bounded: BvhTraversal::stackSize
+// Fewer than this need only half of the bins; for more, the longest axis will do (Notes.txt).
+constexpr std::uint32_t fewPrimitives = 64;
+constexpr int medianDepth = 24;  // from here on halves, so that the depth is bounded: BvhTraversal::stackSize
+
+int longest(Float4 size) {
+    return size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
+}
 
 }  // namespace
 
 // Which bin a centre falls into.
 struct RangeSplitter::Binning {
-    int count;
+    int count = mostBins / 2;
+    int firstAxis = 0, lastAxis = 2;  // between which a plane is looked for
     Float4 low, scale;
 
-    explicit Binning(const Range& range) : count(range.size() < fewPrimitives ? mostBins / 2 : mostBins), low(range.centers.low) {
+    explicit Binning(const Range& range) : low(range.centers.low) {
         const Float4 size = range.centers.high - range.centers.low;
+        if (range.size() >= fewPrimitives) count = mostBins, firstAxis = lastAxis = longest(size);
         const float bins = static_cast<float>(count) * (1 - 0x1p-20f);  // keeps the highest centre in the last one
         for (int axis = 0; axis < 4; ++axis) scale[axis] = size[axis] > 0 ? std::min(bins / size[axis], 0x1p100f) : 0;
     }
@@ -62,7 +69,7 @@ void RangeSplitter::split(const Range& range, int depth, bool onAllThreads, Rang
 void RangeSplitter::bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const {
     for (std::uint32_t i = begin; i < end; ++i) {
         const Int4 place = binning(references_[i]);
-        for (int axis = 0; axis < 3; ++axis) {
+        for (int axis = binning.firstAxis; axis <= binning.lastAxis; ++axis) {
             bins.bin[axis][place[axis]].box.add(references_[i].box);
             ++bins.bin[axis][place[axis]].count;
         }
@@ -82,7 +89,7 @@ RangeSplitter::Plane RangeSplitter::best(const Range& range, const Binning& binn
         bin(range.begin, range.end, binning, bins);
     }
     Plane best;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = binning.firstAxis; axis <= binning.lastAxis; ++axis) {
         if (!(range.centers.high[axis] > range.centers.low[axis])) continue;
         float rightCost[mostBins];
         BuildBox box;
@@ -121,8 +128,7 @@ void RangeSplitter::partition(const Range& range, const Binning& binning, const 
 }
 
 void RangeSplitter::halve(const Range& range, Range& left, Range& right) const {
-    const Float4 size = range.centers.high - range.centers.low;
-    const int axis = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
+    const int axis = longest(range.centers.high - range.centers.low);
     const std::uint32_t middle = range.begin + range.size() / 2;
     std::nth_element(references_.begin() + range.begin, references_.begin() + middle, references_.begin() + range.end,
                      [&](const Reference& a, const Reference& b) { return a.center()[axis] < b.center()[axis]; });

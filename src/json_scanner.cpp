@@ -2,19 +2,13 @@
 // each token letter by letter and asks strtod, takes most of the time that such a scene takes to load (Notes.txt).
 #include <charconv>
 
+#include "exact_decimal.h"
 #include "json_nodes.h"
 
 namespace raytracer {
 namespace {
 
 using Kind = JsonDocument::Kind;
-
-// A quotient of two whole numbers that double holds exactly is rounded once, so right (Clinger, How to Read Floating Point
-// Numbers Accurately, 1990): up to 15 digits over up to 10^22.
-constexpr std::ptrdiff_t mostExactDigits = 15;
-constexpr double powersOfTen[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 class Scanner {
   public:
@@ -121,13 +115,11 @@ bool Scanner::number() {
     if (!take('0') && !digits(digitsAsOne)) return false;
     const char* const point = p_;
     if (take('.') && !digits(digitsAsOne)) return false;
-    const auto decimals = static_cast<std::size_t>(p_ - point);  // and the point
-    const bool hasExponent = peek() == 'e' || peek() == 'E';
+    const bool isWhole = p_ == point, hasExponent = peek() == 'e' || peek() == 'E';
     double value = 0;
     if (!hasExponent && p_ - begin <= mostExactDigits) {
-        value = static_cast<double>(digitsAsOne) / (decimals > 0 ? powersOfTen[decimals - 1] : 1);
-        if (negative && decimals > 0) value = -value;
-        else if (negative) value = 0 - value;  // to nlohmann, -0 is an integer, which has no sign
+        value = exactDecimal(digitsAsOne, isWhole ? 0 : p_ - point - 1);
+        if (negative) value = isWhole ? 0 - value : -value;  // to nlohmann, -0 is an integer, which has no sign
     } else if (!longNumber(begin, value)) {
         return false;
     }
