@@ -4,9 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 
-#include "exact_decimal.h"
 #include "raytracer/mesh_file.h"
 
 namespace raytracer {
@@ -40,28 +38,8 @@ ObjKeyword ObjLine::keyword() {
     return word == "vn" ? ObjKeyword::normal : ObjKeyword::other;
 }
 
-// Few digits and no exponent, as nearly all numbers are.
-bool ObjLine::takeShortNumber(double& value) {
-    const char *p = p_, *point = nullptr;
-    const bool negative = *p == '-';
-    p += negative;
-    const char* const first = p;
-    std::uint64_t digits = 0;
-    for (; p != end_ && (isDigit(*p) || (*p == '.' && !point)); ++p) {
-        if (*p == '.') point = p;
-        else digits = 10 * digits + static_cast<std::uint64_t>(*p - '0');
-    }
-    if (p - first > mostExactDigits || p - first == (point != nullptr)) return false;
-    const char* const begin = std::exchange(p_, p);
-    if (!isAtWordEnd()) return p_ = begin, false;
-    value = exactDecimal(digits, point ? p - point - 1 : 0);
-    if (negative) value = -value;
-    return true;
-}
-
 double ObjLine::number() {
     if (atEnd()) fail("expected a number, found the end of the line");
-    if (double value = 0; takeShortNumber(value)) return value;
     // std::from_chars knows no plus.
     const char* const begin = p_ + (end_ - p_ > 1 && p_[0] == '+' && p_[1] != '-');
     double value = 0;
@@ -87,10 +65,6 @@ ObjLine::Corner ObjLine::corner() {
 
 std::int64_t ObjLine::index() {
     std::int64_t value = 0;
-    const char* p = p_;
-    for (; p != end_ && isDigit(*p) && p - p_ < mostExactDigits; ++p) value = 10 * value + (*p - '0');
-    if (value > 0 && (p == end_ || !isDigit(*p))) return p_ = p, value;
-    // Below 0, very long, or no index.
     const auto [stop, error] = std::from_chars(p_, end_, value);
     p_ = stop;
     if (error == std::errc::invalid_argument) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");

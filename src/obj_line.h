@@ -40,7 +40,6 @@ public:
     [[noreturn]] void fail(const std::string& message) const;
 
 private:
-    bool takeShortNumber(double& value);
     std::int64_t index();
     bool takeSlash() { return p_ != end_ && *p_ == '/' && ++p_; }
     // Inside a line, a line end is one that a backslash takes back.
