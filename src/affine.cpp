@@ -136,6 +136,14 @@ void Elimination::eliminate(int step) {
     }
 }
 
+// Only factors above 0: the commonest of matrices.
+bool isPositiveDiagonal(const Rows& a) {
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            if (row == column ? !(a[row][column] > 0) : a[row][column] != 0) return false;
+    return true;
+}
+
 }  // namespace
 
 Affine compose(const TransformDescription& transform) {
@@ -151,6 +159,9 @@ Affine compose(const TransformDescription& transform) {
 }
 
 std::optional<Matrix3> inverseLinear(const Affine& affine) {
+    const Rows& a = affine.linear;
+    // What the elimination comes to, without its cost.
+    if (isPositiveDiagonal(a)) return Matrix3{{{1 / a[0][0], 0, 0}, {0, 1 / a[1][1], 0}, {0, 0, 1 / a[2][2]}}};
     Balanced b = balanced(affine.linear);
     Elimination elimination{b.entry};
     for (int step = 0; step < 3; ++step) {

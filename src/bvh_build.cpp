@@ -1,133 +1,30 @@
-// Building the tree: top down, by the surface area heuristic over 16 bins an axis (Wald, On fast Construction of SAH-based
-// Bounding Volume Hierarchies, 2007), straight to eight children: the child with the largest surface is split until there
-// are eight. The top is built by one thread that lets all of them bin; what lies below is shared out among them.
+// Building the tree: top down, straight to eight children: the child with the largest surface is split (bvh_split.h) until
+// there are eight. The top is built by one thread that lets all of them bin; what lies below is shared out among them.
 #include <algorithm>
-#include <atomic>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <thread>
 
 #include <glm/common.hpp>
 
+#include "bvh_split.h"
+#include "parallel.h"
 #include "raytracer/bvh.h"
 
 namespace raytracer {
 
 namespace {
 
-// GCC's and Clang's vectors, on any processor.
-using Float4 [[gnu::vector_size(16)]] = float;
-using Int4 [[gnu::vector_size(16)]] = std::int32_t;
-
-constexpr float infinite = std::numeric_limits<float>::infinity();
-constexpr int binCount = 16;
-constexpr int medianDepth = 24;                        // from here on halves, so that the depth is bounded: stackSize
-constexpr std::uint32_t parallelSize = 1 << 15;        // fewer primitives are not worth a thread's start
-constexpr std::uint32_t tasksPerThread = 12;           // many small ones share out more evenly
+constexpr std::uint32_t tasksPerThread = 12;  // many small ones share out more evenly
 constexpr std::uint32_t blockSize = 8;
 constexpr std::uint32_t nodeUnits = sizeof(BvhNode) / bvhUnit;
-
-Float4 min(Float4 a, Float4 b) { return a < b ? a : b; }
-Float4 max(Float4 a, Float4 b) { return a > b ? a : b; }
-
-struct Box {
-    Float4 low{infinite, infinite, infinite, infinite}, high{-infinite, -infinite, -infinite, -infinite};
-
-    void add(const Box& other) { low = min(low, other.low), high = max(high, other.high); }
-    void add(Float4 point) { low = min(low, point), high = max(high, point); }
-    float halfArea() const {
-        const Float4 size = high - low;
-        return size[0] * (size[1] + size[2]) + size[1] * size[2];
-    }
-};
-
-// A primitive to be sorted in: its box, and its number in the bits of low[3].
-struct Reference {
-    Box box;
-    std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(float{box.low[3]}); }
-    void setPrimitive(std::uint32_t number) { box.low[3] = std::bit_cast<float>(number), box.high[3] = 0; }
-
-    // Twice the box's middle. Without the number, which as a denormal would be slow to add.
-    Float4 center() const {
-        const Int4 mask{-1, -1, -1, 0};
-        return std::bit_cast<Float4>(std::bit_cast<Int4>(box.low) & mask) + box.high;
-    }
-};
-
-struct Range {
-    std::uint32_t begin = 0, end = 0;
-    Box box, centers;
-
-    std::uint32_t size() const { return end - begin; }
-    void add(const Reference& reference) { box.add(reference.box), centers.add(reference.center()); }
-};
-
-struct Bins {
-    Box box[3][binCount];
-    std::uint32_t count[3][binCount] = {};
-
-    void add(const Bins& other) {
-        for (int axis = 0; axis < 3; ++axis)
-            for (int bin = 0; bin < binCount; ++bin) {
-                box[axis][bin].add(other.box[axis][bin]);
-                count[axis][bin] += other.count[axis][bin];
-            }
-    }
-};
-
-// Which bin a centre falls into.
-struct Binning {
-    Float4 low, scale;
-
-    explicit Binning(const Box& centers) : low(centers.low) {
-        const Float4 size = centers.high - centers.low;
-        for (int axis = 0; axis < 4; ++axis)  // no size, no bins; the factor keeps the highest centre in the last one
-            scale[axis] = size[axis] > 0 ? std::min(binCount * (1 - 0x1p-20f) / size[axis], 0x1p100f) : 0;
-    }
-
-    Int4 operator()(const Reference& reference) const {
-        return __builtin_convertvector((reference.center() - low) * scale, Int4);
-    }
-};
-
-struct Split {
-    int axis = -1;
-    int bin = 0;  // the first of the right side
-    float cost = infinite;
-};
-
-int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
-
-// work(i) for every 0 <= i < count, on several threads.
-template <class Work>
-void parallelFor(std::uint32_t count, int threads, const Work& work) {
-    std::atomic<std::uint32_t> next{0};
-    const auto take = [&] {
-        for (std::uint32_t i; (i = next.fetch_add(1)) < count;) work(i);
-    };
-    std::vector<std::jthread> helpers;
-    for (int i = std::min(threads, static_cast<int>(count)); i > 1; --i) helpers.emplace_back(take);
-    take();
-}
-
-// The same for pieces of a range of numbers.
-template <class Work>
-void parallelPieces(std::uint32_t begin, std::uint32_t end, int threads, const Work& work) {
-    const std::uint32_t size = end - begin;
-    const std::uint32_t pieces = size < parallelSize ? 1 : std::min(size / (parallelSize / 4), 4u * static_cast<unsigned>(threads));
-    parallelFor(pieces, threads, [&](std::uint32_t piece) {
-        const auto at = [&](std::uint32_t i) { return begin + static_cast<std::uint32_t>(std::uint64_t{size} * i / pieces); };
-        work(piece, at(piece), at(piece + 1));
-    });
-}
 
 }  // namespace
 
 class BvhBuilder {
   public:
-    BvhBuilder(Bvh& bvh, int threads) : bvh_(bvh), threads_(threads > 0 ? threads : processors()) {}
+    BvhBuilder(Bvh& bvh, int threads)
+        : bvh_(bvh), threads_(threads > 0 ? threads : processors()), splitter_(references_, threads_) {}
 
     void build(std::span<const FloatBox> boxes, const BvhNames& names);
     void build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices);
@@ -146,7 +43,6 @@ class BvhBuilder {
         Part part;
         std::uint32_t root;
     };
-    static constexpr std::uint32_t noTask = 0;
 
     template <class MakeReference>
     void buildTree(std::uint32_t count, const MakeReference& makeReference);
@@ -154,14 +50,9 @@ class BvhBuilder {
 
     std::uint32_t buildRange(Part& part, const Range& range, int depth, bool top);
     std::uint32_t splitIntoChildren(const Range& range, int depth, bool top, Range (&children)[8]);
+    std::uint32_t takeSingly(const Range& range, Range (&children)[8]) const;
     std::uint32_t leaf(Part& part, const Range& range) const;
     bool isLeaf(const Range& range) const { return range.size() <= leafSize_; }
-
-    void split(const Range& range, int depth, bool top, Range& left, Range& right);
-    Split bestSplit(const Range& range, bool top) const;
-    Bins binned(const Range& range, const Binning& binning, bool top) const;
-    void partition(const Range& range, const Split& split, Range& left, Range& right);
-    void halve(const Range& range, Range& left, Range& right);
 
     glm::dvec3 framePoint(std::uint32_t index) const {
         return (positions_[indices_[index]] - bvh_.frame_.center) * bvh_.frame_.scale;
@@ -172,6 +63,7 @@ class BvhBuilder {
     std::uint32_t leafSize_ = 1;
     std::uint32_t taskSize_ = 0;
     std::vector<Reference> references_;
+    RangeSplitter splitter_;
     std::vector<Task> tasks_;
     std::span<const FloatBox> boxes_;
     std::span<const std::uint32_t> names_;
@@ -208,7 +100,7 @@ void BvhBuilder::build(std::span<const glm::dvec3> positions, std::span<const st
     buildTree(static_cast<std::uint32_t>(indices.size() / 3), [&](std::uint32_t i) {
         const glm::dvec3 a = framePoint(3 * i), b = framePoint(3 * i + 1), c = framePoint(3 * i + 2);
         const glm::dvec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
-        Box box{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0},
+        BuildBox box{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0},
                 {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z), 0}};
         // An ulp or two outwards, and something for 0.
         const auto outwards = [](Float4 v) { return (v < 0 ? -v : v) * 0x1p-23f + 0x1p-100f; };
@@ -221,7 +113,7 @@ template <class MakeReference>
 void BvhBuilder::buildTree(std::uint32_t count, const MakeReference& makeReference) {
     if (count == 0) return;
     references_.resize(count);
-    std::vector<Range> pieces(4u * static_cast<unsigned>(threads_) + 1);
+    std::vector<Range> pieces(mostPieces(threads_));
     parallelPieces(0, count, threads_, [&](std::uint32_t piece, std::uint32_t begin, std::uint32_t end) {
         Range all;
         for (std::uint32_t i = begin; i < end; ++i) {
@@ -294,7 +186,7 @@ std::uint32_t BvhBuilder::buildRange(Part& part, const Range& range, int depth, 
     const auto index = static_cast<std::uint32_t>(part.nodes.size());
     BvhNode& node = part.nodes.emplace_back();
     for (std::uint32_t i = 0; i < 8; ++i) {
-        const Box box = i < count ? children[i].box : Box{};
+        const BuildBox box = i < count ? children[i].box : BuildBox{};
         for (int axis = 0; axis < 3; ++axis) {
             node.planes[2 * axis][i] = box.low[axis];
             node.planes[2 * axis + 1][i] = box.high[axis];
@@ -309,6 +201,7 @@ std::uint32_t BvhBuilder::buildRange(Part& part, const Range& range, int depth, 
 }
 
 std::uint32_t BvhBuilder::splitIntoChildren(const Range& range, int depth, bool top, Range (&children)[8]) {
+    if (leafSize_ == 1 && range.size() <= 8) return takeSingly(range, children);
     std::uint32_t count = 1;
     children[0] = range;
     while (count < 8) {
@@ -319,9 +212,18 @@ std::uint32_t BvhBuilder::splitIntoChildren(const Range& range, int depth, bool 
                 largest = static_cast<int>(i), area = children[i].box.halfArea();
         if (largest < 0) break;
         const Range whole = children[largest];
-        split(whole, depth, top, children[largest], children[count++]);
+        splitter_.split(whole, depth, top, children[largest], children[count++]);
     }
     return count;
+}
+
+// A child for each reference.
+std::uint32_t BvhBuilder::takeSingly(const Range& range, Range (&children)[8]) const {
+    for (std::uint32_t i = 0; i < range.size(); ++i) {
+        children[i].add(references_[range.begin + i]);
+        children[i].begin = range.begin + i, children[i].end = range.begin + i + 1;
+    }
+    return range.size();
 }
 
 // A leaf of boxes is the primitive's number; of triangles, a block with their corners.
@@ -345,99 +247,14 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
             const glm::dvec3 point = framePoint(3 * primitives[i] + corner);
             for (int axis = 0; axis < 3; ++axis) {
-                const double step = std::floor((point[axis] - static_cast<double>(block.base[axis])) * scale + 0.5);
+                // Not below 0, for the box is rounded outwards.
+                const double step = (point[axis] - static_cast<double>(block.base[axis])) * scale + 0.5;
                 grid[(3 * corner + static_cast<std::uint32_t>(axis)) * count + i] =
-                    static_cast<std::uint16_t>(std::min(step, 65535.0));
+                    static_cast<std::uint16_t>(static_cast<std::int32_t>(std::min(step, 65535.0)));
             }
         }
     }
     return BvhNode::leafBit | place;
-}
-
-void BvhBuilder::split(const Range& range, int depth, bool top, Range& left, Range& right) {
-    const Split best = depth < medianDepth ? bestSplit(range, top) : Split{};
-    if (best.axis >= 0)
-        partition(range, best, left, right);
-    else
-        halve(range, left, right);
-}
-
-Bins BvhBuilder::binned(const Range& range, const Binning& binning, bool top) const {
-    const auto bin = [&](std::uint32_t begin, std::uint32_t end, Bins& bins) {
-        for (std::uint32_t i = begin; i < end; ++i) {
-            const Int4 place = binning(references_[i]);
-            for (int axis = 0; axis < 3; ++axis) {
-                bins.box[axis][place[axis]].add(references_[i].box);
-                ++bins.count[axis][place[axis]];
-            }
-        }
-    };
-    Bins all;
-    if (!top) {
-        bin(range.begin, range.end, all);
-        return all;
-    }
-    std::vector<Bins> pieces(4u * static_cast<unsigned>(threads_) + 1);
-    parallelPieces(range.begin, range.end, threads_, [&](std::uint32_t piece, std::uint32_t begin, std::uint32_t end) {
-        bin(begin, end, pieces[piece]);
-    });
-    for (const Bins& piece : pieces) all.add(piece);
-    return all;
-}
-
-// The plane between two bins with the least surface area times primitives on both sides. None where all centres coincide.
-Split BvhBuilder::bestSplit(const Range& range, bool top) const {
-    const Bins bins = binned(range, Binning(range.centers), top);
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(range.centers.high[axis] > range.centers.low[axis])) continue;
-        float rightCost[binCount];
-        Box box;
-        std::uint32_t count = 0;
-        for (int bin = binCount - 1; bin > 0; --bin) {
-            box.add(bins.box[axis][bin]);
-            count += bins.count[axis][bin];
-            rightCost[bin] = count ? box.halfArea() * static_cast<float>(count) : infinite;
-        }
-        box = {}, count = 0;
-        for (int bin = 1; bin < binCount; ++bin) {
-            box.add(bins.box[axis][bin - 1]);
-            count += bins.count[axis][bin - 1];
-            if (count == 0) continue;
-            const float cost = box.halfArea() * static_cast<float>(count) + rightCost[bin];
-            if (cost < best.cost) best = {axis, bin, cost};
-        }
-    }
-    return best;
-}
-
-void BvhBuilder::partition(const Range& range, const Split& split, Range& left, Range& right) {
-    const Binning binning(range.centers);
-    Range sides[2];
-    std::uint32_t begin = range.begin, end = range.end;
-    while (begin < end) {
-        Reference& reference = references_[begin];
-        const bool isRight = binning(reference)[split.axis] >= split.bin;
-        sides[isRight].add(reference);
-        if (isRight)
-            std::swap(reference, references_[--end]);
-        else
-            ++begin;
-    }
-    left = sides[0], left.begin = range.begin, left.end = begin;
-    right = sides[1], right.begin = begin, right.end = range.end;
-}
-
-void BvhBuilder::halve(const Range& range, Range& left, Range& right) {
-    const Float4 size = range.centers.high - range.centers.low;
-    const int axis = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
-    const std::uint32_t middle = range.begin + range.size() / 2;
-    std::nth_element(references_.begin() + range.begin, references_.begin() + middle, references_.begin() + range.end,
-                     [&](const Reference& a, const Reference& b) { return a.center()[axis] < b.center()[axis]; });
-    Range sides[2];
-    for (std::uint32_t i = range.begin; i < range.end; ++i) sides[i >= middle].add(references_[i]);
-    left = sides[0], left.begin = range.begin, left.end = middle;
-    right = sides[1], right.begin = middle, right.end = range.end;
 }
 
 Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads) {

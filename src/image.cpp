@@ -21,7 +21,7 @@ namespace {
 
 // Measured by bench/png_levels.cpp (Notes.txt).
 constexpr int pngFilter = 2;
-constexpr int deflateLevel = 4;
+constexpr int deflateLevel = 1;
 
 constexpr std::size_t channels = 3;
 constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();

@@ -6,25 +6,15 @@
 
 namespace raytracer {
 
-std::uint32_t StringPool::add(const std::string& text) {
-    const auto [entry, isNew] = ids_.try_emplace(text, static_cast<std::uint32_t>(texts_.size()));
-    if (isNew) texts_.push_back(&entry->first);
-    return entry->second;
-}
-
-std::uint32_t JsonDocument::positionInArray(std::uint32_t node) const {
-    std::uint32_t position = 0;
-    for (std::uint32_t i = nodes_[node].parent + 1; i != node; i = nodes_[i].end) ++position;
-    return position;
-}
-
+// Down from the root. A container that is not complete has an end beyond all nodes, and so contains the last one.
 std::string JsonDocument::pointer(std::uint32_t node) const {
-    std::vector<std::uint32_t> path;
-    for (; node != 0; node = nodes_[node].parent) path.push_back(node);
     std::string pointer;
-    for (auto i = path.rbegin(); i != path.rend(); ++i) {
-        const bool isMember = nodes_[nodes_[*i].parent].kind == Kind::Object;
-        pointer = pointerToMember(std::move(pointer), isMember ? key(nodes_[*i]) : std::to_string(positionInArray(*i)));
+    for (std::uint32_t at = 0; at != node;) {
+        const bool isObject = nodes_[at].kind == Kind::Object;
+        std::uint32_t child = at + 1 + isObject, position = 0;
+        for (; end(child) <= node; ++position) child = end(child) + isObject;
+        pointer = pointerToMember(std::move(pointer), isObject ? string(child - 1) : std::to_string(position));
+        at = child;
     }
     return pointer;
 }

@@ -1,10 +1,11 @@
-// JsonDocument from text, by the events of nlohmann's parser.
+// JsonDocument from text: from what is plain by json_scanner.cpp; from all else, errors included, by the events of
+// nlohmann's parser.
 #include <algorithm>
 #include <limits>
 
 #include <nlohmann/json.hpp>
 
-#include "json_document.h"
+#include "json_nodes.h"
 
 namespace raytracer {
 namespace {
@@ -43,104 +44,89 @@ std::string placeInText(std::string_view text, std::size_t offset) {
     return ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
 }
 
-}  // namespace
-
 // The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it throws.
-class JsonReader {
+class JsonEvents {
     using Kind = JsonDocument::Kind;
 
   public:
-    JsonReader(JsonDocument& document, std::string_view text) : document_(document), text_(text) {}
+    JsonEvents(JsonDocument& document, JsonNodes& nodes, std::string_view text)
+        : document_(document), nodes_(nodes), text_(text) {}
 
-    bool null() { return addValue(Kind::Null); }
-    bool boolean(bool value) { return addValue(Kind::Boolean, value); }
-    bool number_integer(std::int64_t value) { return addValue(Kind::Number, static_cast<double>(value)); }
-    bool number_unsigned(std::uint64_t value) { return addValue(Kind::Number, static_cast<double>(value)); }
-    bool number_float(double value, const std::string&) { return addValue(Kind::Number, value); }
+    bool null() { return addNumber(Kind::Null, 0); }
+    bool boolean(bool value) { return addNumber(Kind::Boolean, value); }
+    bool number_integer(std::int64_t value) { return addNumber(Kind::Number, static_cast<double>(value)); }
+    bool number_unsigned(std::uint64_t value) { return addNumber(Kind::Number, static_cast<double>(value)); }
+    bool number_float(double value, const std::string&) { return addNumber(Kind::Number, value); }
     bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in JSON text
+    bool string(const std::string& text) { return addText(Kind::String, text); }
+    bool key(const std::string& text) { return addText(Kind::Key, text); }
 
-    bool string(const std::string& text) {
-        addValue(Kind::String);
-        document_.nodes_.back().string = document_.strings_.add(text);
-        return true;
-    }
-
-    bool key(const std::string& text) {
-        key_ = document_.strings_.add(text);
-        return true;
-    }
-
-    bool start_object(std::size_t) { return open(Kind::Object); }
-    bool start_array(std::size_t) { return open(Kind::Array); }
-
-    bool end_object() {
-        requireDistinctKeys(open_);
-        return end_array();
-    }
-
-    bool end_array() {
-        JsonDocument::Node& node = document_.nodes_[open_];
-        node.end = size();
-        open_ = node.parent;
-        return true;
-    }
+    bool start_object(std::size_t) { return nodes_.open(Kind::Object), true; }
+    bool start_array(std::size_t) { return nodes_.open(Kind::Array), true; }
+    bool end_object();
+    bool end_array() { return nodes_.close(), true; }
 
     bool parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error);
 
   private:
-    std::uint32_t size() const { return static_cast<std::uint32_t>(document_.nodes_.size()); }
-    bool addValue(Kind kind, double number = 0);
-    bool open(Kind kind);
-    void requireDistinctKeys(std::uint32_t object);
-    [[noreturn]] void failAtNextValue(const std::string& message);
+    bool addNumber(Kind kind, double number) { return nodes_.addNumber(kind, number), true; }
+    bool addText(Kind kind, const std::string& text);
 
     JsonDocument& document_;
+    JsonNodes& nodes_;
     std::string_view text_;
-    std::uint32_t open_ = 0;  // the innermost container
-    std::uint32_t key_ = 0;   // the next value's, if that container is an object
-    std::vector<std::uint32_t> keysOfObject_;
 };
 
-bool JsonReader::addValue(Kind kind, double number) {
-    if (document_.nodes_.size() == std::numeric_limits<std::uint32_t>::max()) throw JsonError(": too many values");
-    document_.nodes_.push_back({.number = number, .key = key_, .parent = open_, .end = size() + 1, .kind = kind});
+bool JsonEvents::addText(Kind kind, const std::string& text) {
+    if (text.size() > std::numeric_limits<std::uint32_t>::max()) throw JsonError(": a string of over 4 GiB");
+    nodes_.addText(kind, nodes_.keep(text));
     return true;
 }
 
-bool JsonReader::open(Kind kind) {
-    addValue(kind);
-    open_ = size() - 1;
-    return true;
+bool JsonEvents::end_object() {
+    if (const JsonDocument::Node* key = nodes_.twice())
+        document_.fail(nodes_.innermost(), "expected each key once, found " + inQuotes({key->text, key->length}) + " twice");
+    return end_array();
 }
 
-// Once for each object rather than at each key, so that an object of a million keys takes no quadratic time.
-void JsonReader::requireDistinctKeys(std::uint32_t object) {
-    keysOfObject_.clear();
-    for (std::uint32_t i = object + 1; i < size(); i = document_.nodes_[i].end)
-        keysOfObject_.push_back(document_.nodes_[i].key);
-    std::ranges::sort(keysOfObject_);
-    const auto twice = std::ranges::adjacent_find(keysOfObject_);
-    if (twice != keysOfObject_.end())
-        document_.fail(object, "expected each key once, found " + inQuotes(document_.strings_[*twice]) + " twice");
-}
-
-void JsonReader::failAtNextValue(const std::string& message) {
-    addValue(Kind::Null);
-    document_.fail(size() - 1, message);
-}
-
-bool JsonReader::parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error) {
+bool JsonEvents::parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error) {
     constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
-    if (error.id == numberOverflow)
-        failAtNextValue("expected a finite number, found " + token.substr(0, 40));
+    if (error.id == numberOverflow) {
+        null();  // in its place
+        document_.fail(nodes_.last(), "expected a finite number, found " + token.substr(0, 40));
+    }
     const std::string message = shortened(error.what());
     throw JsonError(placeInText(text_, position - std::min(position, charactersBack(message, token))) + message);
 }
 
+}  // namespace
+
+// Once for each object rather than at each key, so that an object of a million keys takes no quadratic time.
+const JsonDocument::Node* JsonNodes::twice() {
+    constexpr std::size_t few = 8;  // as most objects have: not worth sorting
+    keys_.clear();
+    for (std::uint32_t key = innermost() + 1; key < size(); key = document_.end(key + 1)) keys_.push_back(&nodes_[key]);
+    const auto text = [](const Node* key) { return std::string_view(key->text, key->length); };
+    if (keys_.size() > few) {
+        std::ranges::sort(keys_, {}, text);
+        const auto twice = std::ranges::adjacent_find(keys_, {}, text);
+        return twice == keys_.end() ? nullptr : *twice;
+    }
+    for (auto key = keys_.begin(); key != keys_.end(); ++key)
+        if (std::find_if(keys_.begin(), key, [&](const Node* other) { return text(other) == text(*key); }) != key) return *key;
+    return nullptr;
+}
+
 JsonDocument::JsonDocument(const char* begin, const char* end) {
-    requireNoUtf16({begin, end});
-    JsonReader reader(*this, {begin, end});
-    nlohmann::json::sax_parse(begin, end, &reader);
+    std::string_view text(begin, end);
+    requireNoUtf16(text);
+    JsonNodes nodes(*this);
+    constexpr std::size_t bytesForNode = 8;  // a guess; memory that is not written to costs nothing
+    nodes.reserve(text.size() / bytesForNode);
+    if (scanPlainJson(text, nodes)) return;
+    nodes.clear();
+    JsonEvents events(*this, nodes, text);
+    nlohmann::json::sax_parse(begin, end, &events);
 }
 
 }  // namespace raytracer

@@ -36,13 +36,13 @@ double JsonView::number() const {
     return node().number;
 }
 
-const std::string& JsonView::string() const {
+std::string_view JsonView::string() const {
     require(Kind::String, "a string");
-    return document_->string(node());
+    return document_->string(node_);
 }
 
 void JsonView::numbers(std::span<double> out) const {
-    requireElements(out.size(), std::to_string(out.size()) + " numbers");
+    if (node().kind != Kind::Array || size() != out.size()) failExpected(std::to_string(out.size()) + " numbers");
     std::size_t i = 0;
     for (const JsonView element : elements()) out[i++] = element.number();
 }
@@ -54,7 +54,7 @@ glm::dvec3 JsonView::vec3() const {
 }
 
 std::size_t JsonView::choice(std::span<const std::string_view> choices) const {
-    const std::string& chosen = string();
+    const std::string_view chosen = string();
     const auto found = std::ranges::find(choices, chosen);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
     NearestName nearest(chosen);
@@ -64,21 +64,22 @@ std::size_t JsonView::choice(std::span<const std::string_view> choices) const {
 
 JsonView::Children JsonView::elements() const {
     require(Kind::Array, "an array");
-    return {{*document_, node_ + 1}, {*document_, node().end}};
+    return {{*document_, node_ + 1, 0}, {*document_, node().end, 0}};
 }
 
 JsonView::Children JsonView::members() const {
     require(Kind::Object, "an object");
-    return {{*document_, node_ + 1}, {*document_, node().end}};
+    return {{*document_, node_ + 1, 1}, {*document_, node().end, 1}};
 }
 
 std::size_t JsonView::size() const {
+    if (node().kind != Kind::Array && node().kind != Kind::Object) return 0;
     std::size_t count = 0;
-    for (std::uint32_t i = node_ + 1; i < node().end; i = (*document_)[i].end) ++count;
+    for (const JsonView child : node().kind == Kind::Array ? elements() : members()) static_cast<void>(child), ++count;
     return count;
 }
 
-void JsonView::requireElements(std::size_t count, const std::string& expected) const {
+void JsonView::requireElements(std::size_t count, const char* expected) const {
     if (node().kind != Kind::Array || size() != count) failExpected(expected);
 }
 
@@ -88,8 +89,8 @@ JsonView JsonView::element(std::size_t index) const {
     return *element;
 }
 
-const std::string& JsonView::key() const {
-    return document_->key(node());
+std::string_view JsonView::key() const {
+    return document_->string(node_ - 1);
 }
 
 std::optional<JsonView> JsonView::find(std::string_view key) const {
@@ -102,18 +103,15 @@ void JsonView::failExpected(const std::string& expected) const {
     fail("expected " + expected + ", found " + inWords());
 }
 
-void JsonView::require(Kind kind, const char* expected) const {
-    if (node().kind != kind) failExpected(expected);
-}
-
 std::string JsonView::inWords() const {
     switch (node().kind) {
         case Kind::Null: return "null";
         case Kind::Boolean: return node().number != 0 ? "true" : "false";
         case Kind::Number: return shortest(node().number);
-        case Kind::String: return inQuotes(document_->string(node()));
+        case Kind::String: return inQuotes(document_->string(node_));
         case Kind::Array: return "an array of " + std::to_string(size());
         case Kind::Object: return "an object";
+        case Kind::Key: break;  // no value
     }
     return {};
 }

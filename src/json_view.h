@@ -24,21 +24,21 @@ class JsonView {
 
     bool boolean() const;
     double number() const;
-    const std::string& string() const;
+    std::string_view string() const;
     void numbers(std::span<double> out) const;  // an array of exactly as many
     glm::dvec3 vec3() const;
 
     // The position of this string in `choices`.
     std::size_t choice(std::span<const std::string_view> choices) const;
 
-    const std::string& key() const;  // of an object's member
+    std::string_view key() const;    // of an object's member
     Children elements() const;       // of an array
     Children members() const;        // of an object
     std::size_t size() const;        // of either, else 0; counted anew at each call
     JsonView element(std::size_t index) const;
 
     // That this is an array of so many, which the error calls `expected`.
-    void requireElements(std::size_t count, const std::string& expected) const;
+    void requireElements(std::size_t count, const char* expected) const;
 
     std::optional<JsonView> find(std::string_view key) const;  // an object's member
 
@@ -48,7 +48,9 @@ class JsonView {
 
   private:
     const JsonDocument::Node& node() const { return (*document_)[node_]; }
-    void require(JsonDocument::Kind kind, const char* expected) const;
+    void require(JsonDocument::Kind kind, const char* expected) const {
+        if (node().kind != kind) failExpected(expected);
+    }
     std::string inWords() const;
 
     const JsonDocument* document_;
@@ -57,14 +59,16 @@ class JsonView {
 
 class JsonView::Iterator {
   public:
-    Iterator(const JsonDocument& document, std::uint32_t node) : document_(&document), node_(node) {}
-    JsonView operator*() const { return JsonView(*document_, node_); }
-    Iterator& operator++() { return node_ = (*document_)[node_].end, *this; }
+    // `ahead`: by how much a value lies behind where its sibling ends; 1 in an object, for the key.
+    Iterator(const JsonDocument& document, std::uint32_t node, std::uint32_t ahead)
+        : document_(&document), node_(node), ahead_(ahead) {}
+    JsonView operator*() const { return JsonView(*document_, node_ + ahead_); }
+    Iterator& operator++() { return node_ = document_->end(node_ + ahead_), *this; }
     bool operator==(const Iterator& other) const { return node_ == other.node_; }
 
   private:
     const JsonDocument* document_;
-    std::uint32_t node_;
+    std::uint32_t node_, ahead_;
 };
 
 struct JsonView::Children {

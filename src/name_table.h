@@ -2,15 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "json_view.h"
 
 namespace raytracer {
 
+// A hash table by open addressing (linear probing), for a scene may have a million names.
 class NameTable {
   public:
     // `kind` is for messages: no material named ...
@@ -20,17 +21,25 @@ class NameTable {
     void add(std::string_view name, JsonView owner);
 
     // The index of the name that this string is; an error with the nearest one if it is none.
-    std::size_t find(JsonView name) const;
+    std::size_t find(JsonView name);
 
   private:
     struct Entry {
         std::string_view name;
         JsonView owner;
     };
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    struct Slot {
+        std::uint32_t hash = 0, index = none;  // of an entry
+    };
+
+    Slot& slotOf(std::string_view name);
+    void grow();
 
     const char* kind_;
     std::vector<Entry> entries_;
-    std::unordered_map<std::string_view, std::size_t> indices_;
+    std::vector<Slot> slots_ = std::vector<Slot>(2);  // as many as a power of two, at most half of them taken
+    std::size_t next_ = 0;  // behind the one found last: likely to be asked for next
 };
 
 }  // namespace raytracer

@@ -49,7 +49,7 @@ void SceneFiles::requireTexture(JsonView path) const {
 
 // A NUL would silently end the path where the operating system reads it.
 std::string SceneFiles::resolve(JsonView path) const {
-    const std::string& written = path.string();
+    const std::string_view written = path.string();
     if (written.empty() || written.find('\0') != written.npos) path.failExpected("the path of a file");
     return (folder_ / written).string();
 }

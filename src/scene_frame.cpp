@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "raytracer/mesh_file.h"
 
@@ -32,14 +33,22 @@ struct Extent {
     }
 };
 
-// The largest |coordinate| of the shape in object space.
-long double objectRadius(const ShapeDescription& shape) {
-    if (shape.type != ShapeDescription::Type::Mesh) return 1;
-    double largest = 0;
-    for (const glm::dvec3& p : shape.mesh->positions)
-        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    return largest;
-}
+// The largest |coordinate| of a shape in object space; looks at each mesh once.
+class ObjectRadii {
+  public:
+    double of(const ShapeDescription& shape) {
+        if (shape.type != ShapeDescription::Type::Mesh) return 1;
+        const auto [entry, isNew] = ofMesh_.try_emplace(shape.mesh.get(), 0);
+        double& largest = entry->second;
+        if (isNew)
+            for (const glm::dvec3& p : shape.mesh->positions)
+                largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        return largest;
+    }
+
+  private:
+    std::map<const MeshData*, double> ofMesh_;
+};
 
 void addShape(Extent& extent, const Affine& transform, long double radiusObject) {
     long double radius[3];
@@ -50,14 +59,16 @@ void addShape(Extent& extent, const Affine& transform, long double radiusObject)
     extent.add(transform.translation, radius);
 }
 
-Extent extentOf(const SceneDescription& scene, const std::vector<Affine>& transforms) {
+Extent extentOf(const SceneDescription& scene) {
     Extent extent;
+    ObjectRadii radii;
     extent.add(scene.camera.eye);
     for (const ShapeDescription& shape : scene.shapes)
         if (shape.type != ShapeDescription::Type::Plane)
-            addShape(extent, transforms[shape.transform], objectRadius(shape));
+            addShape(extent, compose(scene.transforms[shape.transform]), radii.of(shape));
     if (extent.size() > 0) return extent;
-    for (const ShapeDescription& shape : scene.shapes) extent.add(transforms[shape.transform].translation, {0, 0, 0});
+    for (const ShapeDescription& shape : scene.shapes)
+        extent.add(compose(scene.transforms[shape.transform]).translation, {0, 0, 0});
     for (const LightDescription& light : scene.lights) extent.add(light.position);
     return extent;
 }
@@ -70,16 +81,17 @@ void SceneFrame::pointToFrame(const glm::dvec3& point, long double (&out)[3]) co
 
 Affine SceneFrame::toFrame(const Affine& worldFromObject) const {
     Affine result = worldFromObject;
+    const long double unit = std::scalbn(1.0L, -exponent);
     for (int row = 0; row < 3; ++row) {
-        for (long double& entry : result.linear[row]) entry = std::scalbn(entry, -exponent);
-        result.translation[row] = std::scalbn(result.translation[row] - origin[row], -exponent);
+        for (long double& entry : result.linear[row]) entry *= unit;
+        result.translation[row] = (result.translation[row] - origin[row]) * unit;
     }
     return result;
 }
 
-SceneFrame chooseFrame(const SceneDescription& scene, const std::vector<Affine>& transforms) {
+SceneFrame chooseFrame(const SceneDescription& scene) {
     SceneFrame frame;
-    const Extent extent = extentOf(scene, transforms);
+    const Extent extent = extentOf(scene);
     const long double size = extent.size();
     if (!(size > 0)) return frame;
     frame.exponent = std::ilogb(size) + 1;

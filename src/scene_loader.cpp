@@ -61,7 +61,7 @@ void SceneReader::readTextures(JsonView textures) {
         files_.requireTexture(path);
         textures_.add(path.key(), path);
         texturePaths_.push_back(path);
-        description_.textures.push_back({path.key(), nullptr});
+        description_.textures.push_back({std::string(path.key()), nullptr});
     }
 }
 
@@ -69,7 +69,7 @@ void SceneReader::readMaterials(JsonView materials) {
     for (const JsonView json : materials.elements()) {
         const MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
-        materials_.add(name ? std::string_view(name->string()) : defaultMaterialName, name.value_or(json));
+        materials_.add(name ? name->string() : defaultMaterialName, name.value_or(json));
         // One that is not textured may name whatever it likes; readMaterial has seen that one that is names something.
         auto& texture = textureOfMaterial_.emplace_back();
         if (material.use_diffuse_texture) texture = textures_.find(*json.find("diffuse_texture"));

@@ -167,7 +167,8 @@ TransformDescription readTransform(JsonView view, KnownKeys& keys) {
     if (const auto rotate = json.find("rotate")) transform.rotate = readRotation(*rotate, keys);
     if (const auto scale = json.find("scale")) transform.scale = scaleFactors(*scale);
     if (const auto matrix = json.find("matrix")) transform.matrix = readMatrix(*matrix);
-    if (!inverseLinear(compose(transform)))
+    // Rotations have one, and so have scales other than 0.
+    if (transform.matrix && !inverseLinear(compose(transform)))
         view.fail("expected a transform that has an inverse, found one that is singular");
     return transform;
 }

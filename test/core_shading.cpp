@@ -135,18 +135,18 @@ TEST_CASE("secondary rays know the side that they run on") {
 }
 
 TEST_CASE("power") {
-    CHECK(power(0, 0) == 1);
-    CHECK(power(0, 1) == 0);
+    CHECK(power(Real(0), 0) == 1);
+    CHECK(power(Real(0), 1) == 0);
     CHECK(power(Real(0.5L), 3) == Real(0.125L));
     CHECK(power(Real(0.5L), 10) == Real(1) / 1024);
     CHECK(power(Real(0.25L), Real(0.5L)) == Real(0.5L));
     CHECK(power(Real(0.75L), 1) == Real(0.75L));
-    CHECK(power(1, 1000000) == 1);
+    CHECK(power(Real(1), 1000000) == 1);
     CHECK(power(Real(0.5L), 1000000) == 0);
-    CHECK(power(1, static_cast<Real>(1e30)) == 1);
+    CHECK(power(Real(1), static_cast<Real>(1e30)) == 1);
     CHECK(power(1 - unitRoundoff, static_cast<Real>(1e30)) == 0);
     CHECK(power(Real(0.5L), static_cast<Real>(1e300)) == 0);  // infinite in float
-    CHECK(power(1, static_cast<Real>(1e300)) == 1);
+    CHECK(power(Real(1), static_cast<Real>(1e300)) == 1);
 }
 
 TEST_CASE("normalized") {

@@ -15,6 +15,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "raytracer/rare.h"
+
 namespace raytracer {
 
 struct MeshData;  // mesh_file.h
@@ -55,9 +57,9 @@ struct TransformDescription {
     };
     std::string name;
     std::optional<glm::dvec3> translate;
-    std::optional<Rotation> rotate;
+    Rare<Rotation> rotate;
     std::optional<glm::dvec3> scale;
-    std::optional<glm::dmat4> matrix;  // columns, as in the file; bottom row 0 0 0 1
+    Rare<glm::dmat4> matrix;  // columns, as in the file; bottom row 0 0 0 1
 };
 
 struct ShapeDescription {

@@ -23,6 +23,6 @@ struct SceneFrame {
 };
 
 // Looks at the camera and at every shape of finite size; where these have no extent at all, at planes and lights too.
-SceneFrame chooseFrame(const SceneDescription& scene, const std::vector<Affine>& transforms);
+SceneFrame chooseFrame(const SceneDescription& scene);
 
 }  // namespace raytracer

@@ -1,0 +1,80 @@
+// Where a range of primitives is best split in two, and the splitting: what the tree's builder (bvh_build.cpp) does again and
+// again. By the surface area heuristic over bins (Wald, On fast Construction of SAH-based Bounding Volume Hierarchies,
+// 2007).
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace raytracer {
+
+// GCC's and Clang's vectors, on any processor.
+using Float4 [[gnu::vector_size(16)]] = float;
+using Int4 [[gnu::vector_size(16)]] = std::int32_t;
+
+struct BuildBox {
+    static constexpr float infinite = std::numeric_limits<float>::infinity();
+    Float4 low{infinite, infinite, infinite, infinite}, high{-infinite, -infinite, -infinite, -infinite};
+
+    void add(const BuildBox& other) {
+        low = low < other.low ? low : other.low;
+        high = high > other.high ? high : other.high;
+    }
+    void add(Float4 point) { add(BuildBox{point, point}); }
+    float halfArea() const {
+        const Float4 size = high - low;
+        return size[0] * (size[1] + size[2]) + size[1] * size[2];
+    }
+};
+
+// A primitive to be sorted in: its box, and its number in the bits of low[3].
+struct Reference {
+    BuildBox box;
+    std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(float{box.low[3]}); }
+    void setPrimitive(std::uint32_t number) { box.low[3] = std::bit_cast<float>(number), box.high[3] = 0; }
+
+    // Twice the box's middle. Without the number, which as a denormal would be slow to add.
+    Float4 center() const {
+        const Int4 mask{-1, -1, -1, 0};
+        return std::bit_cast<Float4>(std::bit_cast<Int4>(box.low) & mask) + box.high;
+    }
+};
+
+struct Range {
+    std::uint32_t begin = 0, end = 0;
+    BuildBox box, centers;
+
+    std::uint32_t size() const { return end - begin; }
+    void add(const Reference& reference) { box.add(reference.box), centers.add(reference.center()); }
+};
+
+class RangeSplitter {
+  public:
+    // With more than one thread, they share the binning of a large range.
+    RangeSplitter(std::vector<Reference>& references, int threads) : references_(references), threads_(threads) {}
+
+    // At the plane between two bins with the least surface area times primitives on both sides; from a certain depth on, or
+    // where all centres coincide, into halves. Sorts the references of the range.
+    void split(const Range& range, int depth, bool onAllThreads, Range& left, Range& right) const;
+
+  private:
+    struct Plane {
+        int axis = -1;
+        int bin = 0;  // the first of the right side
+        float cost = BuildBox::infinite;
+    };
+    struct Binning;
+    struct Bins;
+
+    Plane best(const Range& range, const Binning& binning, bool onAllThreads) const;
+    void bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const;
+    void partition(const Range& range, const Binning& binning, const Plane& plane, Range& left, Range& right) const;
+    void halve(const Range& range, Range& left, Range& right) const;
+
+    std::vector<Reference>& references_;
+    int threads_;
+};
+
+}  // namespace raytracer
