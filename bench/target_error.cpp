@@ -126,8 +126,8 @@ class SceneCheck {
         options_.crop = {0, 0, options_.size.width, options_.size.height};
         area_ = static_cast<double>(options_.size.width) * options_.size.height;
         Pilot look(*renderer_, options_, scatteredPixels(options_.crop, static_cast<std::size_t>(area_ / 8), 77));
-        pilot_ = std::make_unique<StratifiedPilot>(*renderer_, options_, look.pixels(), activity(look),
-                                                   static_cast<std::size_t>(arguments.pixels));
+        pilot_ = std::make_unique<StratifiedPilot>(*renderer_, options_);
+        pilot_->add(look.pixels(), activity(look), static_cast<std::size_t>(arguments.pixels));
         grid_ = wholeGrid(*pilot_);
     }
 

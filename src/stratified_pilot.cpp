@@ -30,58 +30,81 @@ std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const
 
 }  // namespace
 
-StratifiedPilot::StratifiedPilot(const Renderer& renderer, const RenderOptions& options, std::span<const PixelPlace> pixels,
-                                 std::span<const double> activity, std::size_t count)
-    : looked_(static_cast<double>(pixels.size())) {
+void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const double> activity, std::size_t count) {
+    Sample sample{{}, static_cast<double>(pixels.size())};
     const std::vector<std::size_t> order = orderOf(activity);
     const double total = std::accumulate(activity.begin(), activity.end(), 0.0);
-    const double even = total > 0 ? evenPart / (1 - evenPart) * total / looked_ : 1;
-    const double whole = total + even * looked_;
+    const double even = total > 0 ? evenPart / (1 - evenPart) * total / sample.looked : 1;
+    const double whole = total + even * sample.looked;
     double sum = 0;
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-        const double limit = whole * static_cast<double>(strata_.size() + 1) / strataCount;
-        while (end < order.size() && (end == begin || sum < limit || strata_.size() + 1 == strataCount))
+        const std::size_t number = sample.strata.size() + 1;
+        const double limit = whole * static_cast<double>(number) / strataCount;
+        while (end < order.size() && (end == begin || sum < limit || number == strataCount))
             sum += activity[order[end++]] + even;
         const auto indices = std::span(order).subspan(begin, end - begin);
-        strata_.push_back({static_cast<double>(indices.size()) / looked_,
-                           std::make_unique<Pilot>(renderer, options, some(pixels, indices, count / strataCount))});
+        sample.strata.push_back({static_cast<double>(indices.size()) / sample.looked,
+                                 std::make_unique<Pilot>(renderer_, options_, some(pixels, indices, count / strataCount))});
     }
+    samples_.push_back(std::move(sample));
+}
+
+// Cochran (12.32): within the strata by the pixels judged, between them by the pixels looked at.
+StratifiedPilot::Estimate StratifiedPilot::estimate(Sample& sample, const Setting& setting, const Setting& truth,
+                                                    PictureError& whole) const {
+    std::vector<double> means;
+    Estimate estimate;
+    for (Stratum& stratum : sample.strata) {
+        const PictureError error = stratum.pilot->error(setting, truth);
+        means.push_back(error.rmse * error.rmse);
+        estimate.mean += stratum.share * means.back();
+        estimate.variance += std::pow(stratum.share * 2 * error.rmse * error.standardError, 2);
+        whole.maximum = std::max(whole.maximum, error.maximum);
+        whole.shareOff += part(sample) * stratum.share * error.shareOff;
+    }
+    for (std::size_t i = 0; i < means.size(); ++i)
+        estimate.variance += sample.strata[i].share * std::pow(means[i] - estimate.mean, 2) / sample.looked;
+    return estimate;
 }
 
 PictureError StratifiedPilot::error(const Setting& setting, const Setting& truth) {
-    std::vector<PictureError> errors;
     PictureError whole;
-    double mean = 0, variance = 0;  // of the pixels' squared errors; of their mean
-    for (Stratum& stratum : strata_) {
-        const PictureError& error = errors.emplace_back(stratum.pilot->error(setting, truth));
-        mean += stratum.share * error.rmse * error.rmse;
-        variance += std::pow(stratum.share * 2 * error.rmse * error.standardError, 2);
-        whole.maximum = std::max(whole.maximum, error.maximum);
-        whole.shareOff += stratum.share * error.shareOff;
+    Estimate all;
+    for (Sample& sample : samples_) {
+        const Estimate one = estimate(sample, setting, truth, whole);
+        all.mean += part(sample) * one.mean;
+        all.variance += std::pow(part(sample), 2) * one.variance;
     }
-    for (std::size_t i = 0; i < strata_.size(); ++i)
-        variance += strata_[i].share * std::pow(errors[i].rmse * errors[i].rmse - mean, 2) / looked_;
-    whole.rmse = std::sqrt(mean);
-    if (mean > 0) whole.standardError = std::sqrt(variance) / (2 * whole.rmse);
+    whole.rmse = std::sqrt(all.mean);
+    if (all.mean > 0) whole.standardError = std::sqrt(all.variance) / (2 * whole.rmse);
     whole.psnr = -20 * std::log10(whole.rmse);
     return whole;
 }
 
+double StratifiedPilot::part(const Sample& sample) const {
+    double looked = 0;
+    for (const Sample& each : samples_) looked += each.looked;
+    return sample.looked / looked;
+}
+
 double StratifiedPilot::rays(const Setting& setting) {
     double rays = 0;
-    for (Stratum& stratum : strata_) rays += stratum.share * stratum.pilot->take(setting).rays;
+    for (Sample& sample : samples_)
+        for (Stratum& stratum : sample.strata) rays += part(sample) * stratum.share * stratum.pilot->take(setting).rays;
     return rays;
 }
 
 std::size_t StratifiedPilot::pixelCount() const {
     std::size_t count = 0;
-    for (const Stratum& stratum : strata_) count += stratum.pilot->pixelCount();
+    for (const Sample& sample : samples_)
+        for (const Stratum& stratum : sample.strata) count += stratum.pilot->pixelCount();
     return count;
 }
 
 double StratifiedPilot::raysSpent() const {
     double spent = 0;
-    for (const Stratum& stratum : strata_) spent += stratum.pilot->raysSpent();
+    for (const Sample& sample : samples_)
+        for (const Stratum& stratum : sample.strata) spent += stratum.pilot->raysSpent();
     return spent;
 }
 

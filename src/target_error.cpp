@@ -23,11 +23,11 @@ constexpr double depthShare = 0.12;   // of the target: a depth that costs no mo
 constexpr int sampleLimit = 16;       // the grid's last
 constexpr int referenceFactor = 3;    // the reference's samples are so many times those that it judges, along an axis
 
-// The pilot's pixels in the first round, and how many times more there are in each one after it.
-constexpr double scatteredPart = 1.0 / 120, leastScattered = 1500;  // of the picture's pixels
+// The pilot's pixels in the first round; each further one has as many as all before it.
+constexpr double scatteredPart = 1.0 / 72, leastScattered = 1500;  // of the picture's pixels: looked at
 constexpr double judgedPixels = 480;
-constexpr double growth = 2;
 constexpr double pilotShare = 0.4;  // of what the picture costs: no round is begun that would exceed it
+constexpr double smallStep = 1.2;   // a setting dearer by no more than this is as good
 
 // What an error may be, some standard errors up. It comes from few pixels, as if from k equally wrong ones where the mean
 // square has a relative error of k^-1/2. Gehrels's upper limit of a count of k ("Confidence limits for small numbers of
@@ -38,8 +38,10 @@ double upperLimit(double error, double standardError, double s) {
     return error * std::sqrt(1 + (s * std::sqrt(k + 0.75) + (s * s + 3) / 4) / k);
 }
 
-// With some odds to spare: a picture in ten may be above.
-bool isWithin(const PictureError& error, double target) { return upperLimit(error.rmse, error.standardError, 0.5) <= target; }
+// With some odds to spare, since only a picture in ten may be above; but for one sample, since the next step costs 4 times.
+bool isWithin(const PictureError& error, int samples, double target) {
+    return upperLimit(error.rmse, error.standardError, samples > 1 ? 0.5 : 0) <= target;
+}
 
 double areaOf(const PixelRectangle& crop) { return static_cast<double>(crop.width()) * crop.height(); }
 
@@ -78,18 +80,22 @@ class Search {
     // In rounds of ever more pixels, until the choice is clear or more would cost too much of what it can save.
     TargetChoice choose() {
         findDepths();
-        for (double more = 1;; more *= growth) {
+        for (double pixels = 1;; pixels = static_cast<double>(1 << (looks_.size() - 1))) {
             const double before = spent();
-            more_ = more;
+            look(pixels);
             const TargetChoice choice = round();
-            const double again = growth * (spent() - before), picture = choice.rays * areaOf(options_.crop);
-            if (isClear(choice) || spent() + again > pilotShare * picture) return choice;
+            const double again = std::max(spent() - before, (spent() - before) / pixels * (1 << (looks_.size() - 1)));
+            if (isClear(choice) || spent() + again > pilotShare * atStake(choice) * areaOf(options_.crop)) return choice;
         }
     }
 
   private:
+    struct Look {
+        std::unique_ptr<Pilot> pilot;
+        std::size_t judged;  // so many of its pixels are
+    };
+
     TargetChoice round() {
-        look();
         findSamples();
         collect();
         return pick();
@@ -97,12 +103,21 @@ class Search {
 
     // Whether more pixels would hardly choose otherwise.
     bool isClear(const TargetChoice& choice) const {
-        return upperLimit(choice.error, choice.standardError, 2) <= target_ &&
-               (!choice.cheaper || choice.cheaperError - 2 * choice.cheaperStandardError > target_);
+        return upperLimit(choice.error, choice.standardError, 2) <= target_ && !mayBeBeaten(choice);
     }
 
+    bool mayBeBeaten(const TargetChoice& choice) const {
+        return choice.cheaper && choice.rays > smallStep * choice.cheaperRays &&
+               choice.cheaperError - 2 * choice.cheaperStandardError <= target_;
+    }
+
+    // The rays a pixel of what may be the best choice.
+    double atStake(const TargetChoice& choice) const { return mayBeBeaten(choice) ? choice.cheaperRays : choice.rays; }
+
     double spent() const {
-        return depthPilot_.raysSpent() + spent_ + (look_ ? look_->raysSpent() : 0) + (pilot_ ? pilot_->raysSpent() : 0);
+        double spent = depthPilot_.raysSpent() + spent_;
+        for (const Look& look : looks_) spent += look.pilot->raysSpent();
+        return spent + (pilot_ ? pilot_->raysSpent() : 0);
     }
 
     // A part of the picture's pixels; but no fewer than tell anything.
@@ -126,22 +141,25 @@ class Search {
         return {samples, adaptive, depth.max_recursion, depth.cutoff, options_.bilinear};
     }
 
-    void look() {
-        const std::size_t count = pixelsFor(more_ * scatteredPart, leastScattered);
-        if (look_) spent_ += look_->raysSpent();
-        look_ = std::make_unique<Pilot>(renderer_, options_, scatteredPixels(options_.crop, count, 0));
+    // More pixels, so many times the first round's.
+    void look(double times) {
+        const auto seed = static_cast<std::uint32_t>(2 + looks_.size());
+        auto pixels = scatteredPixels(options_.crop, pixelsFor(times * scatteredPart, times * leastScattered), seed);
+        looks_.push_back({std::make_unique<Pilot>(renderer_, options_, std::move(pixels)),
+                          static_cast<std::size_t>(times * judgedPixels)});
     }
 
-    // How much each pixel has going on: how far apart is what its centre, its corners, some samples and a coarse depth see.
-    std::vector<double> activity(int samples) {
-        const auto& centre = look_->take(sampled(1)).colors;
+    // How much each pixel has going on: how far apart is what its centre, its corners, half of the samples and a coarse
+    // depth see.
+    std::vector<double> activity(Pilot& look, int samples) const {
+        const auto& centre = look.take(sampled(1)).colors;
         std::vector<double> activity(centre.size(), 0);
         const auto addDifference = [&](const Setting& setting) {
-            const auto& colors = look_->take(setting).colors;
+            const auto& colors = look.take(setting).colors;
             for (std::size_t i = 0; i < activity.size(); ++i) activity[i] += squaredError(centre[i], colors[i]);
         };
         addDifference(sampled(64, 1));  // adaptive 1: the corners alone
-        addDifference(sampled(samples));
+        if (samples > 2) addDifference(sampled((samples + 1) / 2));
         const DepthChoice& coarse = coarsestDepth();
         if (coarse.error > depthShare * target_) addDifference(sampledAt(coarse, 1));
         return activity;
@@ -153,13 +171,18 @@ class Search {
         return depths_.back();
     }
 
-    // Prepares to judge so many samples.
+    // Prepares to judge so many samples, by all pixels looked at so far.
     void focus(int samples) {
-        if (pilot_) spent_ += pilot_->raysSpent();
-        reference_ = sampled(referenceFactor * samples);
-        const auto count = static_cast<std::size_t>(more_ * judgedPixels);
-        const std::vector<double> active = activity(std::max(2, (samples + 1) / 2));
-        pilot_ = std::make_unique<StratifiedPilot>(renderer_, options_, look_->pixels(), active, count);
+        if (!pilot_ || reference_ != sampled(referenceFactor * samples)) {
+            if (pilot_) spent_ += pilot_->raysSpent();
+            pilot_ = std::make_unique<StratifiedPilot>(renderer_, options_);
+            reference_ = sampled(referenceFactor * samples);
+            focused_ = 0;
+        }
+        for (; focused_ < looks_.size(); ++focused_) {
+            const Look& look = looks_[focused_];
+            pilot_->add(look.pilot->pixels(), activity(*look.pilot, samples), look.judged);
+        }
     }
 
     // What the pilot's pixels say of a setting, and what the reference leaves out itself.
@@ -173,7 +196,7 @@ class Search {
     }
     PictureError measured(const Setting& setting) { return measured(setting, fine_); }
 
-    bool areEnough(int samples) { return isWithin(measured(sampled(samples)), target_); }
+    bool areEnough(int samples) { return isWithin(measured(sampled(samples)), samples, target_); }
 
     // How many samples it may take, from how the error falls from one to two.
     int guessSamples() {
@@ -217,7 +240,7 @@ class Search {
         for (auto adaptive = std::rbegin(gridAdaptive); adaptive != std::rend(gridAdaptive); ++adaptive) {
             if (*adaptive == 0) return;
             addCandidates(sampled(samples, *adaptive));
-            if (isWithin(measured(sampled(samples, *adaptive)), target_)) return;
+            if (isWithin(measured(sampled(samples, *adaptive)), samples, target_)) return;
         }
     }
 
@@ -239,7 +262,8 @@ class Search {
         const Candidate* cheaper = nullptr;
         for (const Candidate& candidate : candidates_) {
             if (candidate.error() > 1.05 * target_) continue;
-            if (isWithin(measured(candidate.setting, depthOf(candidate.setting)), target_)) return result(candidate, cheaper);
+            const PictureError error = measured(candidate.setting, depthOf(candidate.setting));
+            if (isWithin(error, candidate.setting.samples, target_)) return result(candidate, cheaper);
             cheaper = &candidate;
         }
         return result(*std::ranges::min_element(candidates_, {}, &Candidate::error), nullptr);
@@ -260,8 +284,9 @@ class Search {
             const PictureError missed = measured(cheaper->setting, depthOf(cheaper->setting));
             choice.cheaperError = missed.rmse;
             choice.cheaperStandardError = missed.standardError;
+            choice.cheaperRays = pilot_->rays(cheaper->setting);
         }
-        choice.pilotPixels = look_->pixelCount();
+        choice.pilotPixels = pilot_->pixelCount();
         choice.pilotRays = spent();
         return choice;
     }
@@ -272,12 +297,12 @@ class Search {
     Pilot depthPilot_;
     std::vector<DepthChoice> depths_;
     DepthChoice fine_;  // the cheapest that is deep enough not to matter
-    std::unique_ptr<Pilot> look_;
+    std::vector<Look> looks_;
     std::unique_ptr<StratifiedPilot> pilot_;
+    std::size_t focused_ = 0;  // looks that are in the pilot
     Setting reference_;
     int samples_ = 1;
     std::vector<Candidate> candidates_;
-    double more_ = 1;   // the round's pixels, as times the first's
     double spent_ = 0;  // rays, by pilots that are gone
 };
 

@@ -114,12 +114,14 @@ TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one 
         const double mean = meanActivity(picture, activity);
         const Setting setting{.samples = 2}, truth{.samples = 6};
         const PictureError whole = picture.error(setting, truth);
-        StratifiedPilot all(renderer, options, pixels, activity, 8 * pixels.size());
+        StratifiedPilot all(renderer, options);
+        all.add(pixels, activity, 8 * pixels.size());
         CHECK(all.pixelCount() == pixels.size());
         CHECK(all.error(setting, truth).rmse == Approx(whole.rmse));
         CHECK(all.error(setting, truth).shareOff == Approx(whole.shareOff));
         CHECK(all.rays(setting) == Approx(picture.take(setting).rays));
-        StratifiedPilot some(renderer, options, pixels, activity, 160);
+        StratifiedPilot some(renderer, options);
+        some.add(pixels, activity, 160);
         CHECK(some.pixelCount() <= 160);
         const PictureError estimate = some.error(setting, truth);
         INFO("activity " << mean << ", error " << whole.rmse << ", estimated " << estimate.rmse << " +- " << estimate.standardError);

@@ -12,10 +12,11 @@ namespace raytracer {
 
 class StratifiedPilot {
   public:
+    StratifiedPilot(const Renderer& renderer, const RenderOptions& options) : renderer_(renderer), options_(options) {}
+
     // About `count` of the pixels, a random sample of the picture; all of a stratum that has no more than its part.
-    // `activity` is of each pixel, in any unit.
-    StratifiedPilot(const Renderer& renderer, const RenderOptions& options, std::span<const PixelPlace> pixels,
-                    std::span<const double> activity, std::size_t count);
+    // `activity` is of each pixel, in any unit. What is added later is another, independent sample.
+    void add(std::span<const PixelPlace> pixels, std::span<const double> activity, std::size_t count);
 
     // Of the whole picture with a setting, taking another one for the truth.
     PictureError error(const Setting& setting, const Setting& truth);
@@ -30,8 +31,19 @@ class StratifiedPilot {
         double share;  // of the picture's pixels
         std::unique_ptr<Pilot> pilot;
     };
-    std::vector<Stratum> strata_;
-    double looked_;  // pixels of the first look
+    struct Sample {
+        std::vector<Stratum> strata;
+        double looked;  // pixels of the first look
+    };
+    struct Estimate {
+        double mean = 0, variance = 0;  // of the pixels' squared errors; of that estimate
+    };
+    Estimate estimate(Sample& sample, const Setting& setting, const Setting& truth, PictureError& whole) const;
+    double part(const Sample& sample) const;  // of all pixels looked at
+
+    const Renderer& renderer_;
+    const RenderOptions& options_;
+    std::vector<Sample> samples_;
 };
 
 }  // namespace raytracer
