@@ -12,7 +12,7 @@ import pathlib
 import subprocess
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
-SCENES = {"cone_cube": "edges", "checker_horizon": "textures", "nested_glass": "deep glass",
+SCENES = {"cone_cube": "edges", "checker_horizon": "textures", "refraction": "deep glass",
           "mirror_corridor": "facing mirrors", "mesh": "a mesh", "extreme_scale": "extreme scale"}
 
 

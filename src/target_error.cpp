@@ -19,7 +19,7 @@ struct Candidate {
     double error() const { return std::hypot(sampleError, depthError); }
 };
 
-constexpr double depthShare = 0.12;   // of the target: a depth that costs no more than this of it is deep enough
+constexpr double depthShare = 0.2;   // of the target: a depth that costs no more than this of it is deep enough
 constexpr int sampleLimit = 16;       // the grid's last
 constexpr int referenceFactor = 3;    // the reference's samples are so many times those that it judges, along an axis
 
@@ -75,16 +75,17 @@ class Search {
   public:
     Search(const Renderer& renderer, const RenderOptions& options, double target)
         : renderer_(renderer), options_(options), target_(target),
-          depthPilot_(renderer, options, scatteredPixels(options.crop, pixelsFor(1.0 / 270, 500), 1)) {}
+          depthPilot_(renderer, options, scatteredPixels(options.crop, pixelsFor(1.0 / 400, 500), 1)) {}
 
     // In rounds of ever more pixels, until the choice is clear or more would cost too much of what it can save.
     TargetChoice choose() {
         findDepths();
-        for (double pixels = 1;; pixels = static_cast<double>(1 << (looks_.size() - 1))) {
+        for (double pixels = 1, next;; pixels = next) {
             const double before = spent();
             look(pixels);
             const TargetChoice choice = round();
-            const double again = std::max(spent() - before, (spent() - before) / pixels * (1 << (looks_.size() - 1)));
+            next = static_cast<double>(1 << (looks_.size() - 1));
+            const double again = (spent() - before) / pixels * next;
             if (isClear(choice) || spent() + again > pilotShare * atStake(choice) * areaOf(options_.crop)) return choice;
         }
     }
@@ -126,7 +127,7 @@ class Search {
     }
 
     void findDepths() {
-        const Setting deepest{.max_recursion = 32, .cutoff = std::min(0.1, 10 * target_), .bilinear = options_.bilinear};
+        const Setting deepest{.max_recursion = 32, .cutoff = std::min(0.1, 3 * target_), .bilinear = options_.bilinear};
         std::vector<double> cutoffs = cutoffsFor(target_);
         do depths_ = depthFront(depthPilot_, deepest, cutoffs, depthShare * target_);
         while (depths_.back().error > depthShare * target_ && addSmaller(cutoffs));

@@ -39,8 +39,8 @@ std::string tableRow(const Trial& trial, double plain) {
 
 template <class Wanted>
 std::string table(const SceneTradeoff& scene, std::span<const Trial> trials, Wanted wanted) {
-    std::string html = "<div class=\"scroll\"><table><thead><tr><th>seconds</th><th title=\"times what the defaults take\">&times; defaults"
-                       "</th><th>RMSE</th><th>PSNR</th><th>maximum</th>"
+    std::string html = "<div class=\"scroll\"><table><thead><tr><th>seconds</th><th title=\"times what the defaults take\">&times;</th>"
+                       "<th>RMSE</th><th>PSNR</th><th>maximum</th>"
                        "<th title=\"of the pixels, off by more than 1/255\">% off</th><th>setting</th></tr></thead><tbody>\n";
     for (const Trial& trial : trials)
         if (wanted(trial)) html += tableRow(trial, plainSeconds(scene));
