@@ -94,6 +94,7 @@ TEST_CASE("a measured scene: its front is one, its errors are apart, its referen
         last = &trial;
     }
     REQUIRE(last != nullptr);
+    CHECK(std::ranges::count(measured.truncation, Setting{}, &Trial::setting) == 1);
     CHECK(measured.reference.setting.precision == Precision::Extended);
     CHECK(measured.reference.doublingError < last->error.rmse);
     for (const Trial& trial : measured.arithmetic) {
