@@ -133,7 +133,7 @@ TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one 
     CHECK(far <= scenes / 5);
 }
 
-TEST_CASE("--target-error: hardly ever above, never above twice, on every scene") {
+TEST_CASE("target-error: hardly ever above, never above twice, on every scene") {
     int cases = 0, above = 0;
     forEveryScene(24, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         Pilot picture(renderer, options, allPixels(options));
@@ -150,7 +150,7 @@ TEST_CASE("--target-error: hardly ever above, never above twice, on every scene"
     CHECK(10 * above <= cases);
 }
 
-TEST_CASE("--target-error: where nothing reaches it, the most accurate and no promise") {
+TEST_CASE("target-error: where nothing reaches it, the most accurate and no promise") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/checker_horizon.json", true).description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     const TargetChoice choice = chooseSetting(*renderer, wholePicture(scene, 6), 1e-9);
@@ -160,7 +160,7 @@ TEST_CASE("--target-error: where nothing reaches it, the most accurate and no pr
     CHECK(choice.error > 1e-9);
 }
 
-TEST_CASE("--target-error: the texture filter stays the one that was asked for") {
+TEST_CASE("target-error: the texture filter stays the one that was asked for") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/texture.json", true).description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     RenderOptions options = wholePicture(scene, 24);
