@@ -40,7 +40,7 @@ double upperLimit(double error, double standardError, double s) {
 
 // With some odds to spare, since only a picture in ten may be above; but for one sample, since the next step costs 4 times.
 bool isWithin(const PictureError& error, int samples, double target) {
-    return upperLimit(error.rmse, error.standardError, samples > 1 ? 0.5 : 0) <= target;
+    return upperLimit(error.rmse, error.standardError, samples > 1 ? 1 : 0) <= target;
 }
 
 double areaOf(const PixelRectangle& crop) { return static_cast<double>(crop.width()) * crop.height(); }
