@@ -65,6 +65,10 @@ std::array<Vec2, 3> TriangleMesh::texCoords(std::uint32_t triangle) const {
     return result;
 }
 
+LineHit<Real> TriangleMesh::meetLine(const ObjectRay& line, std::uint32_t triangle) const {
+    return intersectLine(ShearedRayT<Real>(line, shearAxes(line.direction)), corners<Real>(triangle));
+}
+
 // The roundings of the watertight test, and of float positions, which the tree has as they were.
 Real Mesh::slackFrom(Real farthestOrigin) const {
     constexpr Real roundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));

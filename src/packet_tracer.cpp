@@ -27,9 +27,6 @@ using RayLanes = RayT<Lanes>;
 using Vec3Lanes = Vec3T<Lanes>;
 using ColorLanes = ColorT<Lanes>;
 
-// Fewer rays than this are sooner traced one at a time.
-constexpr int leastRays = 3;
-
 Ray laneOf(const RayLanes& ray, int lane) {
     const DepartureT<Lanes>& departure = ray.departure;
     return {laneOf(ray.origin, lane), laneOf(ray.direction, lane),
@@ -173,7 +170,7 @@ ColorLanes PacketTracer::rayColor(const RayLanes& ray, LaneBits asked, const Ray
     for (LaneBits left = query.found(); left != 0;) {
         const LaneBits alike = query.alike(left);
         left &= ~alike;
-        const bool together = std::popcount(alike) >= leastRays;
+        const bool together = std::popcount(alike) >= PointPacket::least;
         color = select<Lanes>(maskOf(alike), (together ? hitColor(ray, query, alike, path) : oneByOne(ray, query, alike, path)), color);
     }
     return color;

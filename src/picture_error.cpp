@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace raytracer {
 
@@ -21,14 +22,18 @@ void ColorSink::write(int x, int y, std::span<const glm::dvec3> colors) {
     std::copy(colors.begin(), colors.end(), colors_.begin() + place);
 }
 
+double squaredError(const glm::dvec3& color, const glm::dvec3& truth) {
+    const glm::dvec3 difference = shown(color) - shown(truth);
+    return glm::dot(difference, difference) / 3;
+}
+
 PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth) {
     PictureError error;
     double sum = 0, sumOfSquares = 0;  // of the pixels' mean squared errors
     std::size_t off = 0;
     for (std::size_t i = 0; i < colors.size(); ++i) {
         const glm::dvec3 difference = glm::abs(shown(colors[i]) - shown(truth[i]));
-        const glm::dvec3 squared = difference * difference;
-        const double pixel = (squared.x + squared.y + squared.z) / 3;
+        const double pixel = squaredError(colors[i], truth[i]);
         const double largest = std::max({difference.x, difference.y, difference.z});
         sum += pixel;
         sumOfSquares += pixel * pixel;

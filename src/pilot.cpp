@@ -66,10 +66,15 @@ std::vector<DepthChoice> depthFront(Pilot& pilot, const Setting& deepest, std::s
         return choices.back().error;
     };
     double closest = 1;
+    std::vector<double> before(cutoffs.size(), 2);  // the errors one step less deep; 0: deeper is no closer
     for (const int depth : gridDepths) {
         if (depth > deepest.max_recursion || closest <= enough) break;
-        for (const double cutoff : cutoffs)
-            if (depth > 0 || cutoff == cutoffs.front()) closest = std::min(closest, tryOut(depth, cutoff));
+        for (std::size_t i = 0; i < cutoffs.size(); ++i) {
+            if (before[i] == 0 || (depth == 0 && i > 0)) continue;
+            const double error = tryOut(depth, cutoffs[i]);
+            closest = std::min(closest, error);
+            before[i] = depth > 1 && error > 0.99 * before[i] ? 0 : error;
+        }
     }
     std::vector<CostAndError> points;
     for (const DepthChoice& choice : choices) points.push_back({choice.rays, choice.error});

@@ -55,7 +55,7 @@ Axes axesOf(const SceneTradeoff& scene) {
 
 std::string decade(int exponent) {
     if (exponent >= 0) return std::to_string(static_cast<long long>(std::pow(10, exponent)));
-    if (exponent >= -2) return exponent == -1 ? "0.1" : "0.01";
+    if (exponent >= -3) return formatted("%g", std::pow(10, exponent));
     return formatted("10<tspan dy='-4' font-size='8'>%d</tspan>", exponent);
 }
 
@@ -85,6 +85,12 @@ std::string floorLine(const Axes& axes, const Reference& reference) {
     if (!(reference.doublingError > 0) || y >= height - bottom) return {};
     return formatted("<path class='floor' d='M%.1f %.1fH%.1f'><title>half of the reference's samples are %.1e off it</title>"
                      "</path>\n", left, y, width - right, reference.doublingError);
+}
+
+// How the error between the samples falls, as the slope of a line of that rate would show it.
+std::string rateLabel(double rate) {
+    return formatted("<text class='label' x='%.1f' y='%.1f' text-anchor='end'>between the samples: rays"
+                     "<tspan dy='-4' font-size='8'>-%.2f</tspan></text>\n", width - right - 4, top + 14, rate);
 }
 
 std::string point(const Axes& axes, const Trial& trial) {
@@ -121,7 +127,7 @@ std::string chartBody(const SceneTradeoff& scene) {
     std::string others, front;
     for (const Trial& trial : scene.truncation)
         (trial.onFront || trial.setting == Setting{} ? front : others) += point(axes, trial);
-    return grid(axes) + floorLine(axes, scene.reference) + others + frontLine(axes, scene.truncation) + front +
+    return grid(axes) + rateLabel(scene.sampleRate) + floorLine(axes, scene.reference) + others + frontLine(axes, scene.truncation) + front +
            letters(axes, scene);
 }
 

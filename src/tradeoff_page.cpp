@@ -24,18 +24,26 @@ std::string formatted(const char* format, Values... values) {
     return text;
 }
 
-std::string tableRow(const Trial& trial) {
-    return formatted("<tr><td>%.4g</td><td>%.2e</td><td>%.1f</td><td>%.2e</td><td>%.2f</td><td>", trial.seconds(),
-                     trial.error.rmse, trial.error.psnr, trial.error.maximum, 100 * trial.error.shareOff) +
-           escaped(commandLine(trial.setting)) + "</td></tr>\n";
+// Lines break between options, never in one.
+std::string optionsOf(const Setting& setting) {
+    std::string html = "<code>" + escaped(commandLine(setting)) + "</code>";
+    for (auto at = html.find(" --"); at != std::string::npos; at = html.find(" --", at + 1)) html.replace(at, 1, "</code> <code>");
+    return html;
+}
+
+std::string tableRow(const Trial& trial, double plain) {
+    return formatted("<tr><td>%.4f</td><td>%.2f</td><td>%.2e</td><td>%.1f</td><td>%.2e</td><td>%.2f</td><td>", trial.seconds(),
+                     trial.seconds() / plain, trial.error.rmse, trial.error.psnr, trial.error.maximum,
+                     100 * trial.error.shareOff) + optionsOf(trial.setting) + "</td></tr>\n";
 }
 
 template <class Wanted>
-std::string table(std::span<const Trial> trials, Wanted wanted) {
-    std::string html = "<div class=\"scroll\"><table><thead><tr><th>seconds</th><th>RMSE</th><th>PSNR</th><th>maximum</th>"
+std::string table(const SceneTradeoff& scene, std::span<const Trial> trials, Wanted wanted) {
+    std::string html = "<div class=\"scroll\"><table><thead><tr><th>seconds</th><th title=\"times what the defaults take\">&times;</th>"
+                       "<th>RMSE</th><th>PSNR</th><th>maximum</th>"
                        "<th title=\"of the pixels, off by more than 1/255\">% off</th><th>setting</th></tr></thead><tbody>\n";
     for (const Trial& trial : trials)
-        if (wanted(trial)) html += tableRow(trial);
+        if (wanted(trial)) html += tableRow(trial, plainSeconds(scene));
     return html + "</tbody></table></div>\n";
 }
 
@@ -46,9 +54,9 @@ std::string image(const char* kind, const std::string& alt, const ByteImage& pic
 std::string figure(char letter, const Exhibit& exhibit) {
     return "<figure><div>" + image("swap", "the picture", exhibit.picture) +
            image("difference", "its difference from the reference, magnified", exhibit.difference) +
-           formatted("</div><figcaption><b>%c</b> RMSE %.1e, %.3g%% off: <code>", letter, exhibit.error.rmse,
+           formatted("</div><figcaption><b>%c</b> RMSE %.1e, %.3g%% off: ", letter, exhibit.error.rmse,
                      100 * exhibit.error.shareOff) +
-           escaped(commandLine(exhibit.setting)) + "</code></figcaption></figure>\n";
+           optionsOf(exhibit.setting) + "</figcaption></figure>\n";
 }
 
 std::string pictures(const SceneTradeoff& scene) {
@@ -64,9 +72,9 @@ std::string pictures(const SceneTradeoff& scene) {
 std::string section(const SceneTradeoff& scene) {
     return "<section id=\"" + escaped(scene.name) + "\"><h2>" + escaped(scene.name) + "</h2>\n<p class=\"about\">" +
            escaped(describeReference(scene)) + "</p>\n<div class=\"both\"><div>" + tradeoffChart(scene) + "</div><div>" +
-           table(scene.truncation, [](const Trial& trial) { return trial.onFront; }) + "</div></div>\n" + pictures(scene) +
+           table(scene, scene.truncation, [](const Trial& trial) { return trial.onFront; }) + "</div></div>\n" + pictures(scene) +
            "<h3>The error of the arithmetic: the same samples, against extended precision</h3>\n" +
-           table(scene.arithmetic, [](const Trial&) { return true; }) + "</section>\n";
+           table(scene, scene.arithmetic, [](const Trial&) { return true; }) + "</section>\n";
 }
 
 }  // namespace

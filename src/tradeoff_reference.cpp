@@ -12,8 +12,9 @@ namespace {
 // they stopped to matter. The bound on what this leaves out is part of the report.
 constexpr double referenceCutoff = 1e-5;
 
-// A recursion twice as deep changes less than this, which is a hundredth of the least error that the grid reaches.
-constexpr double deepEnough = 1e-5;
+// A recursion twice as deep changes less than this: a tenth of the least error that the grid reaches, of which it is half a
+// percent, since the squares add up.
+constexpr double deepEnough = 1e-4;
 
 int convergedDepth(const Renderer& renderer, const RenderOptions& options) {
     Pilot pilot(renderer, options, scatteredPixels(options.crop, 2000, 3));

@@ -22,7 +22,9 @@ std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
         chosen.push_back({depth, 0, pilot.take(plain).rays, pilot.error(plain, deepest).rmse});
     }
     std::ranges::stable_sort(chosen, {}, &DepthChoice::rays);
-    const auto same = [](const DepthChoice& a, const DepthChoice& b) { return a.rays == b.rays; };
+    const auto same = [](const DepthChoice& a, const DepthChoice& b) {  // the defaults are what all is measured by
+        return a.rays == b.rays && !(b.max_recursion == Setting{}.max_recursion && b.cutoff == 0);
+    };
     chosen.erase(std::unique(chosen.begin(), chosen.end(), same), chosen.end());
     return chosen;
 }

@@ -36,11 +36,12 @@ h2 { font-size: 1.2rem; margin: 0 0 .3rem; } h3 { font-size: .95rem; margin: 1.1
 .scroll { overflow: auto; max-height: 27rem; } table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .85rem; }
 th { position: sticky; top: 0; background: var(--card); text-align: right; font-weight: 600; color: var(--soft); }
 th, td { padding: .12rem .6rem .12rem 0; text-align: right; white-space: nowrap; } th:last-child, td:last-child { text-align: left; }
-td { border-top: 1px solid var(--line); } td:last-child { font-family: ui-monospace, monospace; font-size: .95em; }
+td { border-top: 1px solid var(--line); vertical-align: top; } td:last-child { white-space: normal; min-width: 11rem; padding-right: 0; }
+@media (max-width: 40rem) { tr > :nth-child(4), tr > :nth-child(5) { display: none; } }  /* PSNR and maximum */
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1rem; }
 figure { margin: 0; } figure div { display: grid; grid-template-columns: 1fr 1fr; gap: 2px; background: #000; line-height: 0; }
 figure img { width: 100%; image-rendering: pixelated; } figcaption { font-size: .82rem; color: var(--soft); margin-top: .25rem; }
-figcaption b { color: var(--ink); } code { font-size: .95em; overflow-wrap: anywhere; }
+figcaption b { color: var(--ink); } code { font: .95em ui-monospace, monospace; white-space: nowrap; }
 .swap { cursor: pointer; }
 #tip { position: fixed; z-index: 2; max-width: min(24rem, 90vw); pointer-events: none; background: var(--ink); color: var(--card);
   padding: .35rem .6rem; border-radius: .3rem; font-size: .82rem; white-space: pre-line; visibility: hidden; }

@@ -29,14 +29,13 @@ std::string tableLine(const Trial& t, double plainSeconds) {
                      t.error.psnr, t.error.maximum, 100 * t.error.shareOff, commandLine(t.setting).c_str());
 }
 
-// What the defaults take; they are always among the settings.
+}  // namespace
+
 double plainSeconds(const SceneTradeoff& scene) {
     for (const Trial& trial : scene.truncation)
         if (trial.setting == Setting{}) return trial.seconds();
     return scene.truncation.front().seconds();
 }
-
-}  // namespace
 
 std::string tradeoffCsv(std::span<const SceneTradeoff> scenes) {
     std::string csv =

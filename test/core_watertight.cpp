@@ -38,10 +38,10 @@ TEST_CASE("watertight: exactly through the vertices and edges of a cube of trian
         for (int y = -2; y <= 2; ++y)
             for (int z = -2; z <= 2; ++z)
                 for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 1, 0), Vec3(1, 1, -1), Vec3(2, 1, 0)}) {
-                    const ShearedRay ray({Vec3(x, y, z) / Real(2) - Real(4) * direction, direction});
+                    const ObjectRay ray{Vec3(x, y, z) / Real(2) - Real(4) * direction, direction};
                     int in = 0, out = 0;
                     for (std::uint32_t triangle = 0; triangle < 12; ++triangle)
-                        if (const auto line = triangles->intersectLine(ray, triangle); line.hit) ++(line.entering ? in : out);
+                        if (const auto line = triangles->meetLine(ray, triangle); line.hit) ++(line.entering ? in : out);
                     INFO(x << y << z << " along " << direction.x << direction.y << direction.z);
                     CHECK(in == out);
                     CHECK(in <= 1);
@@ -63,10 +63,10 @@ TEST_CASE("watertight: by a sliver") {
         data->positions = {middle, right, rounded(side), left, rounded(-side)};
         data->positionIndex = {0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 4, 1};
         const TriangleMesh triangles(data);
-        const ShearedRay line({Vec3(0, 0, -1), Vec3(0, 0, 1)});
+        const ObjectRay line{Vec3(0, 0, -1), Vec3(0, 0, 1)};
         int crossings = 0;
         for (std::uint32_t triangle = 0; triangle < 4; ++triangle)
-            if (const auto hit = triangles.intersectLine(line, triangle); hit.hit) crossings += hit.entering ? 1 : -1;
+            if (const auto hit = triangles.meetLine(line, triangle); hit.hit) crossings += hit.entering ? 1 : -1;
         wrong += std::abs(crossings) != 1;
     }
     CHECK(wrong == 0);

@@ -50,10 +50,10 @@ class WatertightTest {
     }
 
     void cross(const Vec3& origin, const Vec3& direction, bool inside) {
-        const ShearedRay ray({origin, direction});
+        const ObjectRay ray{origin, direction};
         int in = 0, out = 0, ahead = 0;
         for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount(); ++triangle) {
-            const auto line = triangles_->intersectLine(ray, triangle);
+            const auto line = triangles_->meetLine(ray, triangle);
             if (!line.hit) continue;
             ++(line.entering ? in : out);
             ahead += line.t > 0;

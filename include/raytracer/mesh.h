@@ -56,6 +56,9 @@ class TriangleMesh {
     std::array<Vec3T<T>, 3> corners(const Primitive<T>& triangle) const;
     std::array<Vec2, 3> texCoords(std::uint32_t triangle) const;
 
+    // Where a line in object space meets one of the triangles.
+    LineHit<Real> meetLine(const ObjectRay& line, std::uint32_t triangle) const;
+
     const Bvh& bvh() const { return bvh_; }  // empty where all triangles are to be tried
 
     // The middle of a box around it, half its size, and the largest coordinates, without their signs.

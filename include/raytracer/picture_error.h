@@ -29,6 +29,9 @@ struct PictureError {
     double shareOff = 0;       // of the pixels: some channel is off by more than 1/255
 };
 
+// One pixel's part of it: the mean over the channels of the squared difference.
+double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
+
 PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth);
 
 }  // namespace raytracer

@@ -32,6 +32,7 @@ class Pilot {
     // Of a setting, taking another one for the truth.
     PictureError error(const Setting& setting, const Setting& truth);
 
+    std::span<const PixelPlace> pixels() const { return pixels_; }
     std::size_t pixelCount() const { return pixels_.size(); }
     double raysSpent() const { return spent_; }  // in all
 

@@ -32,7 +32,7 @@ struct RayPath {
 // A few points of the picture, in pixels, (0, 0) at the top left; and what is seen there.
 struct PointPacket {
     static constexpr int width = 4, height = 2;  // pixels that it holds when it is filled best
-    static constexpr int most = width * height;
+    static constexpr int most = width * height, least = 3;  // fewer are sooner traced one at a time
 
     int count = 0;
     alignas(32) Real x[most], y[most];

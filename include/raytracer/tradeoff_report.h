@@ -8,6 +8,9 @@
 
 namespace raytracer {
 
+// What the defaults take; they are always among the settings.
+double plainSeconds(const SceneTradeoff& scene);
+
 // Every trial of both questions, a line each.
 std::string tradeoffCsv(std::span<const SceneTradeoff> scenes);
 

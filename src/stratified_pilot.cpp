@@ -1,0 +1,111 @@
+#include "raytracer/stratified_pilot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace raytracer {
+
+namespace {
+
+constexpr std::size_t strataCount = 8;  // more gain little: Cochran, 5A.8
+
+// Of a pixel's size (its weight in the choice) this part is the same for all: what looked flat may not be.
+constexpr double evenPart = 0.3;
+
+std::vector<std::size_t> orderOf(std::span<const double> activity) {
+    std::vector<std::size_t> order(activity.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return activity[i]; });
+    return order;
+}
+
+// `count` of them, evenly spread; all if there are no more.
+std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const std::size_t> indices, std::size_t count) {
+    const std::size_t taken = std::min(count, indices.size());
+    std::vector<PixelPlace> chosen;
+    for (std::size_t k = 0; k < taken; ++k) chosen.push_back(pixels[indices[(2 * k + 1) * indices.size() / (2 * taken)]]);
+    return chosen;
+}
+
+}  // namespace
+
+void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const double> activity, std::size_t count) {
+    Sample sample{{}, static_cast<double>(pixels.size())};
+    const std::vector<std::size_t> order = orderOf(activity);
+    const double total = std::accumulate(activity.begin(), activity.end(), 0.0);
+    const double even = total > 0 ? evenPart / (1 - evenPart) * total / sample.looked : 1;
+    const double whole = total + even * sample.looked;
+    double sum = 0;
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        const std::size_t number = sample.strata.size() + 1;
+        const double limit = whole * static_cast<double>(number) / strataCount;
+        while (end < order.size() && (end == begin || sum < limit || number == strataCount))
+            sum += activity[order[end++]] + even;
+        const auto indices = std::span(order).subspan(begin, end - begin);
+        sample.strata.push_back({static_cast<double>(indices.size()) / sample.looked,
+                                 std::make_unique<Pilot>(renderer_, options_, some(pixels, indices, count / strataCount))});
+    }
+    samples_.push_back(std::move(sample));
+}
+
+// Cochran (12.32): within the strata by the pixels judged, between them by the pixels looked at.
+StratifiedPilot::Estimate StratifiedPilot::estimate(Sample& sample, const Setting& setting, const Setting& truth,
+                                                    PictureError& whole) const {
+    std::vector<double> means;
+    Estimate estimate;
+    for (Stratum& stratum : sample.strata) {
+        const PictureError error = stratum.pilot->error(setting, truth);
+        means.push_back(error.rmse * error.rmse);
+        estimate.mean += stratum.share * means.back();
+        estimate.variance += std::pow(stratum.share * 2 * error.rmse * error.standardError, 2);
+        whole.maximum = std::max(whole.maximum, error.maximum);
+        whole.shareOff += part(sample) * stratum.share * error.shareOff;
+    }
+    for (std::size_t i = 0; i < means.size(); ++i)
+        estimate.variance += sample.strata[i].share * std::pow(means[i] - estimate.mean, 2) / sample.looked;
+    return estimate;
+}
+
+PictureError StratifiedPilot::error(const Setting& setting, const Setting& truth) {
+    PictureError whole;
+    Estimate all;
+    for (Sample& sample : samples_) {
+        const Estimate one = estimate(sample, setting, truth, whole);
+        all.mean += part(sample) * one.mean;
+        all.variance += std::pow(part(sample), 2) * one.variance;
+    }
+    whole.rmse = std::sqrt(all.mean);
+    if (all.mean > 0) whole.standardError = std::sqrt(all.variance) / (2 * whole.rmse);
+    whole.psnr = -20 * std::log10(whole.rmse);
+    return whole;
+}
+
+double StratifiedPilot::part(const Sample& sample) const {
+    double looked = 0;
+    for (const Sample& each : samples_) looked += each.looked;
+    return sample.looked / looked;
+}
+
+double StratifiedPilot::rays(const Setting& setting) {
+    double rays = 0;
+    for (Sample& sample : samples_)
+        for (Stratum& stratum : sample.strata) rays += part(sample) * stratum.share * stratum.pilot->take(setting).rays;
+    return rays;
+}
+
+std::size_t StratifiedPilot::pixelCount() const {
+    std::size_t count = 0;
+    for (const Sample& sample : samples_)
+        for (const Stratum& stratum : sample.strata) count += stratum.pilot->pixelCount();
+    return count;
+}
+
+double StratifiedPilot::raysSpent() const {
+    double spent = 0;
+    for (const Sample& sample : samples_)
+        for (const Stratum& stratum : sample.strata) spent += stratum.pilot->raysSpent();
+    return spent;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,169 @@
+// The trade of speed for accuracy: what its charts claim, and what --target-error promises.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <catch2/catch.hpp>
+
+#include "raytracer/stratified_pilot.h"
+#include "raytracer/target_error.h"
+#include "raytracer/tradeoff_report.h"
+#include "scene_files.h"
+
+using namespace raytracer;
+using namespace raytracer::test;
+
+namespace {
+
+// Calls test(scene, renderer, options) for every scene in scenes/, `longEdge` pixels large.
+template <class Test>
+void forEveryScene(int longEdge, Test test) {
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const SceneDescription scene = loadScene(file, true).description;
+        test(scene, *makeRenderer(scene, Precision::Double), wholePicture(scene, longEdge));
+    }
+}
+
+std::vector<PixelPlace> allPixels(const RenderOptions& options) {
+    return scatteredPixels(options.crop, static_cast<std::size_t>(options.crop.width()) * options.crop.height(), 0);
+}
+
+// Of 1, 4 and 16 samples.
+std::vector<CostAndError> errorsOfSamples(Pilot& picture) {
+    std::vector<CostAndError> points;
+    for (const int samples : {1, 2, 4})
+        points.push_back({static_cast<double>(samples) * samples, picture.error({.samples = samples}, {.samples = 12}).rmse});
+    return points;
+}
+
+double meanActivity(Pilot& pilot, std::vector<double>& activity) {
+    const auto &centre = pilot.take({}).colors, &corners = pilot.take({.samples = 64, .adaptive = 1}).colors;
+    activity.clear();
+    for (std::size_t i = 0; i < centre.size(); ++i) activity.push_back(squaredError(centre[i], corners[i]));
+    return std::accumulate(activity.begin(), activity.end(), 0.0) / static_cast<double>(activity.size());
+}
+
+}  // namespace
+
+TEST_CASE("on every scene the error falls with the samples, at least like that of edges along the pixels' grid") {
+    forEveryScene(24, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        Pilot picture(renderer, options, allPixels(options));
+        const std::vector<CostAndError> points = errorsOfSamples(picture);
+        for (std::size_t i = 1; i < points.size(); ++i) CHECK(points[i].error < points[i - 1].error);
+        CHECK(fallRate(points) > 0.45);  // edges along the grid: 1/2 for each ray; at an angle: 3/4; smooth light: more
+    });
+}
+
+TEST_CASE("the error falls with the samples at the rate that the chart claims") {
+    for (const char* name : {"spheres_cylinder", "checker_horizon"}) {
+        INFO(name);
+        const SceneDescription scene = loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json", true).description;
+        const SceneTradeoff chart = measureTradeoff(name, scene, {.size = 24, .samples = 4, .repeats = 1,
+                                                                  .referencePrecision = Precision::Double, .tell = {}});
+        const auto renderer = makeRenderer(scene, Precision::Double);
+        const RenderOptions options = wholePicture(scene, 32);
+        Pilot picture(*renderer, options, allPixels(options));
+        const double rate = fallRate(errorsOfSamples(picture));
+        INFO("rate " << rate << ", the chart's " << chart.sampleRate);
+        CHECK(std::abs(rate - chart.sampleRate) < 0.15);
+    }
+}
+
+TEST_CASE("the rate of a power law is its exponent") {
+    std::vector<CostAndError> points;
+    for (const double cost : {1.0, 4.0, 9.0, 64.0}) points.push_back({cost, 0.3 * std::pow(cost, -0.75)});
+    CHECK(fallRate(points) == Approx(0.75));
+}
+
+TEST_CASE("the front has what no other point beats") {
+    const CostAndError points[] = {{3, 1}, {1, 3}, {2, 3}, {1, 4}, {2, 2}, {2, 2}, {4, 1}};
+    CHECK(paretoFront(points) == std::vector<std::size_t>{1, 4, 0});
+    CHECK(paretoFront({}).empty());
+}
+
+TEST_CASE("a measured scene: its front is one, its errors are apart, its reference is trusted no more than it says") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
+    const SceneTradeoff measured = measureTradeoff("spheres", scene, {.size = 24, .samples = 3, .repeats = 3, .tell = {}});
+    const Trial* last = nullptr;
+    for (const Trial& trial : measured.truncation) {
+        CHECK(trial.setting.precision == Precision::Double);
+        if (!trial.onFront) continue;
+        CHECK(trial.timings.size() == 3);
+        if (last) CHECK((trial.error.rmse < last->error.rmse && trial.seconds() > last->seconds()));
+        last = &trial;
+    }
+    REQUIRE(last != nullptr);
+    CHECK(std::ranges::count(measured.truncation, Setting{}, &Trial::setting) == 1);
+    CHECK(measured.reference.setting.precision == Precision::Extended);
+    CHECK(measured.reference.doublingError < last->error.rmse);
+    for (const Trial& trial : measured.arithmetic) {
+        CHECK(trial.setting.max_recursion == Setting{}.max_recursion);  // the same samples, so that only arithmetic differs
+        if (trial.setting.precision == Precision::Extended) CHECK(trial.error.rmse == 0);
+        if (trial.setting.precision == Precision::Double) CHECK(trial.error.rmse < 1e-12);
+        if (trial.setting.precision == Precision::Float) CHECK((trial.error.rmse > 1e-10 && trial.error.rmse < 1e-3));
+    }
+    CHECK(!measured.exhibits.empty());
+}
+
+TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one that its standard error tells") {
+    int far = 0, scenes = 0;
+    forEveryScene(32, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        const std::vector<PixelPlace> pixels = allPixels(options);
+        Pilot picture(renderer, options, pixels);
+        std::vector<double> activity;
+        const double mean = meanActivity(picture, activity);
+        const Setting setting{.samples = 2}, truth{.samples = 6};
+        const PictureError whole = picture.error(setting, truth);
+        StratifiedPilot all(renderer, options);
+        all.add(pixels, activity, 8 * pixels.size());
+        CHECK(all.pixelCount() == pixels.size());
+        CHECK(all.error(setting, truth).rmse == Approx(whole.rmse));
+        CHECK(all.error(setting, truth).shareOff == Approx(whole.shareOff));
+        CHECK(all.rays(setting) == Approx(picture.take(setting).rays));
+        StratifiedPilot some(renderer, options);
+        some.add(pixels, activity, 160);
+        CHECK(some.pixelCount() <= 160);
+        const PictureError estimate = some.error(setting, truth);
+        INFO("activity " << mean << ", error " << whole.rmse << ", estimated " << estimate.rmse << " +- " << estimate.standardError);
+        CHECK(std::abs(estimate.rmse - whole.rmse) < 4 * estimate.standardError);
+        far += std::abs(estimate.rmse - whole.rmse) > 2 * estimate.standardError;
+        ++scenes;
+    });
+    CHECK(far <= scenes / 5);
+}
+
+TEST_CASE("target-error: hardly ever above, never above twice, on every scene") {
+    int cases = 0, above = 0;
+    forEveryScene(24, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        Pilot picture(renderer, options, allPixels(options));
+        for (const double target : {0.1, 0.04}) {
+            const TargetChoice choice = chooseSetting(renderer, options, target);
+            CHECK(choice.reached);
+            const double error = picture.error(choice.setting, {.samples = 6, .max_recursion = 8, .cutoff = 0.05}).rmse;
+            INFO(commandLine(choice.setting) << " has " << error << " for " << target);
+            CHECK(error <= 2 * target);
+            ++cases;
+            above += error > target;
+        }
+    });
+    CHECK(10 * above <= cases);
+}
+
+TEST_CASE("target-error: where nothing reaches it, the most accurate and no promise") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/checker_horizon.json", true).description;
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    const TargetChoice choice = chooseSetting(*renderer, wholePicture(scene, 6), 1e-9);
+    CHECK(!choice.reached);
+    CHECK(choice.setting.samples == 16);
+    CHECK(choice.setting.adaptive == 0);
+    CHECK(choice.error > 1e-9);
+}
+
+TEST_CASE("target-error: the texture filter stays the one that was asked for") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/texture.json", true).description;
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    RenderOptions options = wholePicture(scene, 24);
+    options.bilinear = true;
+    CHECK(chooseSetting(*renderer, options, 0.05).setting.bilinear);
+}
