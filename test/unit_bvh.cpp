@@ -303,6 +303,6 @@ TEST_CASE("a tree is no use for rays that are out of all proportion, or part") {
     };
     CHECK(isUsable({{0, 0, 0}, {1, 0.1, 0.1}}, {{0, 0, 0}, {1, 0.2, 0.1}}));
     CHECK_FALSE(isUsable({{0, 0, 0}, {1, 0.1, 0.1}}, {{0, 0, 0}, {1, -0.1, 0.1}}));
-    CHECK_FALSE(isUsable({{0, 0, 0}, {1, 0.1, 0.1}}, {{0, 0, 0}, {1, nan, 0.1}}));
+    CHECK_FALSE(isUsable({{0, 0, 0}, {1, nan, 0.1}}, {{0, 0, 0}, {1, 0.1, 0.1}}));
     CHECK_FALSE(isUsable({{infinity, 0, 0}, {1, 0.1, 0.1}}, {{infinity, 0, 0}, {1, 0.1, 0.1}}));
 }
