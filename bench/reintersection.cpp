@@ -1,7 +1,8 @@
 // The long run of the re-intersection test: reintersection [RAYS] [SIZE_DECADES] [STRETCH_DECADES]
-// [ORIGIN_DECADES] [SEED].
+// [ORIGIN_DECADES] [SEED] [SHAPE].
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include "../test/core_reintersection.h"
 
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
     std::printf("%-9s %12s %10s %10s %10s %10s %10s %10s\n", "shape", "rays", "points", "missed", "met again", "never out",
                 "stuck", "odd");
     for (const Kind kind : allKinds) {
+        if (argc > 6 && std::strcmp(argv[6], nameOf(kind)) != 0) continue;
         const Reintersections r = Reintersection(kind, kind == Kind::Mesh ? roundMesh() : nullptr, seed, extents).run(rays);
         std::printf("%-9s %12ju %10ju %10ju %10ju %10ju %10ju %10ju\n", nameOf(kind), r.rays, r.points, r.missed,
                     r.metAgain, r.neverOut, r.stuck, r.oddCrossings);
