@@ -154,6 +154,7 @@ void BvhCursor::start(const Bvh& bvh) {
 }
 
 bool BvhCursor::next(double limit) {
+    if (state_.depth == 0) return false;
     // Rounded up; the factor is far more than the roundings of product and conversion.
     const double scaled = std::clamp(limit * tScale_ * (1 + 0x1p-20), 0.0, double{std::numeric_limits<float>::max()});
     return chosen.advance(state_, static_cast<float>(scaled));

@@ -83,8 +83,13 @@ struct UnitBall {
             c = select(far, glm::dot(origin, origin) - T(1), c);
         }
         const T discriminant = b * b - a * c;
+        const Truth<T> hit = discriminant >= T(0);
+        if (!any(hit)) {  // as if the root were 0
+            const T closest = shift + (-b + T(0)) / a;
+            return {hit, closest, closest, T(0), T(0)};
+        }
         const T root = sqrt(select(discriminant > T(0), discriminant, T(0)));
-        return {discriminant >= T(0), shift + (-b - root) / a, shift + (-b + root) / a, T(0), T(0)};
+        return {hit, shift + (-b - root) / a, shift + (-b + root) / a, T(0), T(0)};
     }
 
     template <int n>

@@ -196,13 +196,6 @@ FloatImage decodePfm(const FileBytes& file) {
 }  // namespace
 
 // Equal to lround, whose call costs more than all of this: the subtraction is exact (Sterbenz).
-std::uint8_t toByte(double channel) {
-    if (!(channel > 0)) return 0;
-    const double scaled = 255 * std::min(channel, 1.0);
-    const int whole = static_cast<int>(scaled);
-    return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5));
-}
-
 ByteImage readImage(const std::string& path) try {
     const FileBytes file(path);
     return decode({file.begin(), file.end()});

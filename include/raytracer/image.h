@@ -29,7 +29,11 @@ struct FloatImage {
 };
 
 // A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0.
-std::uint8_t toByte(double channel);
+inline std::uint8_t toByte(double channel) {
+    const double scaled = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0);
+    const int whole = static_cast<int>(scaled);
+    return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5));
+}
 
 // PNG or JPEG, decoded to 8-bit RGB (alpha dropped, grey spread). Throws ImageError.
 ByteImage readImage(const std::string& path);
