@@ -19,6 +19,7 @@
 #include <embree3/rtcore.h>
 
 #include "raytracer/mesh.h"
+#include "raytracer/packet_tracer.h"
 #include "raytracer/shape_tree.h"
 
 using namespace raytracer;
@@ -202,19 +203,23 @@ std::unique_ptr<Subject> ballSubject(std::size_t count, int rounds) {
     return subject;
 }
 
-// Rays through the pixels of a square picture, in tiles of 32 x 32 as render.cpp has them.
+// Rays through the pixels of a square picture, in blocks of 4 x 2 and tiles of 32 x 32 as render.cpp has them.
 std::vector<Ray> primaryRays(int edge) {
     std::vector<Ray> rays;
     const Vec3 eye(0.7, -2.9, 0.8), forward = glm::normalize(-eye), right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1))),
                               up = glm::cross(right, forward);
     for (int tile = 0; tile < edge * edge / 1024; ++tile)
         for (int pixel = 0; pixel < 1024; ++pixel) {
-            const int x = tile % (edge / 32) * 32 + pixel % 32, y = tile / (edge / 32) * 32 + pixel / 32;
+            const int block = pixel / 8;
+            const int x = tile % (edge / 32) * 32 + block % 8 * 4 + pixel % 4;
+            const int y = tile / (edge / 32) * 32 + block / 8 * 2 + pixel / 4 % 2;
             const double u = 0.8 * (x + 0.5) / edge - 0.4, v = 0.4 - 0.8 * (y + 0.5) / edge;
             rays.push_back({eye, forward + u * right + v * up, {}});
         }
     return rays;
 }
+
+const Vec3 lightPosition(4, -3, 5);
 
 // From the points that the rays hit: towards a light, and in random directions of the outer half space.
 void secondaryRays(const Subject& subject, const std::vector<Ray>& rays, std::vector<Ray>& shadow, std::vector<Ray>& diffuse) {
@@ -226,7 +231,7 @@ void secondaryRays(const Subject& subject, const std::vector<Ray>& rays, std::ve
         if (!query.found()) continue;
         const Intersection hit = query.nearest().shape->surfaceAt(ray, query.nearest());
         const Departure departure{hit.shape, hit.primitive, false, hit.positionError};
-        const Vec3 toLight = Vec3(4, -3, 5) - hit.position;
+        const Vec3 toLight = lightPosition - hit.position;
         if (glm::dot(toLight, hit.normal) > 0) shadow.push_back({hit.position, toLight, departure});
         const Vec3 any = glm::normalize(Vec3(normal(engine), normal(engine), normal(engine)));
         diffuse.push_back({hit.position, glm::dot(any, hit.normal) < 0 ? -any : any, departure});
@@ -308,6 +313,56 @@ Result raceShadow(const Subject& subject, const std::vector<Ray>& rays, RTCInter
     return race(rays.size(), rounds, ours, theirs);
 }
 
+// Rays that can be followed together: up to eight in a row that leave the same shape.
+std::vector<std::span<const Ray>> packetsOf(const std::vector<Ray>& rays) {
+    std::vector<std::span<const Ray>> packets;
+    for (std::size_t begin = 0, end; begin < rays.size(); begin = end) {
+        for (end = begin + 1; end < rays.size() && end < begin + 8 && rays[end].departure.shape == rays[begin].departure.shape;)
+            ++end;
+        packets.emplace_back(&rays[begin], end - begin);
+    }
+    return packets;
+}
+
+// Both in packets of eight: the nearest hits, or whether there is one before the light.
+Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const RayEnd* end, RTCIntersectContext& context, int rounds) {
+    const auto packets = packetsOf(rays);
+    const ShapeTree tree(subject.shapes, BuildOptions{});
+    const MeetPacket meet = packetMeeter();
+    const auto ours = [&] {
+        std::size_t found = 0;
+        Hit hits[8];
+        for (const auto packet : packets) {
+            meet(tree, packet, end, {hits, packet.size()});
+            for (std::size_t i = 0; i < packet.size(); ++i) found += hits[i].shape != nullptr;
+        }
+        return found;
+    };
+    const auto theirs = [&] {
+        std::size_t found = 0;
+        for (const auto packet : packets) {
+            alignas(32) int valid[8] = {};
+            RTCRayHit8 hit{};
+            for (std::size_t i = 0; i < packet.size(); ++i) {
+                const RTCRay ray = embreeRay(packet[i], end ? 1 : std::numeric_limits<float>::infinity());
+                valid[i] = -1;
+                hit.ray.org_x[i] = ray.org_x, hit.ray.org_y[i] = ray.org_y, hit.ray.org_z[i] = ray.org_z;
+                hit.ray.dir_x[i] = ray.dir_x, hit.ray.dir_y[i] = ray.dir_y, hit.ray.dir_z[i] = ray.dir_z;
+                hit.ray.tnear[i] = ray.tnear, hit.ray.tfar[i] = ray.tfar, hit.ray.mask[i] = ray.mask;
+                hit.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+            }
+            if (end)
+                rtcOccluded8(valid, subject.embree, &context, &hit.ray);
+            else
+                rtcIntersect8(valid, subject.embree, &context, &hit);
+            for (std::size_t i = 0; i < packet.size(); ++i)
+                found += end ? hit.ray.tfar[i] < 0 : hit.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+        }
+        return found;
+    };
+    return race(rays.size(), rounds, ours, theirs);
+}
+
 void print(const char* what, const Result& result) {
     std::printf("  %-28s %7.0f ns %7.0f ns   %5.2f   hits %zu %zu\n", what, 1e9 * result.ours, 1e9 * result.theirs,
                 result.theirs / result.ours, result.hitsOurs, result.hitsTheirs);
@@ -325,6 +380,10 @@ void compare(const Subject& subject, int rounds) {
     print("nearest hit, from the camera", raceNearest(subject, primary, coherent, rounds));
     print("nearest hit, scattered", raceNearest(subject, diffuse, incoherent, rounds));
     print("shadow", raceShadow(subject, shadow, coherent, rounds));
+    const RayEnd light{lightPosition};
+    print("packets, from the camera", racePackets(subject, primary, nullptr, coherent, rounds));
+    print("packets, scattered", racePackets(subject, diffuse, nullptr, incoherent, rounds));
+    print("packets, shadow", racePackets(subject, shadow, &light, coherent, rounds));
     std::printf("  %-28s %7.1f ms %7.1f ms   %5.2f\n", "build", 1e3 * subject.buildOurs, 1e3 * subject.buildEmbree,
                 subject.buildEmbree / subject.buildOurs);
     if (subject.bytesOurs > 0)

@@ -63,32 +63,6 @@ Real farthest(const BvhBeam& beam) {
     return static_cast<Real>(result);
 }
 
-class PacketTracer {
-  public:
-    PacketTracer(const Scene& scene, RenderContext& context) : scene_(&scene), context_(&context) {}
-
-    ColorLanes rayColor(const RayLanes& ray, LaneBits asked, const RayPath& path);
-
-    double dropped[laneCount] = {};
-
-  private:
-    void closestHits(const RayLanes& ray, PacketQuery& query);
-    void traverse(const RayLanes& ray, PacketQuery& query);
-    void meet(const Shape& shape, const RayLanes& ray, PacketQuery& query);
-    void meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query);
-
-    ColorLanes hitColor(const RayLanes& ray, const PacketQuery& query, LaneBits alike, const RayPath& path);
-    ColorLanes oneByOne(const RayLanes& ray, const PacketQuery& query, LaneBits lanes, const RayPath& path);
-    ColorLanes lightColor(const ShadingPointT<Lanes>& point, LaneBits lanes);
-    ColorLanes shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight, const Light& light, LaneBits lanes);
-    ColorLanes reflectedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
-    ColorLanes refractedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
-    bool isCast(NotCast reason, LaneBits lanes, const RayPath& onwards);
-
-    const Scene* scene_;
-    RenderContext* context_;
-};
-
 // The axes that every ray's test is made along (shearAxes); false where they differ.
 bool commonAxes(const Vec3Lanes& direction, LaneBits lanes, ShearAxes& axes) {
     axes = shearAxes(laneOf(direction, std::countr_zero(lanes)));
@@ -99,7 +73,9 @@ bool commonAxes(const Vec3Lanes& direction, LaneBits lanes, ShearAxes& axes) {
     return (lanes & ~longest[axes.z]) == 0 && (falling == 0 || falling == lanes);
 }
 
-void PacketTracer::meet(const Shape& shape, const RayLanes& ray, PacketQuery& query) {
+void meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query);
+
+void meet(const Shape& shape, const RayLanes& ray, PacketQuery& query) {
     switch (shape.kind()) {
         case ShapeKind::Sphere: return static_cast<const Sphere&>(shape).meet(ray, query);
         case ShapeKind::Plane: return static_cast<const Plane&>(shape).meet(ray, query);
@@ -121,7 +97,7 @@ void meetOneByOne(const RayLanes& ray, PacketQuery& query, Intersect intersect) 
     });
 }
 
-void PacketTracer::meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query) {
+void meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query) {
     const ObjectRayT<Lanes> object = mesh.toObject(ray);
     BvhBeam beam = beamOf(object.origin, object.direction);
     ShearAxes axes;
@@ -136,8 +112,7 @@ void PacketTracer::meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& 
         mesh.meetTriangles(meshRay, cursor.primitives(), query);
 }
 
-void PacketTracer::traverse(const RayLanes& ray, PacketQuery& query) {
-    const ShapeTree& tree = scene_->tree();
+void traverse(const ShapeTree& tree, const RayLanes& ray, PacketQuery& query) {
     for (const Shape* shape : tree.list()) {
         meet(*shape, ray, query);
         if (query.done()) return;
@@ -154,8 +129,30 @@ void PacketTracer::traverse(const RayLanes& ray, PacketQuery& query) {
         for (const std::uint32_t name : cursor.primitives()) meet(tree.named(name), ray, query);
 }
 
+class PacketTracer {
+  public:
+    PacketTracer(const Scene& scene, RenderContext& context) : scene_(&scene), context_(&context) {}
+
+    ColorLanes rayColor(const RayLanes& ray, LaneBits asked, const RayPath& path);
+
+    double dropped[laneCount] = {};
+
+  private:
+    void closestHits(const RayLanes& ray, PacketQuery& query);
+    ColorLanes hitColor(const RayLanes& ray, const PacketQuery& query, LaneBits alike, const RayPath& path);
+    ColorLanes oneByOne(const RayLanes& ray, const PacketQuery& query, LaneBits lanes, const RayPath& path);
+    ColorLanes lightColor(const ShadingPointT<Lanes>& point, LaneBits lanes);
+    ColorLanes shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight, const Light& light, LaneBits lanes);
+    ColorLanes reflectedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
+    ColorLanes refractedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
+    bool isCast(NotCast reason, LaneBits lanes, const RayPath& onwards);
+
+    const Scene* scene_;
+    RenderContext* context_;
+};
+
 void PacketTracer::closestHits(const RayLanes& ray, PacketQuery& query) {
-    traverse(ray, query);
+    traverse(scene_->tree(), ray, query);
     context_->counts.tests += query.tests;
     forEach(query.contended(), [&](int lane) {
         HitQuery one = query.whole();
@@ -289,6 +286,25 @@ void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context
     store(color.y, points.color[1]);
     store(color.z, points.color[2]);
     for (int lane = 0; lane < laneCount; ++lane) points.dropped[lane] = tracer.dropped[lane];
+}
+
+void meetPacket(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end, std::span<Hit> hits) {
+    RayLanes packet;
+    packet.departure.shape = rays[0].departure.shape;
+    packet.departure.inside = rays[0].departure.inside;
+    const auto count = static_cast<int>(rays.size());
+    for (int lane = 0; lane < laneCount; ++lane) {
+        const Ray& ray = rays[static_cast<std::size_t>(std::min(lane, count - 1))];
+        setLane(packet.origin, lane, ray.origin);
+        setLane(packet.direction, lane, ray.direction);
+        setLane(packet.departure.positionError, lane, ray.departure.positionError);
+        packet.departure.primitive.of[lane] = ray.departure.primitive;
+    }
+    const LaneBits asked = allLanes >> (laneCount - count);
+    PacketQuery query = end ? PacketQuery(asked, *end, true) : PacketQuery(asked);
+    traverse(tree, packet, query);
+    for (int lane = 0; lane < count; ++lane)
+        hits[static_cast<std::size_t>(lane)] = query.found() >> lane & 1 ? query.hit(lane) : Hit{};
 }
 
 }  // namespace RAYTRACER_LANES_NAMESPACE
