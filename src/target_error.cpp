@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "raytracer/stratified_pilot.h"
+#include "target_statistics.h"
 
 namespace raytracer {
 
@@ -29,15 +30,6 @@ constexpr double judgedPixels = 480;
 constexpr double pilotShare = 0.4;  // of what the picture costs: no round is begun that would exceed it
 constexpr double smallStep = 1.2;   // a setting dearer by no more than this is as good
 
-// What an error may be, some standard errors up. It comes from few pixels, as if from k equally wrong ones where the mean
-// square has a relative error of k^-1/2. Gehrels's upper limit of a count of k ("Confidence limits for small numbers of
-// events in astrophysical data", 1986, eq. 10 with its first term of 1/k): k + s sqrt(k + 3/4) + (s^2 + 3) / 4.
-double upperLimit(double error, double standardError, double s) {
-    if (!(standardError > 0)) return error;
-    const double k = std::pow(error / (2 * standardError), 2);
-    return error * std::sqrt(1 + (s * std::sqrt(k + 0.75) + (s * s + 3) / 4) / k);
-}
-
 // With some odds to spare, since only a picture in ten may be above; but for one sample, since the next step costs 4 times.
 bool isWithin(const PictureError& error, int samples, double target) {
     return upperLimit(error.rmse, error.standardError, samples > 1 ? 1 : 0) <= target;
@@ -52,15 +44,6 @@ std::vector<double> cutoffsFor(double target) {
         if (cutoff >= 9 * target && cutoff <= 110 * target) cutoffs.push_back(cutoff);
     if (cutoffs.empty()) cutoffs.push_back(target > 0.01 ? std::end(gridCutoffs)[-1] : gridCutoffs[0]);
     return cutoffs;
-}
-
-// How far from a setting a reference of k times its samples (along an axis) sees it, as a part of how far off it is. With an
-// odd k the reference has the setting's samples among its own. Were samples independent, the squares would be 1 - 1/k^2;
-// with another k, which shares none, 1 + 1/k^2; were the reference perfect, 1. Half way: it is wrong by 3 % at most (k = 3).
-double seenPart(int samples, int reference) {
-    const double k = static_cast<double>(reference) / samples;
-    const bool isShared = reference % samples == 0 && reference / samples % 2 == 1;
-    return std::sqrt(1 + (isShared ? -0.5 : 0.5) / (k * k));
 }
 
 // The grid's next smaller cutoff, put before the others; false if there is none.
