@@ -29,7 +29,7 @@ constexpr double largestOrigin = 0x1p60;
 constexpr double leastDirection = 0x1p-40;
 
 // A beam that may meet more primitives than this is followed sooner ray by ray (Notes.txt).
-constexpr double manyPrimitives = 16;
+constexpr double manyPrimitives = 128;
 
 }  // namespace
 
