@@ -6,7 +6,6 @@
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
-
 inline namespace RAYTRACER_LANES_NAMESPACE {
 
 namespace {
