@@ -62,7 +62,7 @@ class BvhBuilder {
     int threads_;
     std::uint32_t leafSize_ = 1;
     std::uint32_t taskSize_ = 0;
-    std::vector<Reference> references_;
+    std::vector<PrimitiveReference> references_;
     RangeSplitter splitter_;
     std::vector<Task> tasks_;
     std::span<const FloatBox> boxes_;
@@ -78,7 +78,7 @@ void BvhBuilder::build(std::span<const FloatBox> boxes, const BvhNames& names) {
     bvh_.frame_.balls = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
         const FloatBox& box = boxes[i];
-        Reference reference{{{box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}}};
+        PrimitiveReference reference{{{box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}}};
         return reference;
     });
 }
@@ -105,7 +105,7 @@ void BvhBuilder::build(std::span<const glm::dvec3> positions, std::span<const st
         // An ulp or two outwards, and something for 0.
         const auto outwards = [](Float4 v) { return (v < 0 ? -v : v) * 0x1p-23f + 0x1p-100f; };
         box.low -= outwards(box.low), box.high += outwards(box.high);
-        return Reference{box};
+        return PrimitiveReference{box};
     });
 }
 

@@ -32,7 +32,7 @@ struct RangeSplitter::Binning {
         for (int axis = 0; axis < 4; ++axis) scale[axis] = size[axis] > 0 ? std::min(bins / size[axis], 0x1p100f) : 0;
     }
 
-    Int4 operator()(const Reference& reference) const {
+    Int4 operator()(const PrimitiveReference& reference) const {
         return __builtin_convertvector((reference.center() - low) * scale, Int4);
     }
 };
@@ -115,7 +115,7 @@ void RangeSplitter::partition(const Range& range, const Binning& binning, const 
     Range sides[2];
     std::uint32_t begin = range.begin, end = range.end;
     while (begin < end) {
-        Reference& reference = references_[begin];
+        PrimitiveReference& reference = references_[begin];
         const bool isRight = binning(reference)[plane.axis] >= plane.bin;
         sides[isRight].add(reference);
         if (isRight)
@@ -131,7 +131,7 @@ void RangeSplitter::halve(const Range& range, Range& left, Range& right) const {
     const int axis = longest(range.centers.high - range.centers.low);
     const std::uint32_t middle = range.begin + range.size() / 2;
     std::nth_element(references_.begin() + range.begin, references_.begin() + middle, references_.begin() + range.end,
-                     [&](const Reference& a, const Reference& b) { return a.center()[axis] < b.center()[axis]; });
+                     [&](const PrimitiveReference& a, const PrimitiveReference& b) { return a.center()[axis] < b.center()[axis]; });
     Range sides[2];
     for (std::uint32_t i = range.begin; i < range.end; ++i) sides[i >= middle].add(references_[i]);
     left = sides[0], left.begin = range.begin, left.end = middle;

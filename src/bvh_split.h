@@ -30,7 +30,7 @@ struct BuildBox {
 };
 
 // A primitive to be sorted in: its box, and its number in the bits of low[3].
-struct Reference {
+struct PrimitiveReference {
     BuildBox box;
     std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(float{box.low[3]}); }
     void setPrimitive(std::uint32_t number) { box.low[3] = std::bit_cast<float>(number), box.high[3] = 0; }
@@ -47,13 +47,13 @@ struct Range {
     BuildBox box, centers;
 
     std::uint32_t size() const { return end - begin; }
-    void add(const Reference& reference) { box.add(reference.box), centers.add(reference.center()); }
+    void add(const PrimitiveReference& reference) { box.add(reference.box), centers.add(reference.center()); }
 };
 
 class RangeSplitter {
   public:
     // With more than one thread, they share the binning of a large range.
-    RangeSplitter(std::vector<Reference>& references, int threads) : references_(references), threads_(threads) {}
+    RangeSplitter(std::vector<PrimitiveReference>& references, int threads) : references_(references), threads_(threads) {}
 
     // At the plane between two bins with the least surface area times primitives on both sides; from a certain depth on, or
     // where all centres coincide, into halves. Sorts the references of the range.
@@ -73,7 +73,7 @@ class RangeSplitter {
     void partition(const Range& range, const Binning& binning, const Plane& plane, Range& left, Range& right) const;
     void halve(const Range& range, Range& left, Range& right) const;
 
-    std::vector<Reference>& references_;
+    std::vector<PrimitiveReference>& references_;
     int threads_;
 };
 
