@@ -95,7 +95,9 @@ RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, in
     once.pass = Pass::Color;
     const auto brightest = scene.brightestColors(options.max_recursion);
     RenderContext context{&once, options.cutoff > 0 ? brightest.data() : nullptr, &recorder, {}};
-    scene.pixelColor(x, y, context);
+    const PixelPlace pixel{x, y};
+    Color color;
+    scene.pixelColors({&pixel, 1}, {&color, 1}, context);
     return recorder.take();
 }
 

@@ -46,46 +46,109 @@ PixelRectangle tileOf(const PixelRectangle& crop, int index) {
     return {x0, y0, std::min(x0 + tileEdge, crop.x1), std::min(y0 + tileEdge, crop.y1)};
 }
 
-// The pixels of a tile by packets of their centres.
-void renderCenters(const Scene& scene, const PixelRectangle& tile, RenderContext& context, PixelSink& sink) {
+// Pixels of several samples, which share packets whosever they are.
+class PixelGroup {
+  public:
+    PixelGroup(const Scene& scene, std::span<const PixelPlace> pixels, RenderContext& context)
+        : scene_(scene), pixels_(pixels), context_(context), samples_(context.options->samples),
+          cell_(1 / static_cast<Real>(samples_)), tolerance_(static_cast<Real>(context.options->adaptive)) {
+        for (int pixel = 0; pixel < count(); ++pixel) {
+            Sum& sum = sums_[pixel];
+            sum.color = Color(0), sum.taken = 0, sum.dropped = 0;
+        }
+    }
+
+    void render(std::span<Color> colors) {
+        // The corners first: where they agree to within `adaptive` they stand for the whole grid.
+        const int last = samples_ - 1;
+        for (int pixel = 0; pixel < count(); ++pixel)
+            add(pixel, 0, 0), add(pixel, last, 0), add(pixel, 0, last), add(pixel, last, last);
+        take();
+        if (last > 1) {
+            for (int pixel = 0; pixel < count(); ++pixel)
+                if (!isFlat(sums_[pixel])) addTheRest(pixel);
+            take();
+        }
+        for (int pixel = 0; pixel < count(); ++pixel) {
+            const Sum& sum = sums_[pixel];
+            colors[static_cast<std::size_t>(pixel)] = sum.color / static_cast<Real>(sum.taken);
+            context_.counts.cutoffBound = std::max(context_.counts.cutoffBound, sum.dropped / sum.taken);
+        }
+    }
+
+  private:
+    struct Sum {
+        Color color;
+        int taken;
+        double dropped;
+        Color low, high;  // of the samples, as a picture shows them; only for `adaptive`
+    };
+
+    int count() const { return static_cast<int>(pixels_.size()); }
+
+    void add(int pixel, int i, int j) {
+        const PixelPlace& place = pixels_[static_cast<std::size_t>(pixel)];
+        owners_[points_.count] = pixel;
+        points_.add(static_cast<Real>(place.x) + (static_cast<Real>(i) + Real(0.5)) * cell_,
+                    static_cast<Real>(place.y) + (static_cast<Real>(j) + Real(0.5)) * cell_);
+        if (points_.count == PointPacket::most) take();
+    }
+
+    void addTheRest(int pixel) {
+        const auto isOuter = [&](int k) { return k == 0 || k == samples_ - 1; };
+        for (int j = 0; j < samples_; ++j)
+            for (int i = 0; i < samples_; ++i)
+                if (!(isOuter(i) && isOuter(j))) add(pixel, i, j);
+    }
+
+    void take() {
+        if (points_.count == 0) return;
+        scene_.pointColors(points_, context_);
+        for (int i = 0; i < points_.count; ++i) {
+            Sum& sum = sums_[owners_[i]];
+            const Color color = points_.colorOf(i);
+            if (tolerance_ > 0) {
+                const Color shown = glm::clamp(color, Real(0), Real(1));
+                sum.low = sum.taken == 0 ? shown : glm::min(sum.low, shown);
+                sum.high = sum.taken == 0 ? shown : glm::max(sum.high, shown);
+            }
+            sum.color += color;
+            sum.dropped += points_.dropped[i];
+            ++sum.taken;
+        }
+        points_.count = 0;
+    }
+
+    bool isFlat(const Sum& sum) const { return tolerance_ > 0 && maxComponent(sum.high - sum.low) <= tolerance_; }
+
+    const Scene& scene_;
+    std::span<const PixelPlace> pixels_;
+    RenderContext& context_;
+    int samples_;
+    Real cell_, tolerance_;
+    PointPacket points_;
+    int owners_[PointPacket::most];
+    Sum sums_[PointPacket::most];
+};
+
+void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& context, PixelSink& sink) {
     glm::dvec3 rows[PointPacket::height][tileEdge];
     for (int top = tile.y0; top < tile.y1; top += PointPacket::height) {
         const int height = std::min(PointPacket::height, tile.y1 - top);
         for (int left = tile.x0; left < tile.x1; left += PointPacket::width) {
-            const int width = std::min(PointPacket::width, tile.x1 - left);
-            PointPacket points;
+            const int right = std::min(left + PointPacket::width, tile.x1);
+            PixelPlace places[PointPacket::most];
+            Color colors[PointPacket::most];
+            std::size_t count = 0;
             for (int y = 0; y < height; ++y)
-                for (int x = 0; x < width; ++x)
-                    points.add(static_cast<Real>(left + x) + Real(0.5), static_cast<Real>(top + y) + Real(0.5));
-            scene.pointColors(points, context);
-            for (int i = 0; i < points.count; ++i) {
-                rows[i / width][left - tile.x0 + i % width] = glm::dvec3(points.colorOf(i));
-                context.counts.cutoffBound = std::max(context.counts.cutoffBound, points.dropped[i]);
-            }
+                for (int x = left; x < right; ++x) places[count++] = {x, top + y};
+            scene.pixelColors({places, count}, colors, context);
+            const Color* color = colors;
+            for (int y = 0; y < height; ++y)
+                for (int x = left; x < right; ++x) rows[y][x - tile.x0] = glm::dvec3(*color++);
         }
         for (int y = 0; y < height; ++y) sink.write(tile.x0, top + y, {rows[y], static_cast<std::size_t>(tile.width())});
     }
-}
-
-void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& context, PixelSink& sink) {
-    if (context.options->samples == 1) return renderCenters(scene, tile, context, sink);
-    glm::dvec3 row[tileEdge];
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x)
-            row[x - tile.x0] = scene.pixelColor(x, y, context);
-        sink.write(tile.x0, y, {row, static_cast<std::size_t>(tile.width())});
-    }
-}
-
-// Whether no channel of the colours, as a picture shows them, differs by more than `tolerance`.
-bool agree(const PointPacket& points, Real tolerance) {
-    Color low(1), high(0);
-    for (int i = 0; i < points.count; ++i) {
-        const Color shown = glm::clamp(points.colorOf(i), Real(0), Real(1));
-        low = glm::min(low, shown);
-        high = glm::max(high, shown);
-    }
-    return tolerance > 0 && maxComponent(high - low) <= tolerance;
 }
 
 int threadCount(int asked, int jobs) {
@@ -138,45 +201,16 @@ void Scene::pointColors(PointPacket& points, RenderContext& context) const {
     }
 }
 
-Color Scene::pixelColor(int x, int y, RenderContext& context) const {
-    const int n = context.options->samples;
-    Color color(0);
-    double dropped = 0;
+void Scene::pixelColors(std::span<const PixelPlace> pixels, std::span<Color> colors, RenderContext& context) const {
+    if (context.options->samples > 1) return PixelGroup(*this, pixels, context).render(colors);
     PointPacket points;
-    const auto add = [&](int i, int j) {
-        const Real cell = 1 / static_cast<Real>(n);
-        points.add(static_cast<Real>(x) + (static_cast<Real>(i) + Real(0.5)) * cell,
-                   static_cast<Real>(y) + (static_cast<Real>(j) + Real(0.5)) * cell);
-    };
-    const auto take = [&] {
-        if (points.count == 0) return;
-        pointColors(points, context);
-        for (int i = 0; i < points.count; ++i) color += points.colorOf(i), dropped += points.dropped[i];
-    };
-    int taken = 1;
-    if (n == 1) {
-        add(0, 0);
-        take();
-    } else {
-        // The corners first: where they agree to within `adaptive` they stand for the whole grid.
-        add(0, 0), add(n - 1, 0), add(0, n - 1), add(n - 1, n - 1);
-        take();
-        taken = 4;
-        if (n > 2 && !agree(points, static_cast<Real>(context.options->adaptive))) {
-            points.count = 0;
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i) {
-                    if ((i == 0 || i == n - 1) && (j == 0 || j == n - 1)) continue;
-                    add(i, j);
-                    if (points.count == PointPacket::most) take(), points.count = 0;
-                }
-            take();
-            taken = n * n;
-        }
-        color /= static_cast<Real>(taken);
+    for (const PixelPlace& pixel : pixels)
+        points.add(static_cast<Real>(pixel.x) + Real(0.5), static_cast<Real>(pixel.y) + Real(0.5));
+    pointColors(points, context);
+    for (int i = 0; i < points.count; ++i) {
+        colors[static_cast<std::size_t>(i)] = points.colorOf(i);
+        context.counts.cutoffBound = std::max(context.counts.cutoffBound, points.dropped[i]);
     }
-    context.counts.cutoffBound = std::max(context.counts.cutoffBound, dropped / taken);
-    return color;
 }
 
 RenderCounts Scene::render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const {
@@ -190,7 +224,11 @@ RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const P
     constexpr std::size_t batch = 64;  // pixels: few enough to share out evenly
     const auto work = [&](int job, RenderContext& context) {
         const std::size_t begin = static_cast<std::size_t>(job) * batch, end = std::min(begin + batch, pixels.size());
-        for (std::size_t i = begin; i < end; ++i) colors[i] = pixelColor(pixels[i].x, pixels[i].y, context);
+        for (std::size_t i = begin; i < end; ++i) {
+            Color color;
+            pixelColors(pixels.subspan(i, 1), {&color, 1}, context);  // they may lie far apart
+            colors[i] = color;
+        }
     };
     return shareOut(*this, options, static_cast<int>((pixels.size() + batch - 1) / batch), nullptr, work);
 }

@@ -75,8 +75,8 @@ class Scene {
     // Fills in the points' colours: each its own, whatever the others are, but soonest where they lie together.
     void pointColors(PointPacket& points, RenderContext& context) const;
 
-    // The mean of a pixel's samples.
-    Color pixelColor(int x, int y, RenderContext& context) const;
+    // The means of pixels' samples, of up to PointPacket::most: soonest where they lie together.
+    void pixelColors(std::span<const PixelPlace> pixels, std::span<Color> colors, RenderContext& context) const;
 
     // Why the next ray on a path is not cast: for all rays that meet the same material alike.
     NotCast whyNotReflected(const Material& material, const RayPath& onwards, const RenderContext& context) const;
