@@ -33,15 +33,17 @@ Setting with(Setting setting, int samples, double adaptive = 0) {
     return setting;
 }
 
-// Which pixels have something going on: between the centre, the corners, 4 x 4 samples, and what is seen without recursion.
+// Which pixels have something going on: between the centre, the corners, 4 x 4 samples, what is seen without recursion, and
+// what only the deepest rays see: in one pixel of a thousand, but there by far more than the targets.
 std::vector<double> activity(Pilot& pilot) {
     const auto colors = [&](const Setting& setting) -> const auto& { return pilot.take(setting).colors; };
     const auto &centre = colors(looked), &corners = colors(with(looked, 64, 1)), &more = colors(with(looked, 4));
-    const auto& shallow = colors({.max_recursion = 1});
+    const auto &shallow = colors({.max_recursion = 1}), &deep = colors(with(truth, 1));
     std::vector<double> activity;
     for (std::size_t i = 0; i < centre.size(); ++i)
         activity.push_back(squaredError(centre[i], corners[i]) + squaredError(centre[i], more[i]) +
-                           squaredError(corners[i], more[i]) + squaredError(centre[i], shallow[i]) / 3);
+                           squaredError(corners[i], more[i]) + squaredError(centre[i], shallow[i]) / 3 +
+                           squaredError(centre[i], deep[i]));
     return activity;
 }
 
