@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "depth_search.h"
 #include "raytracer/stratified_pilot.h"
 #include "target_statistics.h"
 
@@ -17,59 +18,43 @@ struct Candidate {
     Setting setting;
     double rays = 0;  // for each pixel, predicted up to a factor that is the same for all
     double sampleError = 0, depthError = 0;  // RMSE
+    double sampleStandardError = 0;
     double error() const { return std::hypot(sampleError, depthError); }
+    double standardError() const { return error() > 0 ? sampleStandardError * sampleError / error() : 0; }
 };
 
-constexpr double depthShare = 0.2;   // of the target: a depth that costs no more than this of it is deep enough
 constexpr int sampleLimit = 16;       // the grid's last
 constexpr int referenceFactor = 3;    // the reference's samples are so many times those that it judges, along an axis
 
 // The pilot's pixels in the first round; each further one has as many as all before it.
 constexpr double scatteredPart = 1.0 / 72, leastScattered = 1500;  // of the picture's pixels: looked at
 constexpr double judgedPixels = 480;
-constexpr double pilotShare = 0.4;  // of what the picture costs: no round is begun that would exceed it
+constexpr double promise = 1.5;     // times the best setting's cost is the most that all may cost, the pilot included
+constexpr double leastRound = 0.25;  // of all pixels before: fewer would tell little more
+constexpr double pilotShare = 0.4;  // of what the best may cost: no round is begun that would exceed it
 constexpr double smallStep = 1.2;   // a setting dearer by no more than this is as good
 
-// With some odds to spare, since only a picture in ten may be above; but for one sample, since the next step costs 4 times.
-bool isWithin(const PictureError& error, int samples, double target) {
-    return upperLimit(error.rmse, error.standardError, samples > 1 ? 1 : 0) <= target;
-}
+// With some odds to spare, since only a picture in ten may be above.
+bool isWithin(const PictureError& error, double target) { return upperLimit(error.rmse, error.standardError, 1) <= target; }
 
 double areaOf(const PixelRectangle& crop) { return static_cast<double>(crop.width()) * crop.height(); }
-
-// Of cutoffs the ones that leave an error of the target's order: on the scenes a cutoff's RMSE is 1/30 to 1/300 of it.
-std::vector<double> cutoffsFor(double target) {
-    std::vector<double> cutoffs;
-    for (const double cutoff : gridCutoffs)
-        if (cutoff >= 9 * target && cutoff <= 110 * target) cutoffs.push_back(cutoff);
-    if (cutoffs.empty()) cutoffs.push_back(target > 0.01 ? std::end(gridCutoffs)[-1] : gridCutoffs[0]);
-    return cutoffs;
-}
-
-// The grid's next smaller cutoff, put before the others; false if there is none.
-bool addSmaller(std::vector<double>& cutoffs) {
-    const auto* next = std::ranges::find(gridCutoffs, cutoffs.front());
-    if (next == std::begin(gridCutoffs)) return false;
-    cutoffs.insert(cutoffs.begin(), next[-1]);
-    return true;
-}
 
 class Search {
   public:
     Search(const Renderer& renderer, const RenderOptions& options, double target)
         : renderer_(renderer), options_(options), target_(target),
-          depthPilot_(renderer, options, scatteredPixels(options.crop, pixelsFor(1.0 / 400, 500), 1)) {}
+          depths_(renderer, options, target) {}
 
     // In rounds of ever more pixels, until the choice is clear or more would cost too much of what it can save.
     TargetChoice choose() {
-        findDepths();
-        for (double pixels = 1, next;; pixels = next) {
+        for (double pixels = 1, all = 1;; all += pixels) {
             const double before = spent();
             look(pixels);
-            const TargetChoice choice = round();
-            next = static_cast<double>(1 << (looks_.size() - 1));
-            const double again = (spent() - before) / pixels * next;
-            if (isClear(choice) || spent() + again > pilotShare * atStake(choice) * areaOf(options_.crop)) return choice;
+            TargetChoice choice = round();
+            const double each = (spent() - before) / pixels;  // rays, for as many pixels as the first round has
+            if (depths_.widen(choice.rays)) choice = round();
+            pixels = std::min(all, (budget(choice) - spent()) / each);
+            if (isClear(choice) || pixels < leastRound * all) return choice;
         }
     }
 
@@ -95,11 +80,16 @@ class Search {
                choice.cheaperError - 2 * choice.cheaperStandardError <= target_;
     }
 
-    // The rays a pixel of what may be the best choice.
-    double atStake(const TargetChoice& choice) const { return mayBeBeaten(choice) ? choice.cheaperRays : choice.rays; }
+    // Rays for all pilots. What the best may cost is the least that may do; where it is not much less than what was chosen,
+    // that will be rendered, so that the rest of the promise is what there is to spend.
+    double budget(const TargetChoice& choice) const {
+        const double best = choice.cheaper ? choice.cheaperRays : choice.rays;
+        const double extra = mayBeBeaten(choice) ? 0 : std::max(0.0, choice.rays - best);
+        return (pilotShare * best - extra) * areaOf(options_.crop);
+    }
 
     double spent() const {
-        double spent = depthPilot_.raysSpent() + spent_;
+        double spent = depths_.raysSpent() + spent_;
         for (const Look& look : looks_) spent += look.pilot->raysSpent();
         return spent + (pilot_ ? pilot_->raysSpent() : 0);
     }
@@ -109,17 +99,7 @@ class Search {
         return static_cast<std::size_t>(std::min(areaOf(options_.crop), std::max(least, part * areaOf(options_.crop))));
     }
 
-    void findDepths() {
-        const Setting deepest{.max_recursion = 32, .cutoff = std::min(0.1, 3 * target_), .bilinear = options_.bilinear};
-        std::vector<double> cutoffs = cutoffsFor(target_);
-        do depths_ = depthFront(depthPilot_, deepest, cutoffs, depthShare * target_);
-        while (depths_.back().error > depthShare * target_ && addSmaller(cutoffs));
-        fine_ = depths_.back();
-        for (const DepthChoice& choice : depths_)
-            if (choice.error <= depthShare * target_ && choice.rays < fine_.rays) fine_ = choice;
-    }
-
-    Setting sampled(int samples, double adaptive = 0) const { return sampledAt(fine_, samples, adaptive); }
+    Setting sampled(int samples, double adaptive = 0) const { return sampledAt(depths_.fine(), samples, adaptive); }
 
     Setting sampledAt(const DepthChoice& depth, int samples, double adaptive = 0) const {
         return {samples, adaptive, depth.max_recursion, depth.cutoff, options_.bilinear};
@@ -144,15 +124,9 @@ class Search {
         };
         addDifference(sampled(64, 1));  // adaptive 1: the corners alone
         if (samples > 2) addDifference(sampled((samples + 1) / 2));
-        const DepthChoice& coarse = coarsestDepth();
-        if (coarse.error > depthShare * target_) addDifference(sampledAt(coarse, 1));
+        const DepthChoice& coarse = depths_.coarsest();
+        if (coarse.error > DepthSearch::enough * target_) addDifference(sampledAt(coarse, 1));
         return activity;
-    }
-
-    const DepthChoice& coarsestDepth() const {
-        for (const DepthChoice& depth : depths_)
-            if (depth.error < target_) return depth;
-        return depths_.back();
     }
 
     // Prepares to judge so many samples, by all pixels looked at so far.
@@ -169,22 +143,30 @@ class Search {
         }
     }
 
-    // What the pilot's pixels say of a setting, and what the reference leaves out itself.
-    PictureError measured(const Setting& setting, const DepthChoice& depth) {
+    // Between the samples alone.
+    PictureError sampleError(const Setting& setting) {
         PictureError error = pilot_->error(setting, reference_);
         const double seen = seenPart(setting.samples, reference_.samples);
-        const double shallow = depthPilot_.error(sampledAt(depth, 1), sampled(1)).rmse;  // seen already
-        error.rmse = std::sqrt(std::pow(error.rmse / seen, 2) + std::max(0.0, depth.error * depth.error - shallow * shallow));
+        error.rmse /= seen;
         error.standardError /= seen;
         return error;
     }
-    PictureError measured(const Setting& setting) { return measured(setting, fine_); }
+    bool areEnough(const Setting& setting) { return isWithin(sampleError(setting), target_); }
 
-    bool areEnough(int samples) { return isWithin(measured(sampled(samples)), samples, target_); }
+    // And what the depth leaves out, of which the pilot's pixels see the part that the reference does not leave out itself.
+    PictureError measured(const Candidate& candidate) {
+        const Setting& setting = candidate.setting;
+        const DepthChoice &depth = depths_.of(setting), &fine = depths_.fine();
+        const bool isDeeper = depth.error < fine.error;
+        PictureError error = sampleError(isDeeper ? sampled(setting.samples, setting.adaptive) : setting);
+        const double shallow = isDeeper ? 0 : depths_.distance(depth, fine);
+        error.rmse = std::sqrt(error.rmse * error.rmse + std::max(0.0, depth.error * depth.error - shallow * shallow));
+        return error;
+    }
 
     // How many samples it may take, from how the error falls from one to two.
     int guessSamples() {
-        const double one = measured(sampled(1)).rmse, two = measured(sampled(2)).rmse;
+        const double one = sampleError(sampled(1)).rmse, two = sampleError(sampled(2)).rmse;
         const double rate = std::clamp(std::log2(one / two), 0.8, 1.6);
         return static_cast<int>(std::lround(2 * std::pow(two / target_, 1 / rate)));
     }
@@ -194,14 +176,14 @@ class Search {
         if (samples_ <= 2) {
             focus(2);
             for (samples_ = 1; samples_ <= 2; ++samples_)
-                if (areEnough(samples_)) return;
+                if (areEnough(sampled(samples_))) return;
             samples_ = guessSamples();
         }
         for (const int samples : gridSamples) {
             if (samples <= 2 || (samples < samples_ && samples < sampleLimit)) continue;
             samples_ = samples;
             focus(samples);
-            if (areEnough(samples)) return;
+            if (areEnough(sampled(samples))) return;
         }
     }
 
@@ -210,7 +192,7 @@ class Search {
         for (auto samples = std::rbegin(gridSamples); samples != std::rend(gridSamples); ++samples) {
             if (*samples > samples_) continue;
             addCandidates(sampled(*samples));
-            if (measured(sampled(*samples)).rmse > target_) break;
+            if (sampleError(sampled(*samples)).rmse > target_) break;
             collectAdaptive(*samples);
         }
         for (const int samples : gridSamples)
@@ -224,37 +206,35 @@ class Search {
         for (auto adaptive = std::rbegin(gridAdaptive); adaptive != std::rend(gridAdaptive); ++adaptive) {
             if (*adaptive == 0) return;
             addCandidates(sampled(samples, *adaptive));
-            if (isWithin(measured(sampled(samples, *adaptive)), samples, target_)) return;
+            if (areEnough(sampled(samples, *adaptive))) return;
         }
     }
 
     // The setting with every depth that is worth having.
     void addCandidates(const Setting& setting) {
-        const double error = pilot_->error(setting, reference_).rmse / seenPart(setting.samples, reference_.samples);
-        const double rays = pilot_->rays(setting) / fine_.rays;
-        for (const DepthChoice& depth : depths_)
-            candidates_.push_back({sampledAt(depth, setting.samples, setting.adaptive), rays * depth.rays, error, depth.error});
+        const PictureError error = sampleError(setting);
+        const double rays = pilot_->rays(setting) / depths_.fine().rays;
+        for (const DepthChoice& depth : depths_.choices())
+            candidates_.push_back({sampledAt(depth, setting.samples, setting.adaptive), rays * depth.rays, error.rmse,
+                                   depth.error, error.standardError});
     }
 
-    const DepthChoice& depthOf(const Setting& setting) const {
-        return *std::ranges::find_if(depths_, [&](const DepthChoice& depth) {
-            return depth.max_recursion == setting.max_recursion && depth.cutoff == setting.cutoff;
-        });
-    }
-
+    // The cheapest that is within the target surely; or, where that costs more than the promise allows, likely.
     TargetChoice pick() {
-        const Candidate* cheaper = nullptr;
+        const Candidate *possible = nullptr, *likely = nullptr;
         for (const Candidate& candidate : candidates_) {
+            if (!possible && candidate.error() - 2 * candidate.standardError() <= target_) possible = &candidate;
             if (candidate.error() > 1.05 * target_) continue;
-            const PictureError error = measured(candidate.setting, depthOf(candidate.setting));
-            if (isWithin(error, candidate.setting.samples, target_)) return result(candidate, cheaper);
-            cheaper = &candidate;
+            const PictureError error = measured(candidate);
+            if (!likely && error.rmse <= target_) likely = &candidate;
+            if (!isWithin(error, target_)) continue;
+            return result(candidate.rays > promise * likely->rays ? *likely : candidate, possible);
         }
-        return result(*std::ranges::min_element(candidates_, {}, &Candidate::error), nullptr);
+        return result(likely ? *likely : *std::ranges::min_element(candidates_, {}, &Candidate::error), nullptr);
     }
 
     TargetChoice result(const Candidate& candidate, const Candidate* cheaper) {
-        const PictureError error = measured(candidate.setting, depthOf(candidate.setting));
+        const PictureError error = measured(candidate);
         TargetChoice choice;
         choice.setting = candidate.setting;
         choice.reached = error.rmse <= target_;
@@ -262,13 +242,12 @@ class Search {
         choice.standardError = error.standardError;
         choice.sampleError = candidate.sampleError;
         choice.depthError = candidate.depthError;
-        choice.rays = pilot_->rays(candidate.setting);
-        if (cheaper) {
+        choice.rays = candidate.rays;
+        if (cheaper && cheaper->rays < candidate.rays) {
             choice.cheaper = cheaper->setting;
-            const PictureError missed = measured(cheaper->setting, depthOf(cheaper->setting));
-            choice.cheaperError = missed.rmse;
-            choice.cheaperStandardError = missed.standardError;
-            choice.cheaperRays = pilot_->rays(cheaper->setting);
+            choice.cheaperError = cheaper->error();
+            choice.cheaperStandardError = cheaper->standardError();
+            choice.cheaperRays = cheaper->rays;
         }
         choice.pilotPixels = pilot_->pixelCount();
         choice.pilotRays = spent();
@@ -278,9 +257,7 @@ class Search {
     const Renderer& renderer_;
     const RenderOptions& options_;
     double target_;
-    Pilot depthPilot_;
-    std::vector<DepthChoice> depths_;
-    DepthChoice fine_;  // the cheapest that is deep enough not to matter
+    DepthSearch depths_;
     std::vector<Look> looks_;
     std::unique_ptr<StratifiedPilot> pilot_;
     std::size_t focused_ = 0;  // looks that are in the pilot

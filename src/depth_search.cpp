@@ -1,0 +1,112 @@
+#include "depth_search.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace raytracer {
+
+namespace {
+
+constexpr double lookPart = 1.0 / 400, leastLook = 500;  // of the picture's pixels: looked at before its cost is known
+constexpr double widePart = 0.005;    // of the picture's rays, for each depth that is looked at again: ten are a twentieth
+constexpr double mostPixels = 100000;  // see what is in three of 100,000, missed in 1 of 20; and are 2.4 MB for each depth
+constexpr double worthwhile = 4;      // times the pixels before: half the standard error
+
+// Of cutoffs the ones that leave an error of the target's order: on the scenes a cutoff's RMSE is 1/30 to 1/300 of it.
+std::vector<double> cutoffsFor(double target) {
+    std::vector<double> cutoffs;
+    for (const double cutoff : gridCutoffs)
+        if (cutoff >= 9 * target && cutoff <= 110 * target) cutoffs.push_back(cutoff);
+    if (cutoffs.empty()) cutoffs.push_back(target > 0.01 ? std::end(gridCutoffs)[-1] : gridCutoffs[0]);
+    return cutoffs;
+}
+
+// The grid's next smaller cutoff, put before the others; false if there is none.
+bool addSmaller(std::vector<double>& cutoffs) {
+    const auto* next = std::ranges::find(gridCutoffs, cutoffs.front());
+    if (next == std::begin(gridCutoffs)) return false;
+    cutoffs.insert(cutoffs.begin(), next[-1]);
+    return true;
+}
+
+double areaOf(const PixelRectangle& crop) { return static_cast<double>(crop.width()) * crop.height(); }
+
+// A part of the picture's pixels; but no fewer than tell anything.
+std::size_t firstPixels(const PixelRectangle& crop) {
+    return static_cast<std::size_t>(std::min(areaOf(crop), std::max(leastLook, lookPart * areaOf(crop))));
+}
+
+}  // namespace
+
+DepthSearch::DepthSearch(const Renderer& renderer, const RenderOptions& options, double target)
+    : renderer_(renderer), options_(options), target_(target),
+      deepest_{.max_recursion = 32, .cutoff = std::min(0.1, 3 * target), .bilinear = options.bilinear},
+      pilot_(std::make_unique<Pilot>(renderer, options, scatteredPixels(options.crop, firstPixels(options.crop), 1))) {
+    std::vector<double> cutoffs = cutoffsFor(target);
+    do choices_ = depthFront(*pilot_, deepest_, cutoffs, enough * target);
+    while (choices_.back().error > enough * target && addSmaller(cutoffs));
+    fine_ = choices_.size() - 1;
+    for (std::size_t i = 0; i < choices_.size(); ++i)
+        if (choices_[i].error <= enough * target && choices_[i].rays < fine().rays) fine_ = i;
+}
+
+bool DepthSearch::widen(double raysOfPixel) {
+    const double area = areaOf(options_.crop);
+    const double affordable = widePart * raysOfPixel / pilot_->take(deepest_).rays * area;
+    const double pixels = std::min({area, mostPixels, affordable});
+    if (pixels < worthwhile * static_cast<double>(pilot_->pixelCount())) return false;
+    spent_ += pilot_->raysSpent();
+    pilot_ = std::make_unique<Pilot>(renderer_, options_, scatteredPixels(options_.crop, static_cast<std::size_t>(pixels), 1));
+    for (DepthChoice& choice : choices_) {
+        if (choice.error > target_ && &choice != &fine()) continue;  // too shallow anyway
+        choice.error = measured(choice.max_recursion, choice.cutoff);
+        choice.rays = pilot_->take(setting(choice.max_recursion, choice.cutoff)).rays;
+    }
+    goDeeper();
+    return true;
+}
+
+// By the grid's steps, from the finest that there is: more bounces, and where they tell no more, a smaller cutoff.
+void DepthSearch::goDeeper() {
+    DepthChoice last = *std::ranges::min_element(choices_, {}, &DepthChoice::error);
+    const auto* depth = std::ranges::find(gridDepths, last.max_recursion);
+    const auto* cutoff = std::ranges::find(gridCutoffs, last.cutoff);
+    bool mayBeDeeper = true;
+    while (last.error > enough * target_) {
+        mayBeDeeper = mayBeDeeper && depth + 1 != std::end(gridDepths);
+        if (mayBeDeeper) ++depth;
+        else if (cutoff != std::begin(gridCutoffs)) --cutoff;
+        else return;
+        const double error = measured(*depth, *cutoff);
+        mayBeDeeper = error < 0.99 * last.error;
+        last = {*depth, *cutoff, pilot_->take(setting(*depth, *cutoff)).rays, error};
+        choices_.push_back(last);
+    }
+}
+
+const DepthChoice& DepthSearch::of(const Setting& setting) const {
+    return *std::ranges::find_if(choices_, [&](const DepthChoice& depth) {
+        return depth.max_recursion == setting.max_recursion && depth.cutoff == setting.cutoff;
+    });
+}
+
+const DepthChoice& DepthSearch::coarsest() const {
+    for (const DepthChoice& depth : choices_)
+        if (depth.error < target_) return depth;
+    return choices_.back();
+}
+
+double DepthSearch::distance(const DepthChoice& a, const DepthChoice& b) {
+    return pilot_->error(setting(a.max_recursion, a.cutoff), setting(b.max_recursion, b.cutoff)).rmse;
+}
+
+double DepthSearch::measured(int depth, double cutoff) { return pilot_->error(setting(depth, cutoff), deepest_).rmse; }
+
+Setting DepthSearch::setting(int depth, double cutoff) const {
+    Setting setting = deepest_;
+    setting.max_recursion = depth;
+    setting.cutoff = cutoff;
+    return setting;
+}
+
+}  // namespace raytracer
