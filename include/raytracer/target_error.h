@@ -15,7 +15,7 @@ struct TargetChoice {
     double sampleError = 0, depthError = 0;  // its two parts: between the samples, and of rays that are not followed
     double rays = 0;           // for each pixel of the picture
 
-    std::optional<Setting> cheaper;  // the next cheaper one that was tried, its error and cost
+    std::optional<Setting> cheaper;  // the cheapest that may reach it too, within two standard errors; its error and cost
     double cheaperError = 0, cheaperStandardError = 0, cheaperRays = 0;
 
     std::size_t pilotPixels = 0;

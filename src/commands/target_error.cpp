@@ -11,7 +11,7 @@ TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, dou
     std::string why = "the cheapest of those that reach " + shortNumber(target);
     if (!choice.reached) why = "the most accurate there is; nothing reaches " + shortNumber(target);
     if (choice.cheaper)
-        why += ": the next cheaper one, " + commandLine(*choice.cheaper) + ", has " + shortNumber(choice.cheaperError);
+        why += ": a cheaper one, " + commandLine(*choice.cheaper) + ", has " + shortNumber(choice.cheaperError);
     std::fprintf(stderr, "--target-error %s: %s, %s\n", shortNumber(target).c_str(), commandLine(choice.setting).c_str(),
                  why.c_str());
     std::fprintf(stderr, "--target-error %s: %s rays a pixel, found with %zu pixels and as many rays as %s a pixel\n",
