@@ -12,8 +12,8 @@ class DepthSearch {
   public:
     DepthSearch(const Renderer& renderer, const RenderOptions& options, double target);
 
-    // Looks again, by as many pixels as a small part of the picture's rays (so many for each pixel) pays for, and deeper where that shows more than
-    // was seen. False if those would not be many more.
+    // Looks again, by as many pixels as a small part of the picture's rays (so many for each pixel) pays for, and deeper where
+    // that shows more than was seen. False if those would not be many more.
     bool widen(double raysOfPixel);
 
     const std::vector<DepthChoice>& choices() const { return choices_; }
