@@ -224,10 +224,12 @@ RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const P
     constexpr std::size_t batch = 64;  // pixels: few enough to share out evenly
     const auto work = [&](int job, RenderContext& context) {
         const std::size_t begin = static_cast<std::size_t>(job) * batch, end = std::min(begin + batch, pixels.size());
-        for (std::size_t i = begin; i < end; ++i) {
-            Color color;
-            pixelColors(pixels.subspan(i, 1), {&color, 1}, context);  // they may lie far apart
-            colors[i] = color;
+        // They may lie far apart; but what meets the same surface is shaded together.
+        for (std::size_t i = begin; i < end; i += PointPacket::most) {
+            Color together[PointPacket::most];
+            const std::size_t count = std::min<std::size_t>(PointPacket::most, end - i);
+            pixelColors(pixels.subspan(i, count), together, context);
+            for (std::size_t k = 0; k < count; ++k) colors[i + k] = together[k];
         }
     };
     return shareOut(*this, options, static_cast<int>((pixels.size() + batch - 1) / batch), nullptr, work);
