@@ -40,12 +40,17 @@ std::vector<bool> contenders(std::span<const Trial> trials) {
     return contender;
 }
 
-// All of them in turn, so that what disturbs the machine for a while disturbs all alike.
+// Until all that might be on the front have so many timings. All of them in turn, so that what disturbs the machine for a while
+// disturbs all alike.
 void repeatTimings(const Renderer& renderer, const RenderOptions& options, int repeats, std::vector<Trial>& trials) {
-    for (int i = 1; i < repeats; ++i) {
+    for (bool isDone = false; !isDone;) {
+        isDone = true;
         const std::vector<bool> again = contenders(trials);
-        for (std::size_t k = 0; k < trials.size(); ++k)
-            if (again[k]) perform(renderer, options, trials[k]);
+        for (std::size_t k = 0; k < trials.size(); ++k) {
+            if (!again[k] || std::ssize(trials[k].timings) >= repeats) continue;
+            perform(renderer, options, trials[k]);
+            isDone = false;
+        }
     }
 }
 
