@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "target_statistics.h"
+
 namespace raytracer {
 
 namespace {
@@ -10,6 +12,7 @@ namespace {
 constexpr double lookPart = 1.0 / 400, leastLook = 500;  // of the picture's pixels: looked at before its cost is known
 constexpr double widePart = 0.005;    // of the picture's rays, for each depth that is looked at again: ten are a twentieth
 constexpr double mostPixels = 100000;  // see what is in three of 100,000, missed in 1 of 20; and are 2.4 MB for each depth
+constexpr double worthHalving = 1.1;  // a step of the rays
 constexpr double worthwhile = 4;      // times the pixels before: half the standard error
 
 // Of cutoffs the ones that leave an error of the target's order: on the scenes a cutoff's RMSE is 1/30 to 1/300 of it.
@@ -29,11 +32,9 @@ bool addSmaller(std::vector<double>& cutoffs) {
     return true;
 }
 
-double areaOf(const PixelRectangle& crop) { return static_cast<double>(crop.width()) * crop.height(); }
-
 // A part of the picture's pixels; but no fewer than tell anything.
 std::size_t firstPixels(const PixelRectangle& crop) {
-    return static_cast<std::size_t>(std::min(areaOf(crop), std::max(leastLook, lookPart * areaOf(crop))));
+    return static_cast<std::size_t>(std::min(crop.area(), std::max(leastLook, lookPart * crop.area())));
 }
 
 }  // namespace
@@ -45,20 +46,18 @@ DepthSearch::DepthSearch(const Renderer& renderer, const RenderOptions& options,
     std::vector<double> cutoffs = cutoffsFor(target);
     do choices_ = depthFront(*pilot_, deepest_, cutoffs, enough * target);
     while (choices_.back().error > enough * target && addSmaller(cutoffs));
-    fine_ = choices_.size() - 1;
-    for (std::size_t i = 0; i < choices_.size(); ++i)
-        if (choices_[i].error <= enough * target && choices_[i].rays < fine().rays) fine_ = i;
 }
 
 bool DepthSearch::widen(double raysOfPixel) {
-    const double area = areaOf(options_.crop);
+    const double area = options_.crop.area();
     const double affordable = widePart * raysOfPixel / pilot_->take(deepest_).rays * area;
     const double pixels = std::min({area, mostPixels, affordable});
     if (pixels < worthwhile * static_cast<double>(pilot_->pixelCount())) return false;
     spent_ += pilot_->raysSpent();
     pilot_ = std::make_unique<Pilot>(renderer_, options_, scatteredPixels(options_.crop, static_cast<std::size_t>(pixels), 1));
+    const DepthChoice* const finest = &fine();
     for (DepthChoice& choice : choices_) {
-        if (choice.error > target_ && &choice != &fine()) continue;  // too shallow anyway
+        if (choice.error > target_ && &choice != finest) continue;  // too shallow anyway
         choice.error = measured(choice.max_recursion, choice.cutoff);
         choice.rays = pilot_->take(setting(choice.max_recursion, choice.cutoff)).rays;
     }
@@ -69,19 +68,43 @@ bool DepthSearch::widen(double raysOfPixel) {
 // By the grid's steps, from the finest that there is: more bounces, and where they tell no more, a smaller cutoff.
 void DepthSearch::goDeeper() {
     DepthChoice last = *std::ranges::min_element(choices_, {}, &DepthChoice::error);
-    const auto* depth = std::ranges::find(gridDepths, last.max_recursion);
-    const auto* cutoff = std::ranges::find(gridCutoffs, last.cutoff);
     bool mayBeDeeper = true;
     while (last.error > enough * target_) {
-        mayBeDeeper = mayBeDeeper && depth + 1 != std::end(gridDepths);
-        if (mayBeDeeper) ++depth;
-        else if (cutoff != std::begin(gridCutoffs)) --cutoff;
+        const auto* deeper = std::ranges::upper_bound(gridDepths, last.max_recursion);
+        const auto* cutoff = std::ranges::lower_bound(gridCutoffs, last.cutoff);
+        const double before = last.error;
+        if (mayBeDeeper && deeper != std::end(gridDepths)) last = add(*deeper, last.cutoff);
+        else if (cutoff != std::begin(gridCutoffs)) last = add(last.max_recursion, cutoff[-1]);
         else return;
-        const double error = measured(*depth, *cutoff);
-        mayBeDeeper = error < 0.99 * last.error;
-        last = {*depth, *cutoff, pilot_->take(setting(*depth, *cutoff)).rays, error};
-        choices_.push_back(last);
+        mayBeDeeper = last.error < 0.99 * before;
     }
+}
+
+bool DepthSearch::halve(const Setting& setting) {
+    const DepthChoice dear = of(setting);
+    const DepthChoice* cheap = nullptr;
+    for (const DepthChoice& choice : choices_)
+        if (choice.rays < dear.rays && (!cheap || choice.rays > cheap->rays)) cheap = &choice;
+    if (!cheap || dear.rays < worthHalving * cheap->rays) return false;
+    const int depth = (cheap->max_recursion + dear.max_recursion + 1) / 2;
+    const double cutoff = roundedMean(cheap->cutoff, dear.cutoff);
+    if (std::ranges::any_of(choices_, [&](const DepthChoice& c) { return c.max_recursion == depth && c.cutoff == cutoff; }))
+        return false;
+    add(depth, cutoff);
+    return true;
+}
+
+DepthChoice DepthSearch::add(int depth, double cutoff) {
+    const double rays = pilot_->take(setting(depth, cutoff)).rays;
+    choices_.push_back({depth, cutoff, rays, measured(depth, cutoff)});
+    return choices_.back();
+}
+
+const DepthChoice& DepthSearch::fine() const {
+    const DepthChoice* fine = &*std::ranges::min_element(choices_, {}, &DepthChoice::error);
+    for (const DepthChoice& choice : choices_)
+        if (choice.error <= enough * target_ && choice.rays < fine->rays) fine = &choice;
+    return *fine;
 }
 
 const DepthChoice& DepthSearch::of(const Setting& setting) const {

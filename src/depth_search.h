@@ -16,9 +16,12 @@ class DepthSearch {
     // that shows more than was seen. False if those would not be many more.
     bool widen(double raysOfPixel);
 
+    // Puts one half way between a setting's depth and the next cheaper one. False if there is none, or hardly any difference.
+    bool halve(const Setting& setting);
+
     const std::vector<DepthChoice>& choices() const { return choices_; }
     const DepthChoice& of(const Setting& setting) const;
-    const DepthChoice& fine() const { return choices_[fine_]; }  // the cheapest that seemed deep enough not to matter
+    const DepthChoice& fine() const;                             // the cheapest that seems deep enough not to matter
     const DepthChoice& coarsest() const;                         // whose error is below the target
     double distance(const DepthChoice& a, const DepthChoice& b);  // RMSE between them
     double raysSpent() const { return spent_ + pilot_->raysSpent(); }
@@ -27,6 +30,7 @@ class DepthSearch {
 
   private:
     void goDeeper();
+    DepthChoice add(int depth, double cutoff);
     double measured(int depth, double cutoff);
     Setting setting(int depth, double cutoff) const;
 
@@ -36,7 +40,6 @@ class DepthSearch {
     Setting deepest_;
     std::unique_ptr<Pilot> pilot_;
     std::vector<DepthChoice> choices_;
-    std::size_t fine_ = 0;
     double spent_ = 0;  // rays, by pilots that are gone
 };
 

@@ -29,24 +29,34 @@ double squaredError(const glm::dvec3& color, const glm::dvec3& truth) {
 
 PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth) {
     PictureError error;
-    double sum = 0, sumOfSquares = 0;  // of the pixels' mean squared errors
+    double sum = 0;  // of the pixels' mean squared errors
     std::size_t off = 0;
     for (std::size_t i = 0; i < colors.size(); ++i) {
         const glm::dvec3 difference = glm::abs(shown(colors[i]) - shown(truth[i]));
-        const double pixel = squaredError(colors[i], truth[i]);
         const double largest = std::max({difference.x, difference.y, difference.z});
-        sum += pixel;
-        sumOfSquares += pixel * pixel;
+        sum += squaredError(colors[i], truth[i]);
         error.maximum = std::max(error.maximum, largest);
         off += largest > 1.0 / 255;
     }
     const auto count = static_cast<double>(std::max<std::size_t>(1, colors.size()));
-    const double mean = sum / count, variance = std::max(0.0, sumOfSquares / count - mean * mean) / count;
-    error.rmse = std::sqrt(mean);
-    if (mean > 0) error.standardError = std::sqrt(variance) / (2 * error.rmse);
+    error.rmse = std::sqrt(sum / count);
     error.psnr = -20 * std::log10(error.rmse);
     error.shareOff = static_cast<double>(off) / count;
     return error;
+}
+
+MeanSquare meanSquare(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
+                      std::span<const glm::dvec3> otherTruth) {
+    double sum = 0, sumOfSquares = 0;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const glm::dvec3 color = shown(colors[i]);
+        const double pixel = glm::dot(color - shown(truth[i]), color - shown(otherTruth[i])) / 3;
+        sum += pixel;
+        sumOfSquares += pixel * pixel;
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(1, colors.size()));
+    const double mean = sum / count;
+    return {mean, std::max(0.0, sumOfSquares / count - mean * mean) / count};
 }
 
 }  // namespace raytracer

@@ -15,6 +15,8 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
     return h ^ h >> 16;
 }
 
+constexpr int placesOfCell = 16;  // along an axis, where a sample of the truth may lie in its cell
+
 // One pixel of a cell.
 PixelPlace pixelIn(const PixelRectangle& cell, std::uint32_t random) {
     const auto width = static_cast<std::uint32_t>(cell.width()), height = static_cast<std::uint32_t>(cell.height());
@@ -24,9 +26,8 @@ PixelPlace pixelIn(const PixelRectangle& cell, std::uint32_t random) {
 }  // namespace
 
 std::vector<PixelPlace> scatteredPixels(const PixelRectangle& crop, std::size_t count, std::uint32_t seed) {
-    const double area = static_cast<double>(crop.width()) * crop.height();
-    const int columns = static_cast<int>(std::ceil(crop.width() / std::max(1.0, std::sqrt(area / static_cast<double>(count)))));
-    const int rows = static_cast<int>(std::ceil(crop.height() / std::max(1.0, std::sqrt(area / static_cast<double>(count)))));
+    const double edge = std::max(1.0, std::sqrt(crop.area() / static_cast<double>(count)));
+    const int columns = static_cast<int>(std::ceil(crop.width() / edge)), rows = static_cast<int>(std::ceil(crop.height() / edge));
     std::vector<PixelPlace> pixels;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
@@ -54,6 +55,45 @@ const Pilot::Shot& Pilot::take(const Setting& setting) {
 
 PictureError Pilot::error(const Setting& setting, const Setting& truth) {
     return pictureError(take(setting).colors, take(truth).colors);
+}
+
+MeanSquare Pilot::squaredError(const Setting& setting, const Setting& truth) {
+    const auto& colors = take(truth).colors;
+    return meanSquare(take(setting).colors, colors, colors);
+}
+
+MeanSquare Pilot::squaredError(const Setting& setting) { return meanSquare(take(setting).colors, truths_[0], truths_[1]); }
+
+// A sample is the centre of a pixel of a picture that is so many times as large.
+void Pilot::sampleTruth(const Setting& depth, int n) {
+    if (truthSamples_ >= n * n) return;
+    const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    const int scale = n * placesOfCell;
+    Setting setting = depth;
+    setting.samples = 1;
+    RenderOptions options = withSetting(options_, setting);
+    options.size = {scale * options_.size.width, scale * options_.size.height};
+    std::vector<PixelPlace> places(pixels_.size() * cells);
+    std::vector<glm::dvec3> colors(places.size());
+    for (std::uint32_t twin = 0; twin < 2; ++twin) {
+        auto place = places.begin();
+        for (const PixelPlace& pixel : pixels_)
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i) {
+                    const int x = scale * pixel.x + placesOfCell * i, y = scale * pixel.y + placesOfCell * j;
+                    *place++ = pixelIn({x, y, x + placesOfCell, y + placesOfCell},
+                                       hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), twin));
+                }
+        spent_ += rayCount(renderer_.renderPixels(options, places, colors));
+        truths_[twin].resize(pixels_.size(), glm::dvec3(0));
+        auto color = colors.begin();
+        for (glm::dvec3& truth : truths_[twin]) {
+            truth *= truthSamples_;
+            for (std::size_t i = 0; i < cells; ++i) truth += *color++;
+            truth /= truthSamples_ + n * n;
+        }
+    }
+    truthSamples_ += n * n;
 }
 
 std::vector<DepthChoice> depthFront(Pilot& pilot, const Setting& deepest, std::span<const double> cutoffs, double enough) {

@@ -221,7 +221,8 @@ RenderCounts Scene::render(const RenderOptions& options, PixelSink& sink, Progre
 
 RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                  std::span<glm::dvec3> colors) const {
-    constexpr std::size_t batch = 64;  // pixels: few enough to share out evenly
+    // Pixels that one thread takes at once: few enough to share out evenly.
+    const std::size_t batch = options.samples == 1 ? 64 : PointPacket::most;
     const auto work = [&](int job, RenderContext& context) {
         const std::size_t begin = static_cast<std::size_t>(job) * batch, end = std::min(begin + batch, pixels.size());
         // They may lie far apart; but what meets the same surface is shaded together.

@@ -49,36 +49,40 @@ void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const do
     samples_.push_back(std::move(sample));
 }
 
-// Cochran (12.32): within the strata by the pixels judged, between them by the pixels looked at.
-StratifiedPilot::Estimate StratifiedPilot::estimate(Sample& sample, const Setting& setting, const Setting& truth,
-                                                    PictureError& whole) const {
-    std::vector<double> means;
-    Estimate estimate;
-    for (Stratum& stratum : sample.strata) {
-        const PictureError error = stratum.pilot->error(setting, truth);
-        means.push_back(error.rmse * error.rmse);
-        estimate.mean += stratum.share * means.back();
-        estimate.variance += std::pow(stratum.share * 2 * error.rmse * error.standardError, 2);
-        whole.maximum = std::max(whole.maximum, error.maximum);
-        whole.shareOff += part(sample) * stratum.share * error.shareOff;
+// Of all strata, by the mean square of each one's pixels. Cochran (12.32): within the strata by the pixels judged, between
+// them by the pixels looked at.
+template <class SquaredError>
+ErrorEstimate StratifiedPilot::estimate(SquaredError squaredError) {
+    double mean = 0, variance = 0;
+    for (Sample& sample : samples_) {
+        MeanSquare whole;
+        std::vector<double> means;
+        for (Stratum& stratum : sample.strata) {
+            const MeanSquare one = squaredError(*stratum.pilot);
+            means.push_back(one.mean);
+            whole.mean += stratum.share * one.mean;
+            whole.variance += std::pow(stratum.share, 2) * one.variance;
+        }
+        for (std::size_t i = 0; i < means.size(); ++i)
+            whole.variance += sample.strata[i].share * std::pow(means[i] - whole.mean, 2) / sample.looked;
+        mean += part(sample) * whole.mean;
+        variance += std::pow(part(sample), 2) * whole.variance;
     }
-    for (std::size_t i = 0; i < means.size(); ++i)
-        estimate.variance += sample.strata[i].share * std::pow(means[i] - estimate.mean, 2) / sample.looked;
-    return estimate;
+    if (mean <= 0) return {0, std::pow(variance, 0.25)};  // too little to tell from nothing
+    return {std::sqrt(mean), std::sqrt(variance / mean) / 2};
 }
 
-PictureError StratifiedPilot::error(const Setting& setting, const Setting& truth) {
-    PictureError whole;
-    Estimate all;
-    for (Sample& sample : samples_) {
-        const Estimate one = estimate(sample, setting, truth, whole);
-        all.mean += part(sample) * one.mean;
-        all.variance += std::pow(part(sample), 2) * one.variance;
-    }
-    whole.rmse = std::sqrt(all.mean);
-    if (all.mean > 0) whole.standardError = std::sqrt(all.variance) / (2 * whole.rmse);
-    whole.psnr = -20 * std::log10(whole.rmse);
-    return whole;
+ErrorEstimate StratifiedPilot::error(const Setting& setting, const Setting& truth) {
+    return estimate([&](Pilot& pilot) { return pilot.squaredError(setting, truth); });
+}
+
+ErrorEstimate StratifiedPilot::error(const Setting& setting) {
+    return estimate([&](Pilot& pilot) { return pilot.squaredError(setting); });
+}
+
+void StratifiedPilot::sampleTruth(const Setting& depth, int n) {
+    for (Sample& sample : samples_)
+        for (Stratum& stratum : sample.strata) stratum.pilot->sampleTruth(depth, n);
 }
 
 double StratifiedPilot::part(const Sample& sample) const {

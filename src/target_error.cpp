@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
 
 #include "depth_search.h"
 #include "raytracer/stratified_pilot.h"
@@ -23,84 +26,80 @@ struct Candidate {
     double standardError() const { return error() > 0 ? sampleStandardError * sampleError / error() : 0; }
 };
 
-constexpr int sampleLimit = 16;       // the grid's last
-constexpr int referenceFactor = 3;    // the reference's samples are so many times those that it judges, along an axis
+// Along an axis; also between the grid's, since the next one of those may be much dearer than what is enough.
+constexpr int sampleSteps[] = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16};
+constexpr int sampleLimit = std::end(sampleSteps)[-1];
+constexpr double usualFall = 1.2, fastestFall = 1.5;  // the error of n x n samples goes like n^-1 (textures) to n^-1.5 (edges)
 
-// The pilot's pixels in the first round; each further one has as many as all before it.
-constexpr double scatteredPart = 1.0 / 72, leastScattered = 1500;  // of the picture's pixels: looked at
-constexpr double judgedPixels = 480;
-constexpr double promise = 1.5;     // times the best setting's cost is the most that all may cost, the pilot included
-constexpr double leastRound = 0.25;  // of all pixels before: fewer would tell little more
-constexpr double pilotShare = 0.4;  // of what the best may cost: no round is begun that would exceed it
-constexpr double smallStep = 1.2;   // a setting dearer by no more than this is as good
+// A look's pixels; later ones may have as many as all before.
+constexpr double scatteredPart = 1.0 / 192, leastScattered = 800;  // of the picture's pixels: looked at
+constexpr double judgedPixels = 250, fewSamplesPixels = 400;       // these, divided by the samples, are judged too
+constexpr double flat = 0.01;     // squared difference between corners where adaptive is likely to take no more samples
+constexpr double leastLook = 0.25;  // of all pixels before: fewer would tell little more
 
-// With some odds to spare, since only a picture in ten may be above, and the cheapest that seems to do is likely to seem better
-// than it is: 1.25 standard errors (one leaves 8 of 77 above, Notes.txt).
-bool isWithin(const PictureError& error, double target) { return upperLimit(error.rmse, error.standardError, 1.25) <= target; }
+// What the best setting may cost, times this, is the most that all may cost, the pilot included.
+constexpr double promise = 1.5;
+constexpr double pilotShare = 0.2;  // of what the best may cost: no look is begun that would exceed it,
+constexpr double checkShare = 0.12;  // where it would only make sure,
+constexpr double lastShare = 0.35;   // where the promise is going to be broken
+constexpr double hope = 0.25;        // of what more pixels seem to save, this part
+constexpr double smallStep = 1.05;   // a setting dearer by no more than this is as good
 
-double areaOf(const PixelRectangle& crop) { return static_cast<double>(crop.width()) * crop.height(); }
+// Standard errors. With some odds to spare, since only a picture in ten may be above, and the cheapest that seems to do is likely
+// to seem better than it is (Notes.txt).
+constexpr double margin = 1.25, sureMargin = 2;
 
 class Search {
   public:
     Search(const Renderer& renderer, const RenderOptions& options, double target)
-        : renderer_(renderer), options_(options), target_(target),
-          depths_(renderer, options, target) {}
+        : renderer_(renderer), options_(options), target_(target), depths_(renderer, options, target),
+          judged_(sampledAt(depths_.fine(), 1)), pilot_(renderer, options) {}
 
-    // In rounds of ever more pixels, until the choice is clear or more would cost too much of what it can save.
+    // In looks at ever more pixels, until the choice is clear or more would cost too much of what it can save.
     TargetChoice choose() {
-        for (double pixels = 1, all = 1;; all += pixels) {
-            const double before = spent();
-            look(pixels);
+        look(1);
+        if (samples_ > 2) look(2);  // what adaptive misses is in few pixels
+        for (double all = static_cast<double>(looks_.size()), before = depths_.raysSpent(), pixels = all;; all += pixels) {
             TargetChoice choice = round();
-            const double each = (spent() - before) / pixels;  // rays, for as many pixels as the first round has
-            if (depths_.widen(choice.rays)) choice = round();
-            pixels = std::min(all, (budget(choice) - spent()) / each);
-            if (isClear(choice) || pixels < leastRound * all) return choice;
+            const double each = (spent() - before) / pixels;  // rays, for as many pixels as one look has
+            if (depths_.widen(leastRays(choice))) choice = round();
+            if (depths_.halve(choice.setting)) choice = round();
+            pixels = std::min(all, worthwhile(choice) / each);
+            if (pixels < leastLook * all) return choice;
+            before = spent();
+            look(pixels);
         }
     }
 
   private:
-    struct Look {
-        std::unique_ptr<Pilot> pilot;
-        std::size_t judged;  // so many of its pixels are
-    };
-
     TargetChoice round() {
         findSamples();
         collect();
         return pick();
     }
 
-    // Whether more pixels would hardly choose otherwise.
-    bool isClear(const TargetChoice& choice) const {
-        return upperLimit(choice.error, choice.standardError, 2) <= target_ && !mayBeBeaten(choice);
-    }
+    // What the best setting may cost.
+    static double leastRays(const TargetChoice& choice) { return choice.cheaper ? choice.cheaperRays : choice.rays; }
 
-    bool mayBeBeaten(const TargetChoice& choice) const {
-        return choice.cheaper && choice.rays > smallStep * choice.cheaperRays &&
-               choice.cheaperError - 2 * choice.cheaperStandardError <= target_;
-    }
-
-    // Rays for all pilots. What the best may cost is the least that may do; where it is not much less than what was chosen,
-    // that will be rendered, so that the rest of the promise is what there is to spend.
-    double budget(const TargetChoice& choice) const {
-        const double best = choice.cheaper ? choice.cheaperRays : choice.rays;
-        const double extra = mayBeBeaten(choice) ? 0 : std::max(0.0, choice.rays - best);
-        return (pilotShare * best - extra) * areaOf(options_.crop);
+    // Rays that may be spent on more pixels: they may lead to a cheaper setting (and to a part of what seems to be possible), or
+    // show that this one will not do.
+    double worthwhile(const TargetChoice& choice) const {
+        const double best = leastRays(choice) * options_.crop.area(), chosen = choice.rays * options_.crop.area();
+        const double share = chosen + spent() > promise * best ? lastShare : pilotShare;
+        const double saving = std::min(share * best - spent(), hope * (chosen - best));
+        if (upperLimit(choice.error, choice.standardError, sureMargin) <= target_) return saving;
+        return std::max(saving, checkShare * best - spent());
     }
 
     double spent() const {
-        double spent = depths_.raysSpent() + spent_;
-        for (const Look& look : looks_) spent += look.pilot->raysSpent();
-        return spent + (pilot_ ? pilot_->raysSpent() : 0);
+        double spent = depths_.raysSpent() + pilot_.raysSpent();
+        for (const std::unique_ptr<Pilot>& look : looks_) spent += look->raysSpent();
+        return spent;
     }
 
-    // A part of the picture's pixels; but no fewer than tell anything.
-    std::size_t pixelsFor(double part, double least) const {
-        return static_cast<std::size_t>(std::min(areaOf(options_.crop), std::max(least, part * areaOf(options_.crop))));
-    }
+    const DepthChoice& judgedDepth() const { return depths_.of(judged_); }
 
-    Setting sampled(int samples, double adaptive = 0) const { return sampledAt(depths_.fine(), samples, adaptive); }
+    Setting sampled(int samples, double adaptive = 0) const { return sampledAt(judgedDepth(), samples, adaptive); }
 
     Setting sampledAt(const DepthChoice& depth, int samples, double adaptive = 0) const {
         return {samples, adaptive, depth.max_recursion, depth.cutoff, options_.bilinear};
@@ -108,134 +107,144 @@ class Search {
 
     // More pixels, so many times the first round's.
     void look(double times) {
+        const double count = std::max(times * leastScattered, times * scatteredPart * options_.crop.area());
         const auto seed = static_cast<std::uint32_t>(2 + looks_.size());
-        auto pixels = scatteredPixels(options_.crop, pixelsFor(times * scatteredPart, times * leastScattered), seed);
-        looks_.push_back({std::make_unique<Pilot>(renderer_, options_, std::move(pixels)),
-                          static_cast<std::size_t>(times * judgedPixels)});
+        looks_.push_back(std::make_unique<Pilot>(
+            renderer_, options_,
+            scatteredPixels(options_.crop, static_cast<std::size_t>(std::min(count, options_.crop.area())), seed)));
+        if (samples_ == 0) samples_ = guessSamples(*looks_.back());
+        pilot_.add(looks_.back()->pixels(), activity(*looks_.back()),
+                   static_cast<std::size_t>(times * (judgedPixels + fewSamplesPixels / samples_)));
     }
 
-    // How much each pixel has going on: how far apart is what its centre, its corners, half of the samples and a coarse
-    // depth see.
-    std::vector<double> activity(Pilot& look, int samples) const {
-        const auto& centre = look.take(sampled(1)).colors;
+    // How many samples it may take, from how far a pixel's centre is from the mean of its corners, as if all five were
+    // independent. Rather too few, which shows, than too many, which are dear.
+    int guessSamples(Pilot& look) const {
+        const double one = look.error(sampled(1), corners()).rmse / std::sqrt(1.25);
+        return stepFrom(std::floor(std::pow(one / target_, 1 / fastestFall)));
+    }
+
+    static int stepBelow(int samples) { return std::ranges::lower_bound(sampleSteps, samples)[-1]; }
+
+    // The first step that is no less, or the last one.
+    static int stepFrom(double samples) {
+        for (const int step : sampleSteps)
+            if (step >= samples) return step;
+        return sampleLimit;
+    }
+
+    Setting corners() const { return sampled(64, 1); }  // adaptive 1: no others are taken
+
+    // How much each pixel has going on: how far apart is what its centre, its corners, some samples and a coarse depth see.
+    // Where the corners tell nothing but the samples do, adaptive will miss it all; the rest falls with the samples.
+    std::vector<double> activity(Pilot& look) const {
+        const auto &centre = look.take(sampled(1)).colors, &corner = look.take(corners()).colors;
         std::vector<double> activity(centre.size(), 0);
-        const auto addDifference = [&](const Setting& setting) {
-            const auto& colors = look.take(setting).colors;
+        const auto addDifference = [&](const std::vector<glm::dvec3>& colors) {
             for (std::size_t i = 0; i < activity.size(); ++i) activity[i] += squaredError(centre[i], colors[i]);
         };
-        addDifference(sampled(64, 1));  // adaptive 1: the corners alone
-        if (samples > 2) addDifference(sampled((samples + 1) / 2));
+        addDifference(corner);
+        if (samples_ > 2) {
+            const auto& some = look.take(sampled((samples_ + 1) / 2)).colors;
+            for (std::size_t i = 0; i < activity.size(); ++i)
+                if (activity[i] < flat) activity[i] += samples_ * samples_ * squaredError(corner[i], some[i]);
+            addDifference(some);
+        }
         const DepthChoice& coarse = depths_.coarsest();
-        if (coarse.error > DepthSearch::enough * target_) addDifference(sampledAt(coarse, 1));
+        if (coarse.error > DepthSearch::enough * target_) addDifference(look.take(sampledAt(coarse, 1)).colors);
         return activity;
     }
 
-    // Prepares to judge so many samples, by all pixels looked at so far.
-    void focus(int samples) {
-        if (!pilot_ || reference_ != sampled(referenceFactor * samples)) {
-            if (pilot_) spent_ += pilot_->raysSpent();
-            pilot_ = std::make_unique<StratifiedPilot>(renderer_, options_);
-            reference_ = sampled(referenceFactor * samples);
-            focused_ = 0;
-        }
-        for (; focused_ < looks_.size(); ++focused_) {
-            const Look& look = looks_[focused_];
-            pilot_->add(look.pilot->pixels(), activity(*look.pilot, samples), look.judged);
-        }
-    }
-
     // Between the samples alone.
-    PictureError sampleError(const Setting& setting) {
-        PictureError error = pilot_->error(setting, reference_);
-        const double seen = seenPart(setting.samples, reference_.samples);
-        error.rmse /= seen;
-        error.standardError /= seen;
-        return error;
-    }
-    bool areEnough(const Setting& setting) { return isWithin(sampleError(setting), target_); }
+    ErrorEstimate sampleError(const Setting& setting) { return pilot_.error(setting); }
 
-    // And what the depth leaves out, of which the pilot's pixels see the part that the reference does not leave out itself.
-    PictureError measured(const Candidate& candidate) {
+    bool isWithin(const ErrorEstimate& error, double errors) const {
+        return upperLimit(error.rmse, error.standardError, errors) <= target_;
+    }
+    bool areEnough(const Setting& setting) { return isWithin(sampleError(setting), margin); }
+
+    // And what the depth leaves out, of which the pilot's pixels see the part that the judged depth does not leave out itself.
+    ErrorEstimate measured(const Candidate& candidate) {
         const Setting& setting = candidate.setting;
-        const DepthChoice &depth = depths_.of(setting), &fine = depths_.fine();
-        const bool isDeeper = depth.error < fine.error;
-        PictureError error = sampleError(isDeeper ? sampled(setting.samples, setting.adaptive) : setting);
-        const double shallow = isDeeper ? 0 : depths_.distance(depth, fine);
+        const DepthChoice& depth = depths_.of(setting);
+        const bool isDeeper = depth.error < judgedDepth().error;
+        ErrorEstimate error = sampleError(isDeeper ? sampled(setting.samples, setting.adaptive) : setting);
+        const double shallow = isDeeper ? 0 : depths_.distance(depth, judgedDepth());
         error.rmse = std::sqrt(error.rmse * error.rmse + std::max(0.0, depth.error * depth.error - shallow * shallow));
         return error;
     }
 
-    // How many samples it may take, from how the error falls from one to two.
-    int guessSamples() {
-        const double one = sampleError(sampled(1)).rmse, two = sampleError(sampled(2)).rmse;
-        const double rate = std::clamp(std::log2(one / two), 0.8, 1.6);
-        return static_cast<int>(std::lround(2 * std::pow(two / target_, 1 / rate)));
-    }
-
-    // The number of samples that is enough without adaptive, and the pilot to judge it.
+    // The least number of samples that is enough without adaptive.
     void findSamples() {
-        if (samples_ <= 2) {
-            focus(2);
-            for (samples_ = 1; samples_ <= 2; ++samples_)
-                if (areEnough(sampled(samples_))) return;
-            samples_ = guessSamples();
+        for (;;) {
+            pilot_.sampleTruth(sampled(1), std::max(3, samples_ + 1));
+            if (samples_ == sampleLimit || areEnough(sampled(samples_))) break;
+            const double excess = sampleError(sampled(samples_)).rmse / target_;
+            samples_ = stepFrom(std::max(samples_ + 1.0, samples_ * std::pow(excess, 1 / usualFall)));
         }
-        for (const int samples : gridSamples) {
-            if (samples <= 2 || (samples < samples_ && samples < sampleLimit)) continue;
-            samples_ = samples;
-            focus(samples);
-            if (areEnough(sampled(samples))) return;
-        }
+        while (samples_ > 1 && areEnough(sampled(stepBelow(samples_)))) samples_ = stepBelow(samples_);
     }
 
+    // From what is too few samples even without adaptive to where they are dearer than what is enough.
     void collect() {
         candidates_.clear();
-        for (auto samples = std::rbegin(gridSamples); samples != std::rend(gridSamples); ++samples) {
-            if (*samples > samples_) continue;
-            addCandidates(sampled(*samples));
-            if (sampleError(sampled(*samples)).rmse > target_) break;
-            collectAdaptive(*samples);
+        int samples = samples_;
+        while (samples > 1 && sampleError(sampled(samples)).rmse <= target_) samples = stepBelow(samples);
+        for (double enough = pilot_.rays(sampled(samples_));; samples = stepFrom(samples + 1)) {
+            if (samples <= samples_) addCandidates(sampled(samples));
+            if (!collectAdaptive(samples, enough) || samples >= 1.5 * samples_ || samples == sampleLimit) break;
         }
-        for (const int samples : gridSamples)
-            if (samples > samples_ && 2 * samples <= reference_.samples) collectAdaptive(samples);
         std::ranges::stable_sort(candidates_, {}, &Candidate::rays);
     }
 
-    // From the coarsest on, until one is good enough: finer ones are dearer.
-    void collectAdaptive(int samples) {
-        if (samples < 3) return;
-        for (auto adaptive = std::rbegin(gridAdaptive); adaptive != std::rend(gridAdaptive); ++adaptive) {
-            if (*adaptive == 0) return;
-            addCandidates(sampled(samples, *adaptive));
-            if (areEnough(sampled(samples, *adaptive))) return;
+    // From the coarsest on, until one is good enough or dearer than what is: finer ones are dearer. Then half way back. False if
+    // all are dearer.
+    bool collectAdaptive(int samples, double& enough) {
+        if (samples < 3) return true;
+        double coarser = 1;
+        for (auto adaptive = std::rbegin(gridAdaptive); *adaptive != 0; coarser = *adaptive++) {
+            const Setting setting = sampled(samples, *adaptive);
+            const double rays = pilot_.rays(setting);
+            if (rays > smallStep * enough) return coarser < 1;
+            addCandidates(setting);
+            if (!areEnough(setting)) continue;
+            if (coarser < 1) addCandidates(sampled(samples, roundedMean(coarser, *adaptive)));
+            enough = std::min(enough, rays);
+            return true;
         }
+        return true;
     }
 
     // The setting with every depth that is worth having.
     void addCandidates(const Setting& setting) {
-        const PictureError error = sampleError(setting);
-        const double rays = pilot_->rays(setting) / depths_.fine().rays;
+        const ErrorEstimate error = sampleError(setting);
+        const double rays = pilot_.rays(setting) / judgedDepth().rays;
         for (const DepthChoice& depth : depths_.choices())
             candidates_.push_back({sampledAt(depth, setting.samples, setting.adaptive), rays * depth.rays, error.rmse,
                                    depth.error, error.standardError});
     }
 
-    // The cheapest that is within the target surely; or, where that costs more than the promise allows, likely.
+    // The cheapest that is within the target by the margin; one that costs hardly more and is surely within it; or, where that
+    // costs more than the promise allows, one that is likely within it.
     TargetChoice pick() {
-        const Candidate *possible = nullptr, *likely = nullptr;
+        const Candidate *possible = nullptr, *likely = nullptr, *good = nullptr;
         for (const Candidate& candidate : candidates_) {
-            if (!possible && candidate.error() - 2 * candidate.standardError() <= target_) possible = &candidate;
-            if (candidate.error() > 1.05 * target_) continue;
-            const PictureError error = measured(candidate);
+            if (good && candidate.rays > smallStep * good->rays) break;
+            if (!good && likely && candidate.rays > promise * likely->rays - spent() / options_.crop.area()) break;
+            if (!possible && candidate.error() - sureMargin * candidate.standardError() <= target_) possible = &candidate;
+            if (candidate.error() > target_) continue;
+            const ErrorEstimate error = measured(candidate);
             if (!likely && error.rmse <= target_) likely = &candidate;
-            if (!isWithin(error, target_)) continue;
-            return result(candidate.rays > promise * likely->rays ? *likely : candidate, possible);
+            if (isWithin(error, sureMargin)) return result(candidate, possible);
+            if (!good && isWithin(error, margin)) good = &candidate;
         }
-        return result(likely ? *likely : *std::ranges::min_element(candidates_, {}, &Candidate::error), nullptr);
+        if (good || likely) return result(good ? *good : *likely, possible);
+        const auto accuracy = [](const Candidate& c) { return std::pair(c.setting.adaptive, c.error()); };
+        return result(*std::ranges::min_element(candidates_, {}, accuracy), nullptr);
     }
 
     TargetChoice result(const Candidate& candidate, const Candidate* cheaper) {
-        const PictureError error = measured(candidate);
+        const ErrorEstimate error = measured(candidate);
         TargetChoice choice;
         choice.setting = candidate.setting;
         choice.reached = error.rmse <= target_;
@@ -250,7 +259,7 @@ class Search {
             choice.cheaperStandardError = cheaper->standardError();
             choice.cheaperRays = cheaper->rays;
         }
-        choice.pilotPixels = pilot_->pixelCount();
+        choice.pilotPixels = pilot_.pixelCount();
         choice.pilotRays = spent();
         return choice;
     }
@@ -259,13 +268,11 @@ class Search {
     const RenderOptions& options_;
     double target_;
     DepthSearch depths_;
-    std::vector<Look> looks_;
-    std::unique_ptr<StratifiedPilot> pilot_;
-    std::size_t focused_ = 0;  // looks that are in the pilot
-    Setting reference_;
-    int samples_ = 1;
+    Setting judged_;  // its depth is where what lies between the samples is judged
+    std::vector<std::unique_ptr<Pilot>> looks_;
+    StratifiedPilot pilot_;
+    int samples_ = 0;  // enough without adaptive; at first a guess
     std::vector<Candidate> candidates_;
-    double spent_ = 0;  // rays, by pilots that are gone
 };
 
 }  // namespace

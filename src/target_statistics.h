@@ -1,4 +1,4 @@
-// What target_error.cpp knows of errors that are seen in a few pixels, against a reference that is none too good.
+// Numbers of --target-error.
 #pragma once
 
 #include <cmath>
@@ -10,17 +10,16 @@ namespace raytracer {
 // events in astrophysical data", 1986, eq. 10 with its first term of 1/k): k + s sqrt(k + 3/4) + (s^2 + 3) / 4.
 inline double upperLimit(double error, double standardError, double s) {
     if (!(standardError > 0)) return error;
+    if (!(error > 0)) return s * standardError;
     const double k = std::pow(error / (2 * standardError), 2);
     return error * std::sqrt(1 + (s * std::sqrt(k + 0.75) + (s * s + 3) / 4) / k);
 }
 
-// How far from a setting a reference of k times its samples (along an axis) sees it, as a part of how far off it is. With an
-// odd k the reference has the setting's samples among its own. Were samples independent, the squares would be 1 - 1/k^2;
-// with another k, which shares none, 1 + 1/k^2; were the reference perfect, 1. Half way: it is wrong by 3 % at most (k = 3).
-inline double seenPart(int samples, int reference) {
-    const double k = static_cast<double>(reference) / samples;
-    const bool isShared = reference % samples == 0 && reference / samples % 2 == 1;
-    return std::sqrt(1 + (isShared ? -0.5 : 0.5) / (k * k));
+// The geometric mean of two numbers below 1, to one digit.
+inline double roundedMean(double a, double b) {
+    if (a == b) return a;
+    const double mean = std::sqrt(a * b), digit = std::pow(10, -std::floor(std::log10(mean)));
+    return std::round(mean * digit) / digit;
 }
 
 }  // namespace raytracer

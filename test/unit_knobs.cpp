@@ -175,6 +175,39 @@ TEST_CASE("some pixels alone are those of the whole picture") {
     });
 }
 
+// The mean over n x n of its pixels for each pixel of a picture; over the four at a pixel's corners alone.
+std::vector<glm::dvec3> shrunk(const std::vector<glm::dvec3>& colors, const ImageSize& size, int n, bool onlyCorners) {
+    const auto isOuter = [&](int k) { return k == 0 || k == n - 1; };
+    std::vector<glm::dvec3> means;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            glm::dvec3 sum(0);
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i)
+                    if (!onlyCorners || (isOuter(i) && isOuter(j)))
+                        sum += colors[(static_cast<std::size_t>(n) * y + j) * n * size.width + n * x + i];
+            means.push_back(sum / (onlyCorners ? 4.0 : n * n));
+        }
+    return means;
+}
+
+TEST_CASE("a pixel's samples are the pixels of a picture so many times as large") {
+    forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
+        constexpr int n = 3;
+        RenderOptions large = options;
+        large.size = {n * options.size.width, n * options.size.height};
+        large.crop = {0, 0, large.size.width, large.size.height};
+        const std::vector<glm::dvec3> colors = shoot(renderer, large, {}).colors;
+        for (const double adaptive : {0.0, 1.0}) {  // 1: the corners stand for all
+            const auto sampled = shoot(renderer, options, {.samples = n, .adaptive = adaptive}).colors;
+            const auto means = shrunk(colors, options.size, n, adaptive == 1);
+            std::size_t off = 0;
+            for (std::size_t i = 0; i < means.size(); ++i) off += squaredError(sampled[i], means[i]) > 1e-16;
+            CHECK(off <= means.size() / 500);  // where a point is rounded to the other side of an edge
+        }
+    });
+}
+
 TEST_CASE("the knobs' defaults are a render's own") {
     const RenderOptions usual;
     const RenderOptions set = withSetting(usual, {});

@@ -26,7 +26,7 @@ void forEveryScene(int longEdge, Test test) {
 }
 
 std::vector<PixelPlace> allPixels(const RenderOptions& options) {
-    return scatteredPixels(options.crop, static_cast<std::size_t>(options.crop.width()) * options.crop.height(), 0);
+    return scatteredPixels(options.crop, static_cast<std::size_t>(options.crop.area()), 0);
 }
 
 // Of 1, 4 and 16 samples.
@@ -119,18 +119,36 @@ TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one 
         all.add(pixels, activity, 8 * pixels.size());
         CHECK(all.pixelCount() == pixels.size());
         CHECK(all.error(setting, truth).rmse == Approx(whole.rmse));
-        CHECK(all.error(setting, truth).shareOff == Approx(whole.shareOff));
         CHECK(all.rays(setting) == Approx(picture.take(setting).rays));
         StratifiedPilot some(renderer, options);
         some.add(pixels, activity, 160);
         CHECK(some.pixelCount() <= 160);
-        const PictureError estimate = some.error(setting, truth);
+        const ErrorEstimate estimate = some.error(setting, truth);
         INFO("activity " << mean << ", error " << whole.rmse << ", estimated " << estimate.rmse << " +- " << estimate.standardError);
         CHECK(std::abs(estimate.rmse - whole.rmse) < 4 * estimate.standardError);
         far += std::abs(estimate.rmse - whole.rmse) > 2 * estimate.standardError;
         ++scenes;
     });
     CHECK(far <= scenes / 5);
+}
+
+TEST_CASE("a truth of two noisy estimates gives the error without bias") {
+    double off = 0;  // standard errors
+    int estimates = 0;
+    forEveryScene(48, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        const Setting setting{.samples = 2}, converged{.samples = 12};
+        Pilot picture(renderer, options, allPixels(options));
+        const double truth = picture.squaredError(setting, converged).mean;
+        for (const int n : {2, 3}) {  // of 2 x 2 samples, then of 3 x 3 more
+            picture.sampleTruth(setting, n);
+            const MeanSquare estimate = picture.squaredError(setting);
+            INFO(n << ": " << truth << ", estimated " << estimate.mean << " +- " << std::sqrt(estimate.variance));
+            CHECK(std::abs(estimate.mean - truth) < 4 * std::sqrt(estimate.variance));
+            off += (estimate.mean - truth) / std::sqrt(estimate.variance);
+            ++estimates;
+        }
+    });
+    CHECK(std::abs(off / estimates) < 0.7);
 }
 
 TEST_CASE("target-error: hardly ever above, never above twice, on every scene") {

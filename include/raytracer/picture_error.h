@@ -22,16 +22,25 @@ class ColorSink final : public PixelSink {
 
 // Of pixels' colours (the means of their unclamped samples): clamped here, so that clamping comes last, as in a picture.
 struct PictureError {
-    double rmse = 0;           // over all channels, of 1
-    double standardError = 0;  // of rmse, where the pixels are a random sample of a picture's
-    double psnr = 0;           // 20 log10(1 / rmse), decibels; infinite for equal pictures
-    double maximum = 0;        // of any channel
-    double shareOff = 0;       // of the pixels: some channel is off by more than 1/255
+    double rmse = 0;      // over all channels, of 1
+    double psnr = 0;      // 20 log10(1 / rmse), decibels; infinite for equal pictures
+    double maximum = 0;   // of any channel
+    double shareOff = 0;  // of the pixels: some channel is off by more than 1/255
 };
 
-// One pixel's part of it: the mean over the channels of the squared difference.
+PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth);
+
+// One pixel's part of the mean square: the mean over the channels of the squared difference.
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
 
-PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth);
+// Of pixels that are a random sample of a picture's: the mean of their squared errors, and the variance of that mean.
+struct MeanSquare {
+    double mean = 0, variance = 0;
+};
+
+// The truth may be given twice, as two estimates that err independently and are right on average: so is then the product
+// of the differences to both as an estimate of the squared error, however noisy they are. It may be negative.
+MeanSquare meanSquare(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
+                      std::span<const glm::dvec3> otherTruth);
 
 }  // namespace raytracer

@@ -31,6 +31,12 @@ class Pilot {
 
     // Of a setting, taking another one for the truth.
     PictureError error(const Setting& setting, const Setting& truth);
+    MeanSquare squaredError(const Setting& setting, const Setting& truth);
+
+    // Estimates the truth of each pixel twice, as deep as a setting: by means of at least n x n samples, each at a random
+    // place of its cell of the pixel (jittered sampling; Cook 1986).
+    void sampleTruth(const Setting& depth, int n);
+    MeanSquare squaredError(const Setting& setting);  // against that truth
 
     std::span<const PixelPlace> pixels() const { return pixels_; }
     std::size_t pixelCount() const { return pixels_.size(); }
@@ -41,6 +47,8 @@ class Pilot {
     const RenderOptions& options_;
     std::vector<PixelPlace> pixels_;
     std::vector<std::unique_ptr<const Shot>> shots_;
+    std::vector<glm::dvec3> truths_[2];
+    int truthSamples_ = 0;  // of each pixel, in each of the two
     double spent_ = 0;
 };
 

@@ -39,6 +39,7 @@ struct PixelRectangle {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     int width() const { return x1 - x0; }
     int height() const { return y1 - y0; }
+    double area() const { return static_cast<double>(width()) * height(); }  // pixels
 };
 
 // A pixel of the whole picture.

@@ -10,6 +10,11 @@
 
 namespace raytracer {
 
+// Of a picture, of which few pixels were seen.
+struct ErrorEstimate {
+    double rmse = 0, standardError = 0;
+};
+
 class StratifiedPilot {
   public:
     StratifiedPilot(const Renderer& renderer, const RenderOptions& options) : renderer_(renderer), options_(options) {}
@@ -19,7 +24,11 @@ class StratifiedPilot {
     void add(std::span<const PixelPlace> pixels, std::span<const double> activity, std::size_t count);
 
     // Of the whole picture with a setting, taking another one for the truth.
-    PictureError error(const Setting& setting, const Setting& truth);
+    ErrorEstimate error(const Setting& setting, const Setting& truth);
+
+    // Of all pixels; see pilot.h.
+    void sampleTruth(const Setting& depth, int n);
+    ErrorEstimate error(const Setting& setting);  // against that truth
 
     double rays(const Setting& setting);  // for each pixel of the whole picture
 
@@ -35,10 +44,8 @@ class StratifiedPilot {
         std::vector<Stratum> strata;
         double looked;  // pixels of the first look
     };
-    struct Estimate {
-        double mean = 0, variance = 0;  // of the pixels' squared errors; of that estimate
-    };
-    Estimate estimate(Sample& sample, const Setting& setting, const Setting& truth, PictureError& whole) const;
+    template <class SquaredError>
+    ErrorEstimate estimate(SquaredError squaredError);
     double part(const Sample& sample) const;  // of all pixels looked at
 
     const Renderer& renderer_;

@@ -16,7 +16,7 @@ TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, dou
                  why.c_str());
     std::fprintf(stderr, "--target-error %s: %s rays a pixel, found with %zu pixels and as many rays as %s a pixel\n",
                  shortNumber(target).c_str(), shortNumber(choice.rays).c_str(), choice.pilotPixels,
-                 shortNumber(choice.pilotRays / (static_cast<double>(options.crop.width()) * options.crop.height())).c_str());
+                 shortNumber(choice.pilotRays / options.crop.area()).c_str());
     return choice;
 }
 
