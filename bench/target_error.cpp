@@ -41,9 +41,9 @@ std::vector<double> activity(Pilot& pilot) {
     const auto &shallow = colors({.max_recursion = 1}), &deep = colors(with(truth, 1));
     std::vector<double> activity;
     for (std::size_t i = 0; i < centre.size(); ++i)
-        activity.push_back(squaredError(centre[i], corners[i]) + squaredError(centre[i], more[i]) +
-                           squaredError(corners[i], more[i]) + squaredError(centre[i], shallow[i]) / 3 +
-                           squaredError(centre[i], deep[i]));
+        activity.push_back(std::sqrt(squaredError(centre[i], corners[i]) + squaredError(centre[i], more[i]) +
+                                     squaredError(corners[i], more[i]) + squaredError(centre[i], shallow[i]) / 3 +
+                                     squaredError(centre[i], deep[i])));
     return activity;
 }
 
@@ -110,12 +110,13 @@ double renderSeconds(const Renderer& renderer, const RenderOptions& options, con
     return secondsOf([&] { renderer.render(withSetting(options, setting), sink); });
 }
 
-// What --target-error takes, as a multiple of a render with the best setting: the median of several, each of both in turn.
+// What --target-error takes, as a multiple of a render with the best setting: the median of as many as take a few seconds, each
+// of both in turn.
 double timeRatio(const Renderer& renderer, RenderOptions options, double target, const Setting& chosen, const Setting& best) {
-    constexpr double enough = 10;  // seconds, after three
+    constexpr double enough = 4;  // seconds
     options.threads = 1;
     std::vector<double> ratios;
-    for (double all = 0; ratios.size() < 3 || (ratios.size() < 9 && all < enough);) {
+    for (double all = 0; all < enough && ratios.size() < 15;) {
         const double search = secondsOf([&] { chooseSetting(renderer, options, target); });
         const double render = renderSeconds(renderer, options, chosen), shortest = renderSeconds(renderer, options, best);
         ratios.push_back((search + render) / shortest);

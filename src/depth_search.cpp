@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "target_statistics.h"
 
@@ -55,19 +56,18 @@ bool DepthSearch::widen(double raysOfPixel) {
     if (pixels < worthwhile * static_cast<double>(pilot_->pixelCount())) return false;
     spent_ += pilot_->raysSpent();
     pilot_ = std::make_unique<Pilot>(renderer_, options_, scatteredPixels(options_.crop, static_cast<std::size_t>(pixels), 1));
-    const DepthChoice* const finest = &fine();
+    const DepthChoice* const deep = &fine();
     for (DepthChoice& choice : choices_) {
-        if (choice.error > target_ && &choice != finest) continue;  // too shallow anyway
-        choice.error = measured(choice.max_recursion, choice.cutoff);
-        choice.rays = pilot_->take(setting(choice.max_recursion, choice.cutoff)).rays;
+        const bool isTooShallow = choice.error > target_ && &choice != deep;
+        choice.error = isTooShallow ? std::numeric_limits<double>::infinity() : measured(choice.max_recursion, choice.cutoff);
+        if (!isTooShallow) choice.rays = pilot_->take(setting(choice.max_recursion, choice.cutoff)).rays;
     }
-    goDeeper();
+    goDeeper(*std::ranges::min_element(choices_, {}, &DepthChoice::error));
     return true;
 }
 
-// By the grid's steps, from the finest that there is: more bounces, and where they tell no more, a smaller cutoff.
-void DepthSearch::goDeeper() {
-    DepthChoice last = *std::ranges::min_element(choices_, {}, &DepthChoice::error);
+// By the grid's steps: more bounces, and where they tell no more, a smaller cutoff.
+void DepthSearch::goDeeper(DepthChoice last) {
     bool mayBeDeeper = true;
     while (last.error > enough * target_) {
         const auto* deeper = std::ranges::upper_bound(gridDepths, last.max_recursion);

@@ -19,6 +19,7 @@ class DepthSearch {
     // Puts one half way between a setting's depth and the next cheaper one. False if there is none, or hardly any difference.
     bool halve(const Setting& setting);
 
+    // An infinite error: too shallow, not looked at again.
     const std::vector<DepthChoice>& choices() const { return choices_; }
     const DepthChoice& of(const Setting& setting) const;
     const DepthChoice& fine() const;                             // the cheapest that seems deep enough not to matter
@@ -29,7 +30,7 @@ class DepthSearch {
     static constexpr double enough = 0.2;  // of the target: a depth that costs no more than this of it is deep enough
 
   private:
-    void goDeeper();
+    void goDeeper(DepthChoice last);
     DepthChoice add(int depth, double cutoff);
     double measured(int depth, double cutoff);
     Setting setting(int depth, double cutoff) const;

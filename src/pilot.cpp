@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 namespace raytracer {
 
 namespace {
@@ -45,12 +47,68 @@ Pilot::Pilot(const Renderer& renderer, const RenderOptions& options, std::vector
 const Pilot::Shot& Pilot::take(const Setting& setting) {
     for (const auto& shot : shots_)
         if (shot->setting == setting) return *shot;
+    shots_.push_back(setting.adaptive > 0 && setting.samples > 2 ? adapt(setting) : render(setting));
+    return *shots_.back();
+}
+
+std::unique_ptr<Pilot::Shot> Pilot::render(const Setting& setting) {
     auto shot = std::make_unique<Shot>(Shot{setting, std::vector<glm::dvec3>(pixels_.size())});
     const double rays = rayCount(renderer_.renderPixels(withSetting(options_, setting), pixels_, shot->colors));
     shot->rays = rays / static_cast<double>(pixels_.size());
     spent_ += rays;
-    shots_.push_back(std::move(shot));
-    return *shots_.back();
+    return shot;
+}
+
+std::unique_ptr<Pilot::Shot> Pilot::adapt(const Setting& setting) {
+    Setting all = setting;
+    all.adaptive = 0;
+    const Corners& corners = this->corners(all);
+    auto shot = std::make_unique<Shot>(Shot{setting, corners.means, corners.rays});
+    const auto isActive = [&](double spread) { return spread > setting.adaptive; };
+    const auto active = static_cast<double>(std::ranges::count_if(corners.spreads, isActive));
+    if (active == 0) return shot;
+    const Shot& whole = take(all);
+    for (std::size_t i = 0; i < pixels_.size(); ++i)
+        if (isActive(corners.spreads[i])) shot->colors[i] = whole.colors[i];
+    shot->rays += active / static_cast<double>(pixels_.size()) * (whole.rays - corners.rays);
+    return shot;
+}
+
+const Pilot::Corners& Pilot::corners(const Setting& setting) {
+    for (const auto& corners : corners_)
+        if (corners->setting == setting) return *corners;
+    std::vector<PixelPlace> places;
+    const int n = setting.samples;
+    for (const PixelPlace& pixel : pixels_)
+        for (const int j : {0, n - 1})
+            for (const int i : {0, n - 1}) places.push_back({n * pixel.x + i, n * pixel.y + j});
+    auto corners = std::make_unique<Corners>(Corners{setting, {}, {}, 0});
+    const double before = spent_;
+    const std::vector<glm::dvec3> colors = samples(setting, n, places);
+    corners->rays = (spent_ - before) / static_cast<double>(pixels_.size());
+    for (std::size_t i = 0; i < colors.size(); i += 4) {
+        glm::dvec3 sum(0), low(1), high(0);
+        for (const glm::dvec3& color : std::span(colors).subspan(i, 4)) {
+            sum += color;
+            low = glm::min(low, color);
+            high = glm::max(high, color);
+        }
+        const glm::dvec3 spread = glm::clamp(high, 0.0, 1.0) - glm::clamp(low, 0.0, 1.0);
+        corners->means.push_back(sum / 4.0);
+        corners->spreads.push_back(std::max({spread.x, spread.y, spread.z}));
+    }
+    corners_.push_back(std::move(corners));
+    return *corners_.back();
+}
+
+// A sample is the centre of a pixel of a picture that is so many times as large.
+std::vector<glm::dvec3> Pilot::samples(Setting setting, int scale, std::span<const PixelPlace> places) {
+    setting.samples = 1;
+    RenderOptions options = withSetting(options_, setting);
+    options.size = {scale * options_.size.width, scale * options_.size.height};
+    std::vector<glm::dvec3> colors(places.size());
+    spent_ += rayCount(renderer_.renderPixels(options, places, colors));
+    return colors;
 }
 
 PictureError Pilot::error(const Setting& setting, const Setting& truth) {
@@ -64,17 +122,10 @@ MeanSquare Pilot::squaredError(const Setting& setting, const Setting& truth) {
 
 MeanSquare Pilot::squaredError(const Setting& setting) { return meanSquare(take(setting).colors, truths_[0], truths_[1]); }
 
-// A sample is the centre of a pixel of a picture that is so many times as large.
 void Pilot::sampleTruth(const Setting& depth, int n) {
     if (truthSamples_ >= n * n) return;
-    const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
-    const int scale = n * placesOfCell;
-    Setting setting = depth;
-    setting.samples = 1;
-    RenderOptions options = withSetting(options_, setting);
-    options.size = {scale * options_.size.width, scale * options_.size.height};
-    std::vector<PixelPlace> places(pixels_.size() * cells);
-    std::vector<glm::dvec3> colors(places.size());
+    const int cells = n * n, scale = n * placesOfCell;
+    std::vector<PixelPlace> places(pixels_.size() * static_cast<std::size_t>(cells));
     for (std::uint32_t twin = 0; twin < 2; ++twin) {
         auto place = places.begin();
         for (const PixelPlace& pixel : pixels_)
@@ -84,16 +135,16 @@ void Pilot::sampleTruth(const Setting& depth, int n) {
                     *place++ = pixelIn({x, y, x + placesOfCell, y + placesOfCell},
                                        hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), twin));
                 }
-        spent_ += rayCount(renderer_.renderPixels(options, places, colors));
+        const std::vector<glm::dvec3> colors = samples(depth, scale, places);
         truths_[twin].resize(pixels_.size(), glm::dvec3(0));
         auto color = colors.begin();
         for (glm::dvec3& truth : truths_[twin]) {
             truth *= truthSamples_;
-            for (std::size_t i = 0; i < cells; ++i) truth += *color++;
-            truth /= truthSamples_ + n * n;
+            for (int i = 0; i < cells; ++i) truth += *color++;
+            truth /= truthSamples_ + cells;
         }
     }
-    truthSamples_ += n * n;
+    truthSamples_ += cells;
 }
 
 std::vector<DepthChoice> depthFront(Pilot& pilot, const Setting& deepest, std::span<const double> cutoffs, double enough) {

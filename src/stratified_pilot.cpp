@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t strataCount = 8;  // more gain little: Cochran, 5A.8
 
 // Of a pixel's size (its weight in the choice) this part is the same for all: what looked flat may not be.
-constexpr double evenPart = 0.3;
+constexpr double evenPart = 0.1;
 
 std::vector<std::size_t> orderOf(std::span<const double> activity) {
     std::vector<std::size_t> order(activity.size());

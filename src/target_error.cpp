@@ -29,25 +29,29 @@ struct Candidate {
 // Along an axis; also between the grid's, since the next one of those may be much dearer than what is enough.
 constexpr int sampleSteps[] = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16};
 constexpr int sampleLimit = std::end(sampleSteps)[-1];
-constexpr double usualFall = 1.2, fastestFall = 1.5;  // the error of n x n samples goes like n^-1 (textures) to n^-1.5 (edges)
+constexpr double adaptiveSteps[] = {0.3, 0.1, 0.03, 0.01};
+constexpr double usualFall = 1.2, fastestFall = 1.5;  // the error of n x n samples: like n^-1 (textures) to n^-1.5 (edges)
 
-// A look's pixels; later ones may have as many as all before.
-constexpr double scatteredPart = 1.0 / 192, leastScattered = 800;  // of the picture's pixels: looked at
-constexpr double judgedPixels = 250, fewSamplesPixels = 400;       // these, divided by the samples, are judged too
-constexpr double flat = 0.01;     // squared difference between corners where adaptive is likely to take no more samples
+// The first look's pixels; later ones may have as many as all before.
+constexpr double scatteredPart = 1.0 / 256, leastScattered = 1000;  // of the picture's pixels: looked at
+constexpr double judgedPixels = 200, fewSamplesPixels = 250;        // these, divided by the samples, are judged too
+constexpr double secondLook = 3;    // times that, where adaptive may help: what it misses is in few pixels
 constexpr double leastLook = 0.25;  // of all pixels before: fewer would tell little more
+constexpr double flat = 0.01;       // squared difference between corners where adaptive is likely to take no more samples
 
 // What the best setting may cost, times this, is the most that all may cost, the pilot included.
 constexpr double promise = 1.5;
-constexpr double pilotShare = 0.2;  // of what the best may cost: no look is begun that would exceed it,
-constexpr double checkShare = 0.12;  // where it would only make sure,
-constexpr double lastShare = 0.35;   // where the promise is going to be broken
-constexpr double hope = 0.25;        // of what more pixels seem to save, this part
-constexpr double smallStep = 1.05;   // a setting dearer by no more than this is as good
+// No look is begun that would exceed such a share of it, all pilots together:
+constexpr double pilotShare = 0.25;
+constexpr double checkShare = 0.2;  // where it would only make sure,
+constexpr double lastShare = 0.4;   // where the promise is going to be broken.
+constexpr double hope = 0.25;       // of what more pixels seem to save, this part
+constexpr double smallStep = 1.05;  // a setting dearer by no more than this is as good
 
-// Standard errors. With some odds to spare, since only a picture in ten may be above, and the cheapest that seems to do is likely
-// to seem better than it is (Notes.txt).
-constexpr double margin = 1.25, sureMargin = 2;
+// Standard errors. With some odds to spare, since only a picture in ten may be above, and the cheapest that seems to do is
+// likely to seem better than it is (Notes.txt).
+constexpr double margin = 1.6, sureMargin = 2;
+constexpr double likelyExcess = 1.2;  // of the target: the most that what is likely within it may have
 
 class Search {
   public:
@@ -57,17 +61,17 @@ class Search {
 
     // In looks at ever more pixels, until the choice is clear or more would cost too much of what it can save.
     TargetChoice choose() {
-        look(1);
-        if (samples_ > 2) look(2);  // what adaptive misses is in few pixels
-        for (double all = static_cast<double>(looks_.size()), before = depths_.raysSpent(), pixels = all;; all += pixels) {
+        double all = look(1), pixels = all, before = depths_.raysSpent();
+        if (samples_ > 2) all = pixels += look(secondLook);
+        for (;;) {
             TargetChoice choice = round();
-            const double each = (spent() - before) / pixels;  // rays, for as many pixels as one look has
+            const double each = (spent() - before) / pixels;  // rays, for as many pixels as the first look has
             if (depths_.widen(leastRays(choice))) choice = round();
             if (depths_.halve(choice.setting)) choice = round();
             pixels = std::min(all, worthwhile(choice) / each);
             if (pixels < leastLook * all) return choice;
             before = spent();
-            look(pixels);
+            all += look(pixels);
         }
     }
 
@@ -81,8 +85,8 @@ class Search {
     // What the best setting may cost.
     static double leastRays(const TargetChoice& choice) { return choice.cheaper ? choice.cheaperRays : choice.rays; }
 
-    // Rays that may be spent on more pixels: they may lead to a cheaper setting (and to a part of what seems to be possible), or
-    // show that this one will not do.
+    // Rays that may be spent on more pixels: they may lead to a cheaper setting (and to a part of what seems to be possible),
+    // or show that this one will not do.
     double worthwhile(const TargetChoice& choice) const {
         const double best = leastRays(choice) * options_.crop.area(), chosen = choice.rays * options_.crop.area();
         const double share = chosen + spent() > promise * best ? lastShare : pilotShare;
@@ -105,8 +109,8 @@ class Search {
         return {samples, adaptive, depth.max_recursion, depth.cutoff, options_.bilinear};
     }
 
-    // More pixels, so many times the first round's.
-    void look(double times) {
+    // More pixels, so many times the first look's.
+    double look(double times) {
         const double count = std::max(times * leastScattered, times * scatteredPart * options_.crop.area());
         const auto seed = static_cast<std::uint32_t>(2 + looks_.size());
         looks_.push_back(std::make_unique<Pilot>(
@@ -115,6 +119,7 @@ class Search {
         if (samples_ == 0) samples_ = guessSamples(*looks_.back());
         pilot_.add(looks_.back()->pixels(), activity(*looks_.back()),
                    static_cast<std::size_t>(times * (judgedPixels + fewSamplesPixels / samples_)));
+        return times;
     }
 
     // How many samples it may take, from how far a pixel's centre is from the mean of its corners, as if all five were
@@ -152,6 +157,7 @@ class Search {
         }
         const DepthChoice& coarse = depths_.coarsest();
         if (coarse.error > DepthSearch::enough * target_) addDifference(look.take(sampledAt(coarse, 1)).colors);
+        for (double& each : activity) each = std::sqrt(each);
         return activity;
     }
 
@@ -160,6 +166,9 @@ class Search {
 
     bool isWithin(const ErrorEstimate& error, double errors) const {
         return upperLimit(error.rmse, error.standardError, errors) <= target_;
+    }
+    bool isNear(const ErrorEstimate& error) const {
+        return upperLimit(error.rmse, error.standardError, sureMargin) <= likelyExcess * target_;
     }
     bool areEnough(const Setting& setting) { return isWithin(sampleError(setting), margin); }
 
@@ -197,20 +206,22 @@ class Search {
         std::ranges::stable_sort(candidates_, {}, &Candidate::rays);
     }
 
-    // From the coarsest on, until one is good enough or dearer than what is: finer ones are dearer. Then half way back. False if
-    // all are dearer.
+    // From the coarsest on, until one is good enough or dearer than what is: finer ones are dearer. Then half way back. False
+    // if all are dearer.
     bool collectAdaptive(int samples, double& enough) {
         if (samples < 3) return true;
         double coarser = 1;
-        for (auto adaptive = std::rbegin(gridAdaptive); *adaptive != 0; coarser = *adaptive++) {
-            const Setting setting = sampled(samples, *adaptive);
+        for (const double adaptive : adaptiveSteps) {
+            const Setting setting = sampled(samples, adaptive);
             const double rays = pilot_.rays(setting);
             if (rays > smallStep * enough) return coarser < 1;
             addCandidates(setting);
-            if (!areEnough(setting)) continue;
-            if (coarser < 1) addCandidates(sampled(samples, roundedMean(coarser, *adaptive)));
-            enough = std::min(enough, rays);
-            return true;
+            if (areEnough(setting)) {
+                if (coarser < 1) addCandidates(sampled(samples, roundedMean(coarser, adaptive)));
+                enough = std::min(enough, rays);
+                return true;
+            }
+            coarser = adaptive;
         }
         return true;
     }
@@ -234,7 +245,7 @@ class Search {
             if (!possible && candidate.error() - sureMargin * candidate.standardError() <= target_) possible = &candidate;
             if (candidate.error() > target_) continue;
             const ErrorEstimate error = measured(candidate);
-            if (!likely && error.rmse <= target_) likely = &candidate;
+            if (!likely && error.rmse <= target_ && isNear(error)) likely = &candidate;
             if (isWithin(error, sureMargin)) return result(candidate, possible);
             if (!good && isWithin(error, margin)) good = &candidate;
         }
@@ -256,7 +267,6 @@ class Search {
         if (cheaper && cheaper->rays < candidate.rays) {
             choice.cheaper = cheaper->setting;
             choice.cheaperError = cheaper->error();
-            choice.cheaperStandardError = cheaper->standardError();
             choice.cheaperRays = cheaper->rays;
         }
         choice.pilotPixels = pilot_.pixelCount();

@@ -132,6 +132,24 @@ TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one 
     CHECK(far <= scenes / 5);
 }
 
+TEST_CASE("a pilot's adaptive pixels are the render's, and cost about as many rays") {
+    forEveryScene(32, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        const std::vector<PixelPlace> pixels = allPixels(options);
+        Pilot pilot(renderer, options, pixels);
+        for (const double adaptive : {1.0, 0.2, 0.03}) {  // 1: the corners stand for all
+            const Setting setting{.samples = 4, .adaptive = adaptive};
+            INFO(adaptive);
+            std::vector<glm::dvec3> colors(pixels.size());
+            const double rays = rayCount(renderer.renderPixels(withSetting(options, setting), pixels, colors));
+            const Pilot::Shot& shot = pilot.take(setting);
+            std::size_t off = 0;
+            for (std::size_t i = 0; i < colors.size(); ++i) off += squaredError(shot.colors[i], colors[i]) > 1e-16;
+            CHECK(off <= colors.size() / 500);  // where a point is rounded to the other side of an edge
+            CHECK(shot.rays == Approx(rays / static_cast<double>(pixels.size())).epsilon(0.25));
+        }
+    });
+}
+
 TEST_CASE("a truth of two noisy estimates gives the error without bias") {
     double off = 0;  // standard errors
     int estimates = 0;

@@ -26,7 +26,9 @@ class Pilot {
         double rays = 0;  // for each pixel
     };
 
-    // Rendered once for each setting. Its precision is the renderer's, whatever the setting says.
+    // Rendered once for each setting. Its precision is the renderer's, whatever the setting says. With `adaptive` the colours
+    // are put together from the corners and from all samples, so that another tolerance costs nothing; the rays are then an
+    // estimate, as if all samples of these pixels cost the same.
     const Shot& take(const Setting& setting);
 
     // Of a setting, taking another one for the truth.
@@ -43,10 +45,23 @@ class Pilot {
     double raysSpent() const { return spent_; }  // in all
 
   private:
+    // What adaptive looks at first.
+    struct Corners {
+        Setting setting;
+        std::vector<glm::dvec3> means;
+        std::vector<double> spreads;  // the largest of the channels', as shown
+        double rays = 0;              // for each pixel
+    };
+    std::unique_ptr<Shot> render(const Setting& setting);
+    std::unique_ptr<Shot> adapt(const Setting& setting);
+    const Corners& corners(const Setting& setting);
+    std::vector<glm::dvec3> samples(Setting setting, int scale, std::span<const PixelPlace> places);
+
     const Renderer& renderer_;
     const RenderOptions& options_;
     std::vector<PixelPlace> pixels_;
     std::vector<std::unique_ptr<const Shot>> shots_;
+    std::vector<std::unique_ptr<const Corners>> corners_;
     std::vector<glm::dvec3> truths_[2];
     int truthSamples_ = 0;  // of each pixel, in each of the two
     double spent_ = 0;

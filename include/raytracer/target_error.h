@@ -16,7 +16,7 @@ struct TargetChoice {
     double rays = 0;           // for each pixel of the picture
 
     std::optional<Setting> cheaper;  // the cheapest that may reach it too, within two standard errors; its error and cost
-    double cheaperError = 0, cheaperStandardError = 0, cheaperRays = 0;
+    double cheaperError = 0, cheaperRays = 0;
 
     std::size_t pilotPixels = 0;
     double pilotRays = 0;  // what the search cost, in all
