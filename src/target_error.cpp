@@ -35,7 +35,7 @@ constexpr double usualFall = 1.2, fastestFall = 1.5;  // the error of n x n samp
 // The first look's pixels; later ones may have as many as all before.
 constexpr double scatteredPart = 1.0 / 256, leastScattered = 1000;  // of the picture's pixels: looked at
 constexpr double judgedPixels = 200, fewSamplesPixels = 250;        // these, divided by the samples, are judged too
-constexpr double secondLook = 3;    // times that, where adaptive may help: what it misses is in few pixels
+constexpr double adaptivePart = 1.0 / 64;  // of them, where adaptive may help: what it misses is in few pixels
 constexpr double leastLook = 0.25;  // of all pixels before: fewer would tell little more
 constexpr double flat = 0.01;       // squared difference between corners where adaptive is likely to take no more samples
 
@@ -62,7 +62,8 @@ class Search {
     // In looks at ever more pixels, until the choice is clear or more would cost too much of what it can save.
     TargetChoice choose() {
         double all = look(1), pixels = all, before = depths_.raysSpent();
-        if (samples_ > 2) all = pixels += look(secondLook);
+        const double more = adaptivePart * options_.crop.area() / firstPixels() - 1;
+        if (samples_ > 2 && more > leastLook) all = pixels += look(more);
         for (;;) {
             TargetChoice choice = round();
             const double each = (spent() - before) / pixels;  // rays, for as many pixels as the first look has
@@ -109,9 +110,11 @@ class Search {
         return {samples, adaptive, depth.max_recursion, depth.cutoff, options_.bilinear};
     }
 
+    double firstPixels() const { return std::max(leastScattered, scatteredPart * options_.crop.area()); }
+
     // More pixels, so many times the first look's.
     double look(double times) {
-        const double count = std::max(times * leastScattered, times * scatteredPart * options_.crop.area());
+        const double count = times * firstPixels();
         const auto seed = static_cast<std::uint32_t>(2 + looks_.size());
         looks_.push_back(std::make_unique<Pilot>(
             renderer_, options_,
