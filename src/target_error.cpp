@@ -50,7 +50,7 @@ constexpr double smallStep = 1.05;  // a setting dearer by no more than this is 
 
 // Standard errors. With some odds to spare, since only a picture in ten may be above, and the cheapest that seems to do is
 // likely to seem better than it is (Notes.txt).
-constexpr double margin = 1.6, sureMargin = 2;
+constexpr double margin = 1.6, sureMargin = 2, likelyMargin = 0.6;
 constexpr double likelyExcess = 1.2;  // of the target: the most that what is likely within it may have
 
 class Search {
@@ -170,8 +170,9 @@ class Search {
     bool isWithin(const ErrorEstimate& error, double errors) const {
         return upperLimit(error.rmse, error.standardError, errors) <= target_;
     }
-    bool isNear(const ErrorEstimate& error) const {
-        return upperLimit(error.rmse, error.standardError, sureMargin) <= likelyExcess * target_;
+    bool isLikely(const ErrorEstimate& error) const {
+        return isWithin(error, likelyMargin) &&
+               upperLimit(error.rmse, error.standardError, sureMargin) <= likelyExcess * target_;
     }
     bool areEnough(const Setting& setting) { return isWithin(sampleError(setting), margin); }
 
@@ -248,7 +249,7 @@ class Search {
             if (!possible && candidate.error() - sureMargin * candidate.standardError() <= target_) possible = &candidate;
             if (candidate.error() > target_) continue;
             const ErrorEstimate error = measured(candidate);
-            if (!likely && error.rmse <= target_ && isNear(error)) likely = &candidate;
+            if (!likely && isLikely(error)) likely = &candidate;
             if (isWithin(error, sureMargin)) return result(candidate, possible);
             if (!good && isWithin(error, margin)) good = &candidate;
         }
