@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "../src/depth_search.h"
 #include "raytracer/stratified_pilot.h"
 #include "raytracer/target_error.h"
 #include "raytracer/tradeoff_report.h"
@@ -194,6 +195,18 @@ TEST_CASE("target-error: where nothing reaches it, the most accurate and no prom
     CHECK(choice.setting.samples == 16);
     CHECK(choice.setting.adaptive == 0);
     CHECK(choice.error > 1e-9);
+}
+
+// What rays deeper than 8 bring sits in few pixels here: the first look sees none of it.
+TEST_CASE("target-error: a wider look at depths goes on from the finest, not from what few pixels said") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/mirror_corridor.json", true).description;
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    const RenderOptions options = wholePicture(scene, 420);
+    DepthSearch depths(*renderer, options, 0.001);
+    REQUIRE(depths.widen(500));
+    const DepthChoice& best = *std::ranges::min_element(depths.choices(), {}, &DepthChoice::error);
+    CHECK(best.error < 0.0005);
+    CHECK(best.max_recursion > 12);
 }
 
 TEST_CASE("target-error: the texture filter stays the one that was asked for") {
