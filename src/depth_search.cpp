@@ -51,7 +51,7 @@ DepthSearch::DepthSearch(const Renderer& renderer, const RenderOptions& options,
 
 bool DepthSearch::widen(double raysOfPixel) {
     const double area = options_.crop.area();
-    const double affordable = widePart * raysOfPixel / pilot_->take(deepest_).rays * area;
+    const double affordable = widePart * raysOfPixel / pilot_->rays(deepest_) * area;
     const double pixels = std::min({area, mostPixels, affordable});
     if (pixels < worthwhile * static_cast<double>(pilot_->pixelCount())) return false;
     spent_ += pilot_->raysSpent();
@@ -60,7 +60,7 @@ bool DepthSearch::widen(double raysOfPixel) {
     for (DepthChoice& choice : choices_) {
         const bool isTooShallow = choice.error > target_ && &choice != deep;
         choice.error = isTooShallow ? std::numeric_limits<double>::infinity() : measured(choice.max_recursion, choice.cutoff);
-        if (!isTooShallow) choice.rays = pilot_->take(setting(choice.max_recursion, choice.cutoff)).rays;
+        if (!isTooShallow) choice.rays = pilot_->rays(setting(choice.max_recursion, choice.cutoff));
     }
     goDeeper(*std::ranges::min_element(choices_, {}, &DepthChoice::error));
     return true;
@@ -95,7 +95,7 @@ bool DepthSearch::halve(const Setting& setting) {
 }
 
 DepthChoice DepthSearch::add(int depth, double cutoff) {
-    const double rays = pilot_->take(setting(depth, cutoff)).rays;
+    const double rays = pilot_->rays(setting(depth, cutoff));
     choices_.push_back({depth, cutoff, rays, measured(depth, cutoff)});
     return choices_.back();
 }

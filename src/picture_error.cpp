@@ -45,18 +45,31 @@ PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const gl
     return error;
 }
 
-MeanSquare meanSquare(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
-                      std::span<const glm::dvec3> otherTruth) {
-    double sum = 0, sumOfSquares = 0;
+std::vector<double> squaredErrors(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
+                                  std::span<const glm::dvec3> otherTruth) {
+    std::vector<double> errors;
+    errors.reserve(colors.size());
     for (std::size_t i = 0; i < colors.size(); ++i) {
         const glm::dvec3 color = shown(colors[i]);
-        const double pixel = glm::dot(color - shown(truth[i]), color - shown(otherTruth[i])) / 3;
+        errors.push_back(glm::dot(color - shown(truth[i]), color - shown(otherTruth[i])) / 3);
+    }
+    return errors;
+}
+
+MeanSquare meanOf(std::span<const double> squaredErrors) {
+    double sum = 0, sumOfSquares = 0;
+    for (const double pixel : squaredErrors) {
         sum += pixel;
         sumOfSquares += pixel * pixel;
     }
-    const auto count = static_cast<double>(std::max<std::size_t>(1, colors.size()));
+    const auto count = static_cast<double>(std::max<std::size_t>(1, squaredErrors.size()));
     const double mean = sum / count;
     return {mean, std::max(0.0, sumOfSquares / count - mean * mean) / count};
+}
+
+ErrorEstimate rootOf(const MeanSquare& square) {
+    if (square.mean <= 0) return {0, std::pow(square.variance, 0.25)};  // too little to tell from nothing
+    return {std::sqrt(square.mean), std::sqrt(square.variance / square.mean) / 2};
 }
 
 }  // namespace raytracer

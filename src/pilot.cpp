@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <glm/common.hpp>
 
@@ -18,6 +19,9 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
 }
 
 constexpr int placesOfCell = 16;  // along an axis, where a sample of the truth may lie in its cell
+
+// Whether adaptive takes all samples of a pixel, from how far its corners are apart.
+bool isActive(double spread, const Setting& setting) { return setting.adaptive == 0 || spread > setting.adaptive; }
 
 // One pixel of a cell.
 PixelPlace pixelIn(const PixelRectangle& cell, std::uint32_t random) {
@@ -41,64 +45,98 @@ std::vector<PixelPlace> scatteredPixels(const PixelRectangle& crop, std::size_t 
     return pixels;
 }
 
+struct Pilot::Grid {
+    struct Pixel {
+        glm::dvec3 corners{0}, others{0};  // sums
+        double spread = 0;                 // the largest of the channels', of the corners as shown
+        bool isWhole = false;              // the others are there too
+    };
+    Setting setting;
+    std::vector<Pixel> pixels;
+    double cornerRays = 0, otherRays = 0;  // of all pixels, and of those that are whole
+
+    int samples() const { return setting.samples * setting.samples; }
+    int corners() const { return std::min(4, samples()); }
+    bool isCorner(int i, int j) const { return (i == 0 || i == setting.samples - 1) && (j == 0 || j == setting.samples - 1); }
+};
+
 Pilot::Pilot(const Renderer& renderer, const RenderOptions& options, std::vector<PixelPlace> pixels)
     : renderer_(renderer), options_(options), pixels_(std::move(pixels)) {}
 
-const Pilot::Shot& Pilot::take(const Setting& setting) {
-    for (const auto& shot : shots_)
-        if (shot->setting == setting) return *shot;
-    shots_.push_back(setting.adaptive > 0 && setting.samples > 2 ? adapt(setting) : render(setting));
-    return *shots_.back();
-}
+Pilot::~Pilot() = default;
 
-std::unique_ptr<Pilot::Shot> Pilot::render(const Setting& setting) {
-    auto shot = std::make_unique<Shot>(Shot{setting, std::vector<glm::dvec3>(pixels_.size())});
-    const double rays = rayCount(renderer_.renderPixels(withSetting(options_, setting), pixels_, shot->colors));
-    shot->rays = rays / static_cast<double>(pixels_.size());
-    spent_ += rays;
-    return shot;
-}
-
-std::unique_ptr<Pilot::Shot> Pilot::adapt(const Setting& setting) {
-    Setting all = setting;
-    all.adaptive = 0;
-    const Corners& corners = this->corners(all);
-    auto shot = std::make_unique<Shot>(Shot{setting, corners.means, corners.rays});
-    const auto isActive = [&](double spread) { return spread > setting.adaptive; };
-    const auto active = static_cast<double>(std::ranges::count_if(corners.spreads, isActive));
-    if (active == 0) return shot;
-    const Shot& whole = take(all);
+const std::vector<glm::dvec3>& Pilot::colors(const Setting& setting) {
+    for (const auto& picture : pictures_)
+        if (picture->setting == setting) return picture->colors;
+    Grid& grid = gridOf(setting);
+    std::vector<std::size_t> lacking;
     for (std::size_t i = 0; i < pixels_.size(); ++i)
-        if (isActive(corners.spreads[i])) shot->colors[i] = whole.colors[i];
-    shot->rays += active / static_cast<double>(pixels_.size()) * (whole.rays - corners.rays);
-    return shot;
+        if (isActive(grid.pixels[i].spread, setting) && !grid.pixels[i].isWhole) lacking.push_back(i);
+    addSamples(grid, lacking, false, true);
+    auto picture = std::make_unique<Picture>(Picture{setting, {}});
+    for (const Grid::Pixel& pixel : grid.pixels)
+        picture->colors.push_back(isActive(pixel.spread, setting) ? (pixel.corners + pixel.others) / double(grid.samples())
+                                                                  : pixel.corners / double(grid.corners()));
+    pictures_.push_back(std::move(picture));
+    return pictures_.back()->colors;
 }
 
-const Pilot::Corners& Pilot::corners(const Setting& setting) {
-    for (const auto& corners : corners_)
-        if (corners->setting == setting) return *corners;
+double Pilot::rays(const Setting& setting) {
+    const Grid& grid = gridOf(setting);
+    double active = 0, whole = 0;
+    for (const Grid::Pixel& pixel : grid.pixels) active += isActive(pixel.spread, setting), whole += pixel.isWhole;
+    const auto count = static_cast<double>(pixels_.size());
+    const double others = whole > 0 ? grid.otherRays / whole : grid.cornerRays / count * (grid.samples() - grid.corners()) / 4;
+    return (grid.cornerRays + active * others) / count;
+}
+
+Pilot::Grid& Pilot::gridOf(Setting setting) {
+    const bool isWhole = setting.adaptive == 0;
+    setting.adaptive = 0;
+    for (const auto& grid : grids_)
+        if (grid->setting == setting) return *grid;
+    grids_.push_back(std::make_unique<Grid>(Grid{setting, std::vector<Grid::Pixel>(pixels_.size())}));
+    std::vector<std::size_t> all(pixels_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    addSamples(*grids_.back(), all, true, isWhole);
+    return *grids_.back();
+}
+
+void Pilot::addSamples(Grid& grid, std::span<const std::size_t> pixels, bool corners, bool others) {
+    const int n = grid.setting.samples, step = others ? 1 : std::max(1, n - 1);
+    const auto forEachSample = [&](auto work) {
+        for (const std::size_t pixel : pixels)
+            for (int j = 0; j < n; j += step)
+                for (int i = 0; i < n; i += step)
+                    if (const bool isCorner = grid.isCorner(i, j); isCorner ? corners : others) work(pixel, i, j, isCorner);
+    };
     std::vector<PixelPlace> places;
-    const int n = setting.samples;
-    for (const PixelPlace& pixel : pixels_)
-        for (const int j : {0, n - 1})
-            for (const int i : {0, n - 1}) places.push_back({n * pixel.x + i, n * pixel.y + j});
-    auto corners = std::make_unique<Corners>(Corners{setting, {}, {}, 0});
+    forEachSample([&](std::size_t pixel, int i, int j, bool) {
+        places.push_back({n * pixels_[pixel].x + i, n * pixels_[pixel].y + j});
+    });
     const double before = spent_;
-    const std::vector<glm::dvec3> colors = samples(setting, n, places);
-    corners->rays = (spent_ - before) / static_cast<double>(pixels_.size());
-    for (std::size_t i = 0; i < colors.size(); i += 4) {
-        glm::dvec3 sum(0), low(1), high(0);
-        for (const glm::dvec3& color : std::span(colors).subspan(i, 4)) {
-            sum += color;
-            low = glm::min(low, color);
-            high = glm::max(high, color);
+    const std::vector<glm::dvec3> colors = samples(grid.setting, n, places);
+    std::size_t next = 0;
+    glm::dvec3 low, high;
+    forEachSample([&](std::size_t pixel, int i, int j, bool isCorner) {
+        Grid::Pixel& sums = grid.pixels[pixel];
+        const glm::dvec3& color = colors[next++];
+        if (!isCorner) {
+            sums.others += color;
+            return;
         }
-        const glm::dvec3 spread = glm::clamp(high, 0.0, 1.0) - glm::clamp(low, 0.0, 1.0);
-        corners->means.push_back(sum / 4.0);
-        corners->spreads.push_back(std::max({spread.x, spread.y, spread.z}));
-    }
-    corners_.push_back(std::move(corners));
-    return *corners_.back();
+        const glm::dvec3 shown = glm::clamp(color, 0.0, 1.0);
+        low = i == 0 && j == 0 ? shown : glm::min(low, shown);
+        high = i == 0 && j == 0 ? shown : glm::max(high, shown);
+        sums.corners += color;
+        sums.spread = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    });
+    if (others)
+        for (const std::size_t pixel : pixels) grid.pixels[pixel].isWhole = true;
+    const double rays = spent_ - before;
+    const double cornerPart = !corners ? 0 : others ? double(grid.corners()) / grid.samples() : 1;
+    grid.cornerRays += cornerPart * rays;
+    grid.otherRays += (1 - cornerPart) * rays;
 }
 
 // A sample is the centre of a pixel of a picture that is so many times as large.
@@ -112,15 +150,27 @@ std::vector<glm::dvec3> Pilot::samples(Setting setting, int scale, std::span<con
 }
 
 PictureError Pilot::error(const Setting& setting, const Setting& truth) {
-    return pictureError(take(setting).colors, take(truth).colors);
+    return pictureError(colors(setting), colors(truth));
 }
 
 MeanSquare Pilot::squaredError(const Setting& setting, const Setting& truth) {
-    const auto& colors = take(truth).colors;
-    return meanSquare(take(setting).colors, colors, colors);
+    const auto& colors = this->colors(truth);
+    return meanOf(raytracer::squaredErrors(this->colors(setting), colors, colors));
 }
 
-MeanSquare Pilot::squaredError(const Setting& setting) { return meanSquare(take(setting).colors, truths_[0], truths_[1]); }
+std::vector<double> Pilot::squaredErrors(const Setting& setting) {
+    return raytracer::squaredErrors(colors(setting), truths_[0], truths_[1]);
+}
+
+MeanSquare Pilot::squaredError(const Setting& setting) { return meanOf(squaredErrors(setting)); }
+
+MeanSquare Pilot::squaredErrorOfFlat(const Setting& setting) {
+    const Grid& grid = gridOf(setting);
+    std::vector<glm::dvec3> colors = truths_[0];
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        if (!isActive(grid.pixels[i].spread, setting)) colors[i] = grid.pixels[i].corners / double(grid.corners());
+    return meanOf(raytracer::squaredErrors(colors, truths_[0], truths_[1]));
+}
 
 void Pilot::sampleTruth(const Setting& depth, int n) {
     if (truthSamples_ >= n * n) return;
@@ -153,7 +203,7 @@ std::vector<DepthChoice> depthFront(Pilot& pilot, const Setting& deepest, std::s
         Setting setting = deepest;
         setting.max_recursion = depth;
         setting.cutoff = cutoff;
-        choices.push_back({depth, cutoff, pilot.take(setting).rays, pilot.error(setting, deepest).rmse});
+        choices.push_back({depth, cutoff, pilot.rays(setting), pilot.error(setting, deepest).rmse});
         return choices.back().error;
     };
     double closest = 1;

@@ -53,7 +53,7 @@ void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const do
 // them by the pixels looked at.
 template <class SquaredError>
 ErrorEstimate StratifiedPilot::estimate(SquaredError squaredError) {
-    double mean = 0, variance = 0;
+    MeanSquare all;
     for (Sample& sample : samples_) {
         MeanSquare whole;
         std::vector<double> means;
@@ -65,11 +65,10 @@ ErrorEstimate StratifiedPilot::estimate(SquaredError squaredError) {
         }
         for (std::size_t i = 0; i < means.size(); ++i)
             whole.variance += sample.strata[i].share * std::pow(means[i] - whole.mean, 2) / sample.looked;
-        mean += part(sample) * whole.mean;
-        variance += std::pow(part(sample), 2) * whole.variance;
+        all.mean += part(sample) * whole.mean;
+        all.variance += std::pow(part(sample), 2) * whole.variance;
     }
-    if (mean <= 0) return {0, std::pow(variance, 0.25)};  // too little to tell from nothing
-    return {std::sqrt(mean), std::sqrt(variance / mean) / 2};
+    return rootOf(all);
 }
 
 ErrorEstimate StratifiedPilot::error(const Setting& setting, const Setting& truth) {
@@ -78,6 +77,10 @@ ErrorEstimate StratifiedPilot::error(const Setting& setting, const Setting& trut
 
 ErrorEstimate StratifiedPilot::error(const Setting& setting) {
     return estimate([&](Pilot& pilot) { return pilot.squaredError(setting); });
+}
+
+ErrorEstimate StratifiedPilot::errorOfFlat(const Setting& setting) {
+    return estimate([&](Pilot& pilot) { return pilot.squaredErrorOfFlat(setting); });
 }
 
 void StratifiedPilot::sampleTruth(const Setting& depth, int n) {
@@ -94,7 +97,7 @@ double StratifiedPilot::part(const Sample& sample) const {
 double StratifiedPilot::rays(const Setting& setting) {
     double rays = 0;
     for (Sample& sample : samples_)
-        for (Stratum& stratum : sample.strata) rays += part(sample) * stratum.share * stratum.pilot->take(setting).rays;
+        for (Stratum& stratum : sample.strata) rays += part(sample) * stratum.share * stratum.pilot->rays(setting);
     return rays;
 }
 

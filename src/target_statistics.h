@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "raytracer/picture_error.h"
+
 namespace raytracer {
 
 // What an error may be, some standard errors up. It comes from few pixels, as if from k equally wrong ones where the mean
@@ -13,6 +15,14 @@ inline double upperLimit(double error, double standardError, double s) {
     if (!(error > 0)) return s * standardError;
     const double k = std::pow(error / (2 * standardError), 2);
     return error * std::sqrt(1 + (s * std::sqrt(k + 0.75) + (s * s + 3) / 4) / k);
+}
+
+// Standard errors. With some odds to spare, since only a picture in ten may be above, and the cheapest that seems to do is
+// likely to seem better than it is (Notes.txt).
+inline constexpr double margin = 1.6, sureMargin = 2;
+
+inline bool isWithin(const ErrorEstimate& error, double errors, double target) {
+    return upperLimit(error.rmse, error.standardError, errors) <= target;
 }
 
 // The geometric mean of two numbers below 1, to one digit.

@@ -19,7 +19,7 @@ std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
         if (chosen.empty() || choice.error < 0.5 * chosen.back().error) chosen.push_back(choice);
     for (const int depth : {1, 2, 3, 6}) {
         const Setting plain{.max_recursion = depth};
-        chosen.push_back({depth, 0, pilot.take(plain).rays, pilot.error(plain, deepest).rmse});
+        chosen.push_back({depth, 0, pilot.rays(plain), pilot.error(plain, deepest).rmse});
     }
     std::ranges::stable_sort(chosen, {}, &DepthChoice::rays);
     const auto same = [](const DepthChoice& a, const DepthChoice& b) {  // the defaults are what all is measured by

@@ -39,7 +39,7 @@ std::vector<CostAndError> errorsOfSamples(Pilot& picture) {
 }
 
 double meanActivity(Pilot& pilot, std::vector<double>& activity) {
-    const auto &centre = pilot.take({}).colors, &corners = pilot.take({.samples = 64, .adaptive = 1}).colors;
+    const auto &centre = pilot.colors({}), &corners = pilot.colors({.samples = 64, .adaptive = 1});
     activity.clear();
     for (std::size_t i = 0; i < centre.size(); ++i) activity.push_back(squaredError(centre[i], corners[i]));
     return std::accumulate(activity.begin(), activity.end(), 0.0) / static_cast<double>(activity.size());
@@ -120,7 +120,7 @@ TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one 
         all.add(pixels, activity, 8 * pixels.size());
         CHECK(all.pixelCount() == pixels.size());
         CHECK(all.error(setting, truth).rmse == Approx(whole.rmse));
-        CHECK(all.rays(setting) == Approx(picture.take(setting).rays));
+        CHECK(all.rays(setting) == Approx(picture.rays(setting)));
         StratifiedPilot some(renderer, options);
         some.add(pixels, activity, 160);
         CHECK(some.pixelCount() <= 160);
@@ -142,11 +142,11 @@ TEST_CASE("a pilot's adaptive pixels are the render's, and cost about as many ra
             INFO(adaptive);
             std::vector<glm::dvec3> colors(pixels.size());
             const double rays = rayCount(renderer.renderPixels(withSetting(options, setting), pixels, colors));
-            const Pilot::Shot& shot = pilot.take(setting);
+            const std::vector<glm::dvec3>& combined = pilot.colors(setting);
             std::size_t off = 0;
-            for (std::size_t i = 0; i < colors.size(); ++i) off += squaredError(shot.colors[i], colors[i]) > 1e-16;
+            for (std::size_t i = 0; i < colors.size(); ++i) off += squaredError(combined[i], colors[i]) > 1e-16;
             CHECK(off <= colors.size() / 500);  // where a point is rounded to the other side of an edge
-            CHECK(shot.rays == Approx(rays / static_cast<double>(pixels.size())).epsilon(0.25));
+            CHECK(pilot.rays(setting) == Approx(rays / static_cast<double>(pixels.size())).epsilon(0.25));
         }
     });
 }
@@ -168,6 +168,53 @@ TEST_CASE("a truth of two noisy estimates gives the error without bias") {
         }
     });
     CHECK(std::abs(off / estimates) < 0.7);
+}
+
+TEST_CASE("a judged picture is the render's, and tells its own error without bias") {
+    double off = 0;  // standard errors
+    int scenes = 0;
+    forEveryScene(48, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        const Setting setting{.max_recursion = 2, .cutoff = 0.1};
+        const JudgedPicture judged = renderJudged(renderer, options, setting, 500);
+        ColorSink sink(options.crop), copy(options.crop);
+        renderer.render(withSetting(options, setting), sink);
+        copyTo(copy, options.crop, judged.colors);
+        CHECK(copy.colors() == sink.colors());
+        CHECK(judged.judgedPixels < 510);
+        Pilot picture(renderer, options, allPixels(options));
+        Setting converged = setting;
+        converged.samples = 12;
+        const double truth = picture.error(setting, converged).rmse;
+        const double errors = (judged.error.rmse - truth) / judged.error.standardError;
+        INFO(truth << ", estimated " << judged.error.rmse << " +- " << judged.error.standardError);
+        CHECK(std::abs(errors) < 4);
+        off += errors;
+        ++scenes;
+    });
+    CHECK(std::abs(off / scenes) < 0.7);
+}
+
+TEST_CASE("a pilot's flat pixels: the others count as right, and take no samples") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    const RenderOptions options = wholePicture(scene, 32);
+    const std::vector<PixelPlace> pixels = allPixels(options);
+    Pilot pilot(*renderer, options, pixels);
+    pilot.sampleTruth({}, 3);
+    const Setting whole{.samples = 6}, some{.samples = 6, .adaptive = 0.2}, none{.samples = 6, .adaptive = 1};
+    const double before = pilot.raysSpent(), ofCorners = pilot.squaredErrorOfFlat(some).mean;
+    const double cornerRays = pilot.raysSpent() - before, spent = pilot.raysSpent();
+    const double estimated = pilot.rays(some);
+    CHECK(pilot.raysSpent() == spent);
+    const std::vector<double> mixed = pilot.squaredErrors(some), flat = pilot.squaredErrors(none);
+    double sum = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (mixed[i] == flat[i]) sum += flat[i];
+    CHECK(sum / static_cast<double>(pixels.size()) == Approx(ofCorners));
+    pilot.colors(whole);
+    CHECK(pilot.rays(whole) == Approx(cornerRays * 9 / static_cast<double>(pixels.size())).epsilon(0.25));
+    CHECK(pilot.rays(some) == Approx(estimated).epsilon(0.25));
+    CHECK(pilot.raysSpent() - before == Approx(pilot.rays(whole) * static_cast<double>(pixels.size())));  // none was taken twice
 }
 
 TEST_CASE("target-error: hardly ever above, never above twice, on every scene") {

@@ -33,14 +33,23 @@ PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const gl
 // One pixel's part of the mean square: the mean over the channels of the squared difference.
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
 
+// Of each pixel. The truth may be given twice, as two estimates that err independently and are right on average: so is then
+// the product of the differences to both as an estimate of the squared error, however noisy they are. It may be negative.
+std::vector<double> squaredErrors(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
+                                  std::span<const glm::dvec3> otherTruth);
+
 // Of pixels that are a random sample of a picture's: the mean of their squared errors, and the variance of that mean.
 struct MeanSquare {
     double mean = 0, variance = 0;
 };
 
-// The truth may be given twice, as two estimates that err independently and are right on average: so is then the product
-// of the differences to both as an estimate of the squared error, however noisy they are. It may be negative.
-MeanSquare meanSquare(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
-                      std::span<const glm::dvec3> otherTruth);
+MeanSquare meanOf(std::span<const double> squaredErrors);
+
+// Of a picture, of which few pixels were seen.
+struct ErrorEstimate {
+    double rmse = 0, standardError = 0;
+};
+
+ErrorEstimate rootOf(const MeanSquare& square);
 
 }  // namespace raytracer

@@ -19,17 +19,15 @@ class Pilot {
   public:
     // Renders with `options`, but for the knobs. All are kept by reference, but for the pixels.
     Pilot(const Renderer& renderer, const RenderOptions& options, std::vector<PixelPlace> pixels);
+    ~Pilot();
 
-    struct Shot {
-        Setting setting;
-        std::vector<glm::dvec3> colors;
-        double rays = 0;  // for each pixel
-    };
+    // Rendered once for each setting. Its precision is the renderer's, whatever the setting says. Samples are shared: of one
+    // number the corners, and what lies between them where a tolerance of `adaptive` asks for it, are taken once for all.
+    const std::vector<glm::dvec3>& colors(const Setting& setting);
 
-    // Rendered once for each setting. Its precision is the renderer's, whatever the setting says. With `adaptive` the colours
-    // are put together from the corners and from all samples, so that another tolerance costs nothing; the rays are then an
-    // estimate, as if all samples of these pixels cost the same.
-    const Shot& take(const Setting& setting);
+    // For each pixel. Before its colours are asked for, `adaptive` has only its corners taken, and as if all samples of the
+    // other pixels cost the same.
+    double rays(const Setting& setting);
 
     // Of a setting, taking another one for the truth.
     PictureError error(const Setting& setting, const Setting& truth);
@@ -38,30 +36,29 @@ class Pilot {
     // Estimates the truth of each pixel twice, as deep as a setting: by means of at least n x n samples, each at a random
     // place of its cell of the pixel (jittered sampling; Cook 1986).
     void sampleTruth(const Setting& depth, int n);
-    MeanSquare squaredError(const Setting& setting);  // against that truth
+    std::vector<double> squaredErrors(const Setting& setting);  // of each pixel, against that truth
+    MeanSquare squaredError(const Setting& setting);
+    MeanSquare squaredErrorOfFlat(const Setting& setting);  // as if the pixels that adaptive takes all samples of were right
 
     std::span<const PixelPlace> pixels() const { return pixels_; }
     std::size_t pixelCount() const { return pixels_.size(); }
     double raysSpent() const { return spent_; }  // in all
 
   private:
-    // What adaptive looks at first.
-    struct Corners {
+    struct Grid;  // samples of each pixel
+    struct Picture {
         Setting setting;
-        std::vector<glm::dvec3> means;
-        std::vector<double> spreads;  // the largest of the channels', as shown
-        double rays = 0;              // for each pixel
+        std::vector<glm::dvec3> colors;
     };
-    std::unique_ptr<Shot> render(const Setting& setting);
-    std::unique_ptr<Shot> adapt(const Setting& setting);
-    const Corners& corners(const Setting& setting);
+    Grid& gridOf(Setting setting);  // all samples, but with adaptive only the corners, if it was not there
+    void addSamples(Grid& grid, std::span<const std::size_t> pixels, bool corners, bool others);
     std::vector<glm::dvec3> samples(Setting setting, int scale, std::span<const PixelPlace> places);
 
     const Renderer& renderer_;
     const RenderOptions& options_;
     std::vector<PixelPlace> pixels_;
-    std::vector<std::unique_ptr<const Shot>> shots_;
-    std::vector<std::unique_ptr<const Corners>> corners_;
+    std::vector<std::unique_ptr<Grid>> grids_;
+    std::vector<std::unique_ptr<const Picture>> pictures_;
     std::vector<glm::dvec3> truths_[2];
     int truthSamples_ = 0;  // of each pixel, in each of the two
     double spent_ = 0;

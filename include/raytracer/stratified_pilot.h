@@ -10,11 +10,6 @@
 
 namespace raytracer {
 
-// Of a picture, of which few pixels were seen.
-struct ErrorEstimate {
-    double rmse = 0, standardError = 0;
-};
-
 class StratifiedPilot {
   public:
     StratifiedPilot(const Renderer& renderer, const RenderOptions& options) : renderer_(renderer), options_(options) {}
@@ -29,6 +24,7 @@ class StratifiedPilot {
     // Of all pixels; see pilot.h.
     void sampleTruth(const Setting& depth, int n);
     ErrorEstimate error(const Setting& setting);  // against that truth
+    ErrorEstimate errorOfFlat(const Setting& setting);
 
     double rays(const Setting& setting);  // for each pixel of the whole picture
 

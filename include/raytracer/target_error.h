@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "raytracer/pilot.h"
+#include "raytracer/judged_picture.h"
 
 namespace raytracer {
 
@@ -19,7 +19,9 @@ struct TargetChoice {
     double cheaperError = 0, cheaperRays = 0;
 
     std::size_t pilotPixels = 0;
-    double pilotRays = 0;  // what the search cost, in all
+    double pilotRays = 0;  // what the search cost, in all; but not the picture's
+
+    std::optional<JudgedPicture> picture;  // the very picture, where finding out took all of it
 };
 
 // `target` is an RMSE, of 1, in linear light after clamping; the truth is the picture with many more samples and deeper

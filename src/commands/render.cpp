@@ -111,16 +111,24 @@ struct Picture {
     const SceneDescription& scene;
     const Renderer& renderer;
     const RenderOptions& options;
+    const JudgedPicture* rendered;  // already, or null
 };
+
+RenderCounts fill(PixelSink& sink, const Picture& picture) {
+    if (picture.rendered) {
+        copyTo(sink, picture.options.crop, picture.rendered->colors);
+        return picture.rendered->counts;
+    }
+    std::optional<ProgressBar> bar;
+    if (!picture.arguments.quiet) bar.emplace();
+    return picture.renderer.render(picture.options, sink, bar ? &*bar : nullptr);
+}
 
 template <class Sink, class Write>
 RenderCounts renderTo(const std::string& out, const Picture& picture, Timings& timings, Write write) {
     Stopwatch watch;
     Sink sink(picture.options.crop);
-    std::optional<ProgressBar> bar;
-    if (!picture.arguments.quiet) bar.emplace();
-    const RenderCounts counts = picture.renderer.render(picture.options, sink, bar ? &*bar : nullptr);
-    bar.reset();
+    const RenderCounts counts = fill(sink, picture);
     timings.render = watch.lap();
     if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
         picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
@@ -153,7 +161,8 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     std::optional<TargetChoice> choice;
     if (wanted.targetError > 0) choice = chooseAndTell(*renderer, options, wanted.targetError);
     timings.choose = watch.lap();
-    const Picture picture{arguments, description, *renderer, options};
+    const JudgedPicture* rendered = choice && choice->picture ? &*choice->picture : nullptr;
+    const Picture picture{arguments, description, *renderer, options, rendered};
     const bool floats = std::filesystem::path(out).extension() == ".pfm";
     const RenderCounts counts =
         floats ? renderTo<FloatSink>(out, picture, timings, writePfm) : renderTo<ByteSink>(out, picture, timings, writePng);

@@ -14,9 +14,10 @@ TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, dou
         why += ": a cheaper one, " + commandLine(*choice.cheaper) + ", has " + shortNumber(choice.cheaperError);
     std::fprintf(stderr, "--target-error %s: %s, %s\n", shortNumber(target).c_str(), commandLine(choice.setting).c_str(),
                  why.c_str());
-    std::fprintf(stderr, "--target-error %s: %s rays a pixel, found with %zu pixels and as many rays as %s a pixel\n",
+    std::fprintf(stderr, "--target-error %s: %s rays a pixel, found with %zu pixels and as many rays as %s a pixel%s\n",
                  shortNumber(target).c_str(), shortNumber(choice.rays).c_str(), choice.pilotPixels,
-                 shortNumber(choice.pilotRays / options.crop.area()).c_str());
+                 shortNumber(choice.pilotRays / options.crop.area()).c_str(),
+                 choice.picture ? "; to find out, the picture was rendered" : "");
     return choice;
 }
 

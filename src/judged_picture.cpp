@@ -1,0 +1,82 @@
+#include "raytracer/judged_picture.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace raytracer {
+
+namespace {
+
+constexpr double evenPart = 0.1;  // of a pixel's size this part is the same for all: what looks flat may not be
+constexpr int truthSamples = 2;   // n x n: the truth may be noisy, as long as it is not the larger part of the differences
+
+// How far each pixel is from the next ones, in both directions.
+std::vector<double> changes(std::span<const glm::dvec3> colors, const PixelRectangle& crop) {
+    const auto width = static_cast<std::size_t>(crop.width()), count = colors.size();
+    std::vector<double> sums(count, 0);
+    const auto compare = [&](std::size_t a, std::size_t b) {
+        const double squared = squaredError(colors[a], colors[b]);
+        sums[a] += squared, sums[b] += squared;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        if ((i + 1) % width != 0) compare(i, i + 1);
+        if (i + width < count) compare(i, i + width);
+    }
+    for (double& sum : sums) sum = std::sqrt(sum);
+    return sums;
+}
+
+// Pixels, and what each one's squared error counts for in the mean.
+struct Chosen {
+    std::vector<PixelPlace> pixels;
+    std::vector<double> weights;
+};
+
+// In steps of equal size through the picture, row by row (systematic sampling with probability proportional to size; Madow
+// 1949): a large pixel may be chosen more than once.
+Chosen choose(std::span<const double> sizes, const PixelRectangle& crop, double count) {
+    const double total = std::accumulate(sizes.begin(), sizes.end(), 0.0), step = total / count;
+    const auto width = static_cast<std::size_t>(crop.width());
+    const double all = static_cast<double>(sizes.size());
+    Chosen chosen;
+    double sum = 0, next = step / 2;
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+        for (sum += sizes[i]; sum > next; next += step) {
+            chosen.pixels.push_back({crop.x0 + static_cast<int>(i % width), crop.y0 + static_cast<int>(i / width)});
+            chosen.weights.push_back(total / (sizes[i] * all));
+        }
+    return chosen;
+}
+
+}  // namespace
+
+JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting,
+                           double judgedPixels) {
+    JudgedPicture picture{setting, {}, {}, {}, 0, 0};
+    ColorSink sink(options.crop);
+    picture.counts = renderer.render(withSetting(options, setting), sink);
+    picture.colors = sink.colors();
+    std::vector<double> sizes = changes(picture.colors, options.crop);
+    const double change = std::accumulate(sizes.begin(), sizes.end(), 0.0) / options.crop.area();
+    for (double& size : sizes) size += change > 0 ? evenPart / (1 - evenPart) * change : 1;
+    const Chosen chosen = choose(sizes, options.crop, judgedPixels);
+    Pilot pilot(renderer, options, chosen.pixels);
+    pilot.sampleTruth(setting, truthSamples);
+    // Hansen and Hurwitz 1943: the mean of what each one tells of the whole.
+    std::vector<double> estimates = pilot.squaredErrors(setting);
+    for (std::size_t i = 0; i < estimates.size(); ++i) estimates[i] *= chosen.weights[i];
+    picture.error = rootOf(meanOf(estimates));
+    picture.judgedPixels = chosen.pixels.size();
+    picture.judgingRays = pilot.raysSpent();
+    return picture;
+}
+
+void copyTo(PixelSink& sink, const PixelRectangle& crop, std::span<const glm::dvec3> colors) {
+    const auto width = static_cast<std::size_t>(crop.width());
+    for (int y = crop.y0; y < crop.y1; ++y) {
+        sink.write(crop.x0, y, colors.first(width));
+        colors = colors.subspan(width);
+    }
+}
+
+}  // namespace raytracer
