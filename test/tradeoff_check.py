@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The commands that trade speed for accuracy, as a user meets them: tradeoff_check.py RAYTRACER, from the project's folder."""
 import csv
+import json
 import pathlib
 import re
 import subprocess
@@ -31,17 +32,19 @@ def check_defaults(folder):
         assert plain == asked, scene
 
 
-def check_target(folder, target, status, why):
+def check_target(folder, scene, size, target, status, why, found=""):
     """What --target-error says that it picks is what it renders; its exit status says whether that is enough."""
-    scene = "scenes/spheres_cylinder.json"
-    picture, done = render(scene, folder / "target.png", 16, f"--target-error {target}")
+    picture, done = render(scene, folder / "target.png", size, f"--target-error {target} --stats")
     assert done.returncode == status, done
     setting = re.search(r"^--target-error \S+: (the defaults|--[^,]*), (.*)$", done.stderr, re.M)
     assert setting and why in setting[2], done.stderr
     assert "rays a pixel, found with" in done.stderr and "the error is about" in done.stderr, done.stderr
     assert ("not reached" in done.stderr) == (status == 1), done.stderr
     options = "" if setting[1] == "the defaults" else setting[1]
-    assert picture == render(scene, folder / "same.png", 16, options)[0], setting[1]
+    assert found in done.stderr, done.stderr
+    same, plain = render(scene, folder / "same.png", size, options + " --stats")
+    assert picture == same, setting[1]
+    assert json.loads(done.stdout)["rays"] == json.loads(plain.stdout)["rays"], setting[1]
 
 
 def check_report(folder):
@@ -67,8 +70,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         check_defaults(folder)
-        check_target(folder, 0.1, 0, "the cheapest of those that reach 0.1")
-        check_target(folder, 1e-9, 1, "nothing reaches 1e-09")
+        check_target(folder, "scenes/spheres_cylinder.json", 16, 0.1, 0, "the cheapest of those that reach 0.1")
+        check_target(folder, "scenes/spheres_cylinder.json", 16, 1e-9, 1, "nothing reaches 1e-09")
+        check_target(folder, "scenes/cone_cube.json", 60, 0.03, 0, "the cheapest", "to find out, the picture was rendered")
         check_report(folder)
 
 
