@@ -104,7 +104,7 @@ class WholePicture {
     ErrorEstimate error(const Setting& setting) {
         std::vector<double> all;
         for (const auto& strip : strips_) {
-            const std::vector<double> errors = strip->squaredErrors(setting);
+            const std::vector<double> errors = strip->squaredErrors(strip->colors(setting));
             all.insert(all.end(), errors.begin(), errors.end());
         }
         return rootOf(meanOf(all));
@@ -139,13 +139,13 @@ double renderSeconds(const Renderer& renderer, const RenderOptions& options, con
     return secondsOf([&] { renderer.render(withSetting(options, setting), sink); });
 }
 
-// What --target-error takes, as a multiple of a render with the best setting: the median of as many as take a few seconds, each
-// of both in turn.
+// What --target-error takes, as a multiple of a render with the best setting: the median of three, or as many as take a few
+// seconds, each of both in turn.
 double timeRatio(const Renderer& renderer, RenderOptions options, double target, const Setting& chosen, const Setting& best) {
-    constexpr double enough = 4;  // seconds
+    constexpr double enough = 3;  // seconds
     options.threads = 1;
     std::vector<double> ratios;
-    for (double all = 0; all < enough && ratios.size() < 15;) {
+    for (double all = 0; (all < enough && ratios.size() < 15) || ratios.size() < 3;) {
         bool isThere = false;
         const double search = secondsOf([&] { isThere = chooseSetting(renderer, options, target).picture.has_value(); });
         const double render = isThere ? 0 : renderSeconds(renderer, options, chosen);

@@ -158,41 +158,40 @@ MeanSquare Pilot::squaredError(const Setting& setting, const Setting& truth) {
     return meanOf(raytracer::squaredErrors(this->colors(setting), colors, colors));
 }
 
-std::vector<double> Pilot::squaredErrors(const Setting& setting) {
-    return raytracer::squaredErrors(colors(setting), truths_[0], truths_[1]);
+std::vector<double> Pilot::squaredErrors(std::span<const glm::dvec3> colors) const {
+    return raytracer::squaredErrors(colors, truths_[0], truths_[1]);
 }
 
-MeanSquare Pilot::squaredError(const Setting& setting) { return meanOf(squaredErrors(setting)); }
+MeanSquare Pilot::squaredError(const Setting& setting) { return meanOf(squaredErrors(colors(setting))); }
 
 MeanSquare Pilot::squaredErrorOfFlat(const Setting& setting) {
     const Grid& grid = gridOf(setting);
     std::vector<glm::dvec3> colors = truths_[0];
     for (std::size_t i = 0; i < colors.size(); ++i)
         if (!isActive(grid.pixels[i].spread, setting)) colors[i] = grid.pixels[i].corners / double(grid.corners());
-    return meanOf(raytracer::squaredErrors(colors, truths_[0], truths_[1]));
+    return meanOf(squaredErrors(colors));
 }
 
 void Pilot::sampleTruth(const Setting& depth, int n) {
     if (truthSamples_ >= n * n) return;
     const int cells = n * n, scale = n * placesOfCell;
-    std::vector<PixelPlace> places(pixels_.size() * static_cast<std::size_t>(cells));
-    for (std::uint32_t twin = 0; twin < 2; ++twin) {
-        auto place = places.begin();
-        for (const PixelPlace& pixel : pixels_)
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i) {
-                    const int x = scale * pixel.x + placesOfCell * i, y = scale * pixel.y + placesOfCell * j;
-                    *place++ = pixelIn({x, y, x + placesOfCell, y + placesOfCell},
-                                       hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), twin));
-                }
-        const std::vector<glm::dvec3> colors = samples(depth, scale, places);
-        truths_[twin].resize(pixels_.size(), glm::dvec3(0));
-        auto color = colors.begin();
-        for (glm::dvec3& truth : truths_[twin]) {
-            truth *= truthSamples_;
-            for (int i = 0; i < cells; ++i) truth += *color++;
-            truth /= truthSamples_ + cells;
-        }
+    std::vector<PixelPlace> places;  // of both in turn, so that neighbours share packets
+    for (const PixelPlace& pixel : pixels_)
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                const int x = scale * pixel.x + placesOfCell * i, y = scale * pixel.y + placesOfCell * j;
+                for (std::uint32_t twin = 0; twin < 2; ++twin)
+                    places.push_back(pixelIn({x, y, x + placesOfCell, y + placesOfCell},
+                                             hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), twin)));
+            }
+    const std::vector<glm::dvec3> colors = samples(depth, scale, places);
+    auto color = colors.begin();
+    for (auto& truth : truths_) truth.resize(pixels_.size(), glm::dvec3(0));
+    for (std::size_t pixel = 0; pixel < pixels_.size(); ++pixel) {
+        for (auto& truth : truths_) truth[pixel] *= truthSamples_;
+        for (int i = 0; i < cells; ++i)
+            for (auto& truth : truths_) truth[pixel] += *color++;
+        for (auto& truth : truths_) truth[pixel] /= truthSamples_ + cells;
     }
     truthSamples_ += cells;
 }

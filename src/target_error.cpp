@@ -29,9 +29,9 @@ constexpr double leastLook = 0.25;         // of all pixels before: fewer would 
 // What the best setting may cost, times this, is the most that all may cost, the pilot included.
 constexpr double promise = 1.5;
 // No look is begun that would exceed such a share of it, all pilots together:
-constexpr double pilotShare = 0.2;
-constexpr double checkShare = 0.15;  // where it would only make sure,
-constexpr double lastShare = 0.3;    // where the promise is going to be broken.
+constexpr double pilotShare = 0.16;
+constexpr double checkShare = 0.12;  // where it would only make sure,
+constexpr double lastShare = 0.25;   // where the promise is going to be broken.
 constexpr double hope = 0.25;        // of what more pixels seem to save, this part
 constexpr double smallStep = 1.05;   // a setting dearer by no more than this is as good
 

@@ -206,7 +206,7 @@ TEST_CASE("a pilot's flat pixels: the others count as right, and take no samples
     const double cornerRays = pilot.raysSpent() - before, spent = pilot.raysSpent();
     const double estimated = pilot.rays(some);
     CHECK(pilot.raysSpent() == spent);
-    const std::vector<double> mixed = pilot.squaredErrors(some), flat = pilot.squaredErrors(none);
+    const std::vector<double> mixed = pilot.squaredErrors(pilot.colors(some)), flat = pilot.squaredErrors(pilot.colors(none));
     double sum = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i)
         if (mixed[i] == flat[i]) sum += flat[i];

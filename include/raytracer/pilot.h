@@ -36,7 +36,7 @@ class Pilot {
     // Estimates the truth of each pixel twice, as deep as a setting: by means of at least n x n samples, each at a random
     // place of its cell of the pixel (jittered sampling; Cook 1986).
     void sampleTruth(const Setting& depth, int n);
-    std::vector<double> squaredErrors(const Setting& setting);  // of each pixel, against that truth
+    std::vector<double> squaredErrors(std::span<const glm::dvec3> colors) const;  // of each pixel, against that truth
     MeanSquare squaredError(const Setting& setting);
     MeanSquare squaredErrorOfFlat(const Setting& setting);  // as if the pixels that adaptive takes all samples of were right
 
