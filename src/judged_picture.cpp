@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -64,7 +65,7 @@ JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& option
     JudgedPicture picture{setting, {}, {}, {}, 0, 0};
     ColorSink sink(options.crop);
     picture.counts = renderer.render(withSetting(options, setting), sink);
-    picture.colors = sink.colors();
+    picture.colors = std::move(sink).colors();
     std::vector<double> sizes = changes(picture.colors, options.crop);
     const double change = std::accumulate(sizes.begin(), sizes.end(), 0.0) / options.crop.area();
     for (double& size : sizes) size += change > 0 ? evenPart / (1 - evenPart) * change : 1;

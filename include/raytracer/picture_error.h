@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "raytracer/render_options.h"
@@ -13,7 +14,8 @@ class ColorSink final : public PixelSink {
   public:
     explicit ColorSink(const PixelRectangle& crop);
     void write(int x, int y, std::span<const glm::dvec3> colors) override;
-    const std::vector<glm::dvec3>& colors() const { return colors_; }  // row-major from the top left of the crop
+    const std::vector<glm::dvec3>& colors() const& { return colors_; }  // row-major from the top left of the crop
+    std::vector<glm::dvec3> colors() && { return std::move(colors_); }
 
   private:
     PixelRectangle crop_;
