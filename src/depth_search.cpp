@@ -62,14 +62,15 @@ bool DepthSearch::widen(double raysOfPixel) {
         choice.error = isTooShallow ? std::numeric_limits<double>::infinity() : measured(choice.max_recursion, choice.cutoff);
         if (!isTooShallow) choice.rays = pilot_->rays(setting(choice.max_recursion, choice.cutoff));
     }
-    goDeeper(*std::ranges::min_element(choices_, {}, &DepthChoice::error));
+    goDeeper(enough);
     return true;
 }
 
 // By the grid's steps: more bounces, and where they tell no more, a smaller cutoff.
-void DepthSearch::goDeeper(DepthChoice last) {
+void DepthSearch::goDeeper(double part) {
+    DepthChoice last = *std::ranges::min_element(choices_, {}, &DepthChoice::error);
     bool mayBeDeeper = true;
-    while (last.error > enough * target_) {
+    while (last.error > part * target_) {
         const auto* deeper = std::ranges::upper_bound(gridDepths, last.max_recursion);
         const auto* cutoff = std::ranges::lower_bound(gridCutoffs, last.cutoff);
         const double before = last.error;
@@ -100,10 +101,15 @@ DepthChoice DepthSearch::add(int depth, double cutoff) {
     return choices_.back();
 }
 
-const DepthChoice& DepthSearch::fine() const {
+const DepthChoice& DepthSearch::deeper(double part) {
+    goDeeper(part);
+    return fine(part);
+}
+
+const DepthChoice& DepthSearch::fine(double part) const {
     const DepthChoice* fine = &*std::ranges::min_element(choices_, {}, &DepthChoice::error);
     for (const DepthChoice& choice : choices_)
-        if (choice.error <= enough * target_ && choice.rays < fine->rays) fine = &choice;
+        if (choice.error <= part * target_ && choice.rays < fine->rays) fine = &choice;
     return *fine;
 }
 

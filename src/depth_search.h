@@ -22,7 +22,8 @@ class DepthSearch {
     // An infinite error: too shallow, not looked at again.
     const std::vector<DepthChoice>& choices() const { return choices_; }
     const DepthChoice& of(const Setting& setting) const;
-    const DepthChoice& fine() const;                             // the cheapest that seems deep enough not to matter
+    const DepthChoice& fine() const { return fine(enough); }     // the cheapest that seems deep enough not to matter
+    const DepthChoice& deeper(double part);                      // the cheapest that leaves so much of the target; sought, if need be
     const DepthChoice& coarsest() const;                         // whose error is below the target
     double distance(const DepthChoice& a, const DepthChoice& b);  // RMSE between them
     double raysSpent() const { return spent_ + pilot_->raysSpent(); }
@@ -30,7 +31,8 @@ class DepthSearch {
     static constexpr double enough = 0.2;  // of the target: a depth that costs no more than this of it is deep enough
 
   private:
-    void goDeeper(DepthChoice last);
+    const DepthChoice& fine(double part) const;
+    void goDeeper(double part);  // until one leaves no more than that of the target
     DepthChoice add(int depth, double cutoff);
     double measured(int depth, double cutoff);
     Setting setting(int depth, double cutoff) const;

@@ -19,7 +19,7 @@ constexpr double flat = 0.01;  // squared difference between corners where adapt
 
 constexpr double judgedPart = 1.0 / 100, leastJudged = 1000;  // of the pixels of a whole picture
 constexpr double mostPixels = 1 << 22;                        // of such a picture: 100 MB
-constexpr double minorDepth = 0.5;                            // of the target: a depth's error that hardly matters
+constexpr double minorDepth = 0.1;  // of the target: what a depth may leave, where the samples alone leave nearly all of it
 constexpr double possibleMargin = 1.3;                        // standard errors: one chance in ten that it is enough
 
 Setting cornersOf(Setting setting) {
@@ -30,7 +30,7 @@ Setting cornersOf(Setting setting) {
 
 }  // namespace
 
-SampleSearch::SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, const DepthSearch& depths)
+SampleSearch::SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths)
     : renderer_(renderer), options_(options), target_(target), depths_(depths), judged_(sampledAt(depths.fine(), 1)),
       pilot_(renderer, options) {}
 
@@ -114,14 +114,10 @@ bool SampleSearch::judgePicture() {
     const auto with = [&](const DepthChoice& depth, double errors) {
         return std::hypot(one.rmse + errors * one.standardError, depth.error);
     };
-    const DepthChoice* depth = &depths_.fine();
-    for (const DepthChoice& other : depths_.choices()) {
-        const bool isEnough = other.error <= minorDepth * target_ && with(other, sureMargin) <= target_;
-        if (isEnough && other.rays < depth->rays) depth = &other;
-    }
-    if (with(*depth, -possibleMargin) > target_ || with(*depth, sureMargin) <= target_) return false;
+    if (with(depths_.fine(), -possibleMargin) > target_ || with(depths_.fine(), sureMargin) <= target_) return false;
+    const DepthChoice& depth = depths_.deeper(minorDepth);
     const double judged = std::max(leastJudged, judgedPart * options_.crop.area());
-    picture_ = renderJudged(renderer_, options_, sampledAt(*depth, 1), judged);
+    picture_ = renderJudged(renderer_, options_, sampledAt(depth, 1), judged);
     return true;
 }
 

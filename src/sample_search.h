@@ -13,7 +13,7 @@ namespace raytracer {
 class SampleSearch {
   public:
     // What lies between the samples is judged as deep as the depths' finest one at this time. All are kept by reference.
-    SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, const DepthSearch& depths);
+    SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths);
 
     // Looks at more pixels, by so many times the number of the first look.
     void look(double times);
@@ -53,7 +53,7 @@ class SampleSearch {
     const Renderer& renderer_;
     const RenderOptions& options_;
     double target_;
-    const DepthSearch& depths_;
+    DepthSearch& depths_;
     Setting judged_;
     std::vector<std::unique_ptr<Pilot>> looks_;
     StratifiedPilot pilot_;
