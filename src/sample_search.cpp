@@ -18,7 +18,8 @@ constexpr double judgedPixels = 260, fewSamplesPixels = 200;        // these, di
 constexpr double flat = 0.01;  // squared difference between corners where adaptive is likely to take no more samples
 
 constexpr double judgedPart = 1.0 / 100, leastJudged = 1000;  // of the pixels of a whole picture
-constexpr double mostPixels = 1 << 22;                        // of such a picture: 100 MB
+constexpr double leastPixels = 20 * leastJudged;  // of such a picture: less is dearer to judge than to render
+constexpr double mostPixels = 1 << 22;            // 100 MB
 constexpr double minorDepth = 0.1;  // of the target: what a depth may leave, where the samples alone leave nearly all of it
 constexpr double possibleMargin = 1.3;                        // standard errors: one chance in ten that it is enough
 
@@ -109,14 +110,15 @@ ErrorEstimate SampleSearch::error(const Setting& setting) {
 }
 
 bool SampleSearch::judgePicture() {
-    if (picture_ || samples_ > 2 || options_.crop.area() > mostPixels) return false;
+    const double area = options_.crop.area();
+    if (picture_ || samples_ > 2 || area < leastPixels || area > mostPixels) return false;
     const ErrorEstimate one = error(sampled(1));
     const auto with = [&](const DepthChoice& depth, double errors) {
         return std::hypot(one.rmse + errors * one.standardError, depth.error);
     };
     if (with(depths_.fine(), -possibleMargin) > target_ || with(depths_.fine(), sureMargin) <= target_) return false;
     const DepthChoice& depth = depths_.deeper(minorDepth);
-    const double judged = std::max(leastJudged, judgedPart * options_.crop.area());
+    const double judged = std::max(leastJudged, judgedPart * area);
     picture_ = renderJudged(renderer_, options_, sampledAt(depth, 1), judged);
     return true;
 }

@@ -72,7 +72,7 @@ def main():
         check_defaults(folder)
         check_target(folder, "scenes/spheres_cylinder.json", 16, 0.1, 0, "the cheapest of those that reach 0.1")
         check_target(folder, "scenes/spheres_cylinder.json", 16, 1e-9, 1, "nothing reaches 1e-09")
-        check_target(folder, "scenes/cone_cube.json", 60, 0.03, 0, "the cheapest", "to find out, the picture was rendered")
+        check_target(folder, "scenes/cone_cube.json", 160, 0.02, 0, "the cheapest", "to find out, the picture was rendered")
         check_report(folder)
 
 
