@@ -93,10 +93,9 @@ class WholePicture {
     WholePicture(const Renderer& renderer, const RenderOptions& options) {
         const PixelRectangle& crop = options.crop;
         for (int top = crop.y0; top < crop.y1; top += rows) {
-            std::vector<PixelPlace> pixels;
-            for (int y = top; y < std::min(top + rows, crop.y1); ++y)
-                for (int x = crop.x0; x < crop.x1; ++x) pixels.push_back({x, y});
-            strips_.push_back(std::make_unique<Pilot>(renderer, options, std::move(pixels)));
+            const PixelRectangle strip{crop.x0, top, crop.x1, std::min(top + rows, crop.y1)};
+            const auto all = static_cast<std::size_t>(strip.area());
+            strips_.push_back(std::make_unique<Pilot>(renderer, options, scatteredPixels(strip, all, 0)));
             strips_.back()->sampleTruth(truth, 12);
         }
     }

@@ -7,11 +7,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "raytracer/stratified_pilot.h"
+
 namespace raytracer {
 
 namespace {
 
-constexpr double evenPart = 0.1;  // of a pixel's size this part is the same for all: what looks flat may not be
 constexpr int truthSamples = 2;   // n x n: the truth may be noisy, as long as it is not the larger part of the differences
 
 // How far each pixel is from the next ones, in both directions.
@@ -67,8 +68,8 @@ JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& option
     picture.counts = renderer.render(withSetting(options, setting), sink);
     picture.colors = std::move(sink).colors();
     std::vector<double> sizes = changes(picture.colors, options.crop);
-    const double change = std::accumulate(sizes.begin(), sizes.end(), 0.0) / options.crop.area();
-    for (double& size : sizes) size += change > 0 ? evenPart / (1 - evenPart) * change : 1;
+    const double even = evenSize(sizes);
+    for (double& size : sizes) size += even;
     const Chosen chosen = choose(picture.colors, sizes, options.crop, judgedPixels);
     Pilot pilot(renderer, options, chosen.pixels);
     pilot.sampleTruth(setting, truthSamples);
@@ -79,14 +80,6 @@ JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& option
     picture.judgedPixels = chosen.pixels.size();
     picture.judgingRays = pilot.raysSpent();
     return picture;
-}
-
-void copyTo(PixelSink& sink, const PixelRectangle& crop, std::span<const glm::dvec3> colors) {
-    const auto width = static_cast<std::size_t>(crop.width());
-    for (int y = crop.y0; y < crop.y1; ++y) {
-        sink.write(crop.x0, y, colors.first(width));
-        colors = colors.subspan(width);
-    }
 }
 
 }  // namespace raytracer

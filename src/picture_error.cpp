@@ -22,6 +22,14 @@ void ColorSink::write(int x, int y, std::span<const glm::dvec3> colors) {
     std::copy(colors.begin(), colors.end(), colors_.begin() + place);
 }
 
+void copyTo(PixelSink& sink, const PixelRectangle& crop, std::span<const glm::dvec3> colors) {
+    const auto width = static_cast<std::size_t>(crop.width());
+    for (int y = crop.y0; y < crop.y1; ++y) {
+        sink.write(crop.x0, y, colors.first(width));
+        colors = colors.subspan(width);
+    }
+}
+
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth) {
     const glm::dvec3 difference = shown(color) - shown(truth);
     return glm::dot(difference, difference) / 3;

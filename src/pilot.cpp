@@ -55,8 +55,8 @@ struct Pilot::Grid {
     std::vector<Pixel> pixels;
     double cornerRays = 0, otherRays = 0;  // of all pixels, and of those that are whole
 
-    int samples() const { return setting.samples * setting.samples; }
-    int corners() const { return std::min(4, samples()); }
+    double samples() const { return setting.samples * setting.samples; }  // of a pixel; of these
+    double corners() const { return std::min(4.0, samples()); }
     bool isCorner(int i, int j) const { return (i == 0 || i == setting.samples - 1) && (j == 0 || j == setting.samples - 1); }
 };
 
@@ -75,8 +75,8 @@ const std::vector<glm::dvec3>& Pilot::colors(const Setting& setting) {
     addSamples(grid, lacking, false, true);
     auto picture = std::make_unique<Picture>(Picture{setting, {}});
     for (const Grid::Pixel& pixel : grid.pixels)
-        picture->colors.push_back(isActive(pixel.spread, setting) ? (pixel.corners + pixel.others) / double(grid.samples())
-                                                                  : pixel.corners / double(grid.corners()));
+        picture->colors.push_back(isActive(pixel.spread, setting) ? (pixel.corners + pixel.others) / grid.samples()
+                                                                  : pixel.corners / grid.corners());
     pictures_.push_back(std::move(picture));
     return pictures_.back()->colors;
 }
@@ -134,7 +134,7 @@ void Pilot::addSamples(Grid& grid, std::span<const std::size_t> pixels, bool cor
     if (others)
         for (const std::size_t pixel : pixels) grid.pixels[pixel].isWhole = true;
     const double rays = spent_ - before;
-    const double cornerPart = !corners ? 0 : others ? double(grid.corners()) / grid.samples() : 1;
+    const double cornerPart = !corners ? 0 : others ? grid.corners() / grid.samples() : 1;
     grid.cornerRays += cornerPart * rays;
     grid.otherRays += (1 - cornerPart) * rays;
 }
@@ -168,7 +168,7 @@ MeanSquare Pilot::squaredErrorOfFlat(const Setting& setting) {
     const Grid& grid = gridOf(setting);
     std::vector<glm::dvec3> colors = truths_[0];
     for (std::size_t i = 0; i < colors.size(); ++i)
-        if (!isActive(grid.pixels[i].spread, setting)) colors[i] = grid.pixels[i].corners / double(grid.corners());
+        if (!isActive(grid.pixels[i].spread, setting)) colors[i] = grid.pixels[i].corners / grid.corners();
     return meanOf(squaredErrors(colors));
 }
 

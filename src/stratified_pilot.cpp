@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::size_t strataCount = 8;  // more gain little: Cochran, 5A.8
 
-// Of a pixel's size (its weight in the choice) this part is the same for all: what looked flat may not be.
-constexpr double evenPart = 0.1;
+constexpr double evenPart = 0.1;  // of a pixel's size (its weight in the choice)
 
 std::vector<std::size_t> orderOf(std::span<const double> activity) {
     std::vector<std::size_t> order(activity.size());
@@ -30,12 +29,16 @@ std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const
 
 }  // namespace
 
+double evenSize(std::span<const double> activity) {
+    const double total = std::accumulate(activity.begin(), activity.end(), 0.0);
+    return total > 0 ? evenPart / (1 - evenPart) * total / static_cast<double>(activity.size()) : 1;
+}
+
 void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const double> activity, std::size_t count) {
     Sample sample{{}, static_cast<double>(pixels.size())};
     const std::vector<std::size_t> order = orderOf(activity);
-    const double total = std::accumulate(activity.begin(), activity.end(), 0.0);
-    const double even = total > 0 ? evenPart / (1 - evenPart) * total / sample.looked : 1;
-    const double whole = total + even * sample.looked;
+    const double even = evenSize(activity);
+    const double whole = std::accumulate(activity.begin(), activity.end(), 0.0) + even * sample.looked;
     double sum = 0;
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
         const std::size_t number = sample.strata.size() + 1;

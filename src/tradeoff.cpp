@@ -101,9 +101,9 @@ std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderO
 }
 
 ByteImage picture(const ImageSize& size, std::span<const glm::dvec3> colors) {
-    ByteSink sink({0, 0, size.width, size.height});
-    for (int y = 0; y < size.height; ++y)
-        sink.write(0, y, colors.subspan(static_cast<std::size_t>(y) * size.width, static_cast<std::size_t>(size.width)));
+    const PixelRectangle whole{0, 0, size.width, size.height};
+    ByteSink sink(whole);
+    copyTo(sink, whole, colors);
     return sink.image();
 }
 

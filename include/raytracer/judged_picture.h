@@ -19,7 +19,4 @@ struct JudgedPicture {
 // far it is from its neighbours, and a little that is the same for all. Takes 24 bytes a pixel.
 JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, double judgedPixels);
 
-// The rows of a picture, as if rendered into the sink.
-void copyTo(PixelSink& sink, const PixelRectangle& crop, std::span<const glm::dvec3> colors);
-
 }  // namespace raytracer

@@ -22,6 +22,9 @@ class ColorSink final : public PixelSink {
     std::vector<glm::dvec3> colors_;
 };
 
+// The rows of a picture, as if rendered into the sink.
+void copyTo(PixelSink& sink, const PixelRectangle& crop, std::span<const glm::dvec3> colors);
+
 // Of pixels' colours (the means of their unclamped samples): clamped here, so that clamping comes last, as in a picture.
 struct PictureError {
     double rmse = 0;      // over all channels, of 1

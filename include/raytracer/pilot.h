@@ -25,8 +25,8 @@ class Pilot {
     // number the corners, and what lies between them where a tolerance of `adaptive` asks for it, are taken once for all.
     const std::vector<glm::dvec3>& colors(const Setting& setting);
 
-    // For each pixel. Before its colours are asked for, `adaptive` has only its corners taken, and as if all samples of the
-    // other pixels cost the same.
+    // For each pixel. With `adaptive` an estimate, as if all samples of the pixels that take them cost the same; takes no more
+    // than the corners itself.
     double rays(const Setting& setting);
 
     // Of a setting, taking another one for the truth.

@@ -10,6 +10,9 @@
 
 namespace raytracer {
 
+// What is added to the activity of each pixel: a tenth of all sizes is the same for all, since what looks flat may not be.
+double evenSize(std::span<const double> activity);
+
 class StratifiedPilot {
   public:
     StratifiedPilot(const Renderer& renderer, const RenderOptions& options) : renderer_(renderer), options_(options) {}

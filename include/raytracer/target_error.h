@@ -9,7 +9,7 @@ namespace raytracer {
 
 struct TargetChoice {
     Setting setting;
-    bool reached = false;      // the setting's error is estimated to be no more than asked for; else it is the least of all
+    bool reached = false;      // not estimated to be above what was asked for by more than a standard error
     double error = 0;          // estimated RMSE of the whole picture, of 1, in linear light
     double standardError = 0;  // of that estimate
     double sampleError = 0, depthError = 0;  // its two parts: between the samples, and of rays that are not followed
