@@ -9,6 +9,8 @@ class Recorder final : public Observer {
   public:
     explicit Recorder(const Scene& scene) : scene_(&scene) {}
 
+    bool asksWhatShadows() const override { return true; }
+
     void enter(const Ray& ray, const RayPath& path) override {
         RayExplanation explanation;
         explanation.kind = path.kind;

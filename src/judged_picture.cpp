@@ -1,11 +1,9 @@
 #include "raytracer/judged_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "raytracer/stratified_pilot.h"
 
@@ -13,25 +11,52 @@ namespace raytracer {
 
 namespace {
 
-constexpr int truthSamples = 2;   // n x n: the truth may be noisy, as long as it is not the larger part of the differences
+constexpr int truthSamples = 2;  // n x n: the truth may be noisy, as long as it is not the larger part of the differences
+
+// A row of the picture as shown, channel by channel.
+struct ShownRow {
+    std::vector<float> channels[3];
+
+    void show(std::span<const glm::dvec3> colors) {
+        for (int channel = 0; channel < 3; ++channel) {
+            std::vector<float>& row = channels[channel];
+            row.resize(colors.size());
+            for (std::size_t x = 0; x < row.size(); ++x) row[x] = static_cast<float>(colors[x][channel]);
+            for (float& value : row) value = std::min(std::max(value, 0.0f), 1.0f);
+        }
+    }
+};
+
+// Squared, of the pixels from x on from as many others.
+void findDistances(const ShownRow& row, std::size_t x, const ShownRow& other, std::span<float> distances) {
+    std::ranges::fill(distances, 0.0f);
+    for (int channel = 0; channel < 3; ++channel) {
+        const float *a = row.channels[channel].data() + x, *b = other.channels[channel].data();
+        for (std::size_t i = 0; i < distances.size(); ++i) distances[i] += (a[i] - b[i]) * (a[i] - b[i]);
+    }
+}
+
+void add(std::span<const float> values, float* sums) {
+    for (std::size_t i = 0; i < values.size(); ++i) sums[i] += values[i];
+}
 
 // How far each pixel is from the next ones, in both directions.
-std::vector<double> changes(std::span<const glm::dvec3> colors, const PixelRectangle& crop) {
+std::vector<float> changes(std::span<const glm::dvec3> colors, const PixelRectangle& crop) {
     const auto width = static_cast<std::size_t>(crop.width()), count = colors.size();
-    std::vector<double> sums(count, 0);
-    std::vector<glm::dvec3> above(width), shown(width);
-    for (std::size_t row = 0; row < count; row += width, shown.swap(above))
-        for (std::size_t x = 0, i = row; x < width; ++x, ++i) {
-            shown[x] = glm::clamp(colors[i], 0.0, 1.0);
-            const auto compare = [&](const glm::dvec3& other, std::size_t at) {
-                const glm::dvec3 difference = shown[x] - other;
-                const double squared = glm::dot(difference, difference);
-                sums[i] += squared, sums[at] += squared;
-            };
-            if (x > 0) compare(shown[x - 1], i - 1);
-            if (row > 0) compare(above[x], i - width);
-        }
-    for (double& sum : sums) sum = std::sqrt(sum);
+    std::vector<float> sums(count, 0.0f), distances(width);
+    ShownRow shown, above;
+    for (std::size_t row = 0; row < count; row += width, std::swap(shown, above)) {
+        shown.show(colors.subspan(row, width));
+        const std::span<float> beside = std::span(distances).first(width - 1);
+        findDistances(shown, 1, shown, beside);
+        add(beside, &sums[row]);
+        add(beside, &sums[row] + 1);
+        if (row == 0) continue;
+        findDistances(shown, 0, above, distances);
+        add(distances, &sums[row - width]);
+        add(distances, &sums[row]);
+    }
+    for (float& sum : sums) sum = std::sqrt(sum);
     return sums;
 }
 
@@ -42,43 +67,52 @@ struct Chosen {
     std::vector<double> weights;
 };
 
+constexpr std::size_t parts[] = {0, 2, 1, 3};  // in which they are judged: of every four the first, then the third, ...
+
 // In steps of equal size through the picture, row by row (systematic sampling with probability proportional to size; Madow
 // 1949): a large pixel may be chosen more than once.
-Chosen choose(std::span<const glm::dvec3> colors, std::span<const double> sizes, const PixelRectangle& crop, double count) {
-    const double total = std::accumulate(sizes.begin(), sizes.end(), 0.0), step = total / count;
+std::vector<Chosen> choose(std::span<const glm::dvec3> colors, std::span<const float> changes, const PixelRectangle& crop,
+                           double count) {
+    const double all = crop.area(), changed = std::reduce(changes.begin(), changes.end(), 0.0);
+    const double even = evenSize(changed, all), total = changed + even * all, step = total / count;
     const auto width = static_cast<std::size_t>(crop.width());
-    const double all = static_cast<double>(sizes.size());
-    Chosen chosen;
+    std::vector<Chosen> chosen(std::size(parts));
     double sum = 0, next = step / 2;
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-        for (sum += sizes[i]; sum > next; next += step) {
-            chosen.pixels.push_back({crop.x0 + static_cast<int>(i % width), crop.y0 + static_cast<int>(i / width)});
-            chosen.colors.push_back(colors[i]);
-            chosen.weights.push_back(total / (sizes[i] * all));
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        const double size = static_cast<double>(changes[i]) + even;
+        for (sum += size; sum > next; next += step) {
+            Chosen& part = chosen[number++ % chosen.size()];
+            part.pixels.push_back({crop.x0 + static_cast<int>(i % width), crop.y0 + static_cast<int>(i / width)});
+            part.colors.push_back(colors[i]);
+            part.weights.push_back(total / (size * all));
         }
+    }
     return chosen;
 }
 
 }  // namespace
 
-JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting,
-                           double judgedPixels) {
+JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, double judgedPixels,
+                           const std::function<bool(const ErrorEstimate&)>& isClear) {
     JudgedPicture picture{setting, {}, {}, {}, 0, 0};
     ColorSink sink(options.crop);
     picture.counts = renderer.render(withSetting(options, setting), sink);
     picture.colors = std::move(sink).colors();
-    std::vector<double> sizes = changes(picture.colors, options.crop);
-    const double even = evenSize(sizes);
-    for (double& size : sizes) size += even;
-    const Chosen chosen = choose(picture.colors, sizes, options.crop, judgedPixels);
-    Pilot pilot(renderer, options, chosen.pixels);
-    pilot.sampleTruth(setting, truthSamples);
-    // Hansen and Hurwitz 1943: the mean of what each one tells of the whole.
-    std::vector<double> estimates = pilot.squaredErrors(chosen.colors);
-    for (std::size_t i = 0; i < estimates.size(); ++i) estimates[i] *= chosen.weights[i];
-    picture.error = rootOf(meanOf(estimates));
-    picture.judgedPixels = chosen.pixels.size();
-    picture.judgingRays = pilot.raysSpent();
+    const std::vector<Chosen> chosen =
+        choose(picture.colors, changes(picture.colors, options.crop), options.crop, judgedPixels);
+    std::vector<double> estimates;  // Hansen and Hurwitz 1943: the mean of what each one tells of the whole
+    for (const std::size_t part : parts) {
+        const auto& [pixels, colors, weights] = chosen[part];
+        Pilot pilot(renderer, options, pixels);
+        pilot.sampleTruth(setting, truthSamples);
+        const std::vector<double> errors = pilot.squaredErrors(colors);
+        for (std::size_t i = 0; i < errors.size(); ++i) estimates.push_back(weights[i] * errors[i]);
+        picture.error = rootOf(meanOf(estimates));
+        picture.judgedPixels += pixels.size();
+        picture.judgingRays += pilot.raysSpent();
+        if (isClear(picture.error)) break;
+    }
     return picture;
 }
 

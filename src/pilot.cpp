@@ -196,24 +196,16 @@ void Pilot::sampleTruth(const Setting& depth, int n) {
     truthSamples_ += cells;
 }
 
-std::vector<DepthChoice> depthFront(Pilot& pilot, const Setting& deepest, std::span<const double> cutoffs, double enough) {
+std::vector<DepthChoice> depthFront(const MeasureDepth& measure, int deepest, std::span<const double> cutoffs, double enough) {
     std::vector<DepthChoice> choices;
-    const auto tryOut = [&](int depth, double cutoff) {
-        Setting setting = deepest;
-        setting.max_recursion = depth;
-        setting.cutoff = cutoff;
-        choices.push_back({depth, cutoff, pilot.rays(setting), pilot.error(setting, deepest).rmse});
-        return choices.back().error;
-    };
-    double closest = 1;
-    std::vector<double> before(cutoffs.size(), 2);  // the errors one step less deep; 0: deeper is no closer
+    std::vector<double> before(cutoffs.size(), 2);  // the errors one step less deep; 0: deep enough, or deeper is no closer
     for (const int depth : gridDepths) {
-        if (depth > deepest.max_recursion || closest <= enough) break;
+        if (depth > deepest) break;
         for (std::size_t i = 0; i < cutoffs.size(); ++i) {
             if (before[i] == 0 || (depth == 0 && i > 0)) continue;
-            const double error = tryOut(depth, cutoffs[i]);
-            closest = std::min(closest, error);
-            before[i] = depth > 1 && error > 0.99 * before[i] ? 0 : error;
+            choices.push_back(measure(depth, cutoffs[i]));
+            const double error = choices.back().error;
+            before[i] = error <= enough || (depth > 1 && error > 0.99 * before[i]) ? 0 : error;
         }
     }
     std::vector<CostAndError> points;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raytracer/packet_tracer.h"
+#include "ray_follower.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -152,8 +153,8 @@ void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& c
 }
 
 int threadCount(int asked, int jobs) {
-    const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return std::min(asked > 0 ? asked : processors, jobs);
+    if (asked == 0) asked = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return std::min(asked, jobs);
 }
 
 // Does work(job, context) for every job, on options.threads threads.
@@ -234,6 +235,29 @@ RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const P
         }
     };
     return shareOut(*this, options, static_cast<int>((pixels.size() + batch - 1) / batch), nullptr, work);
+}
+
+RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPlace> pixels, FollowedRays& followed) const {
+    const std::size_t batch = 64, jobs = (pixels.size() + batch - 1) / batch;
+    std::vector<FollowedRays> parts(jobs);
+    const auto work = [&](int job, RenderContext& context) {
+        const std::size_t begin = static_cast<std::size_t>(job) * batch;
+        RayFollower follower;
+        context.observer = &follower;
+        Color color;
+        for (const PixelPlace& pixel : pixels.subspan(begin, std::min(batch, pixels.size() - begin)))
+            pixelColors({&pixel, 1}, {&color, 1}, context);
+        parts[static_cast<std::size_t>(job)] = follower.take();
+    };
+    const RenderCounts counts = shareOut(*this, options, static_cast<int>(jobs), nullptr, work);
+    followed = {};
+    for (const FollowedRays& part : parts) {
+        const std::size_t before = followed.rays.size();
+        followed.rays.insert(followed.rays.end(), part.rays.begin(), part.rays.end());
+        for (const std::size_t end : part.ends) followed.ends.push_back(before + end);
+    }
+    for (const Color& color : brightestColors(options.max_recursion)) followed.brightest.emplace_back(color);
+    return counts;
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

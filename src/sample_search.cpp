@@ -118,8 +118,11 @@ bool SampleSearch::judgePicture() {
     };
     if (with(depths_.fine(), -possibleMargin) > target_ || with(depths_.fine(), sureMargin) <= target_) return false;
     const DepthChoice& depth = depths_.deeper(minorDepth);
-    const double judged = std::max(leastJudged, judgedPart * area);
-    picture_ = renderJudged(renderer_, options_, sampledAt(depth, 1), judged);
+    const auto isClear = [&](const ErrorEstimate& samples) {
+        const ErrorEstimate error{std::hypot(samples.rmse, depth.error), samples.standardError};
+        return isWithin(error, sureMargin, target_) || error.rmse - sureMargin * error.standardError > target_;
+    };
+    picture_ = renderJudged(renderer_, options_, sampledAt(depth, 1), std::max(leastJudged, judgedPart * area), isClear);
     return true;
 }
 

@@ -35,7 +35,7 @@ class SampleSearch {
     bool isEnough(const Setting& setting) { return isWithin(error(setting), margin, target_); }
     double rays(const Setting& setting) { return pilot_.rays(setting); }
 
-    const DepthChoice& judgedDepth() const { return depths_.of(judged_); }
+    DepthChoice judgedDepth() const { return depths_.of(judged_); }
     Setting sampled(int samples, double adaptive = 0) const { return sampledAt(judgedDepth(), samples, adaptive); }
     Setting sampledAt(const DepthChoice& depth, int samples, double adaptive = 0) const;
 

@@ -66,12 +66,12 @@ Color Scene::lightColor(const ShadingPoint& point, RenderContext& context) const
     return color;
 }
 
-// S_L: only the closest hit before the light counts; where none is refractive, any will do. (An observer is told which.)
+// S_L: only the closest hit before the light counts; where none is refractive, any will do, but for who asks which.
 Shadow Scene::castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const {
     ++context.counts.shadow;
     const Ray ray = point.leave(toLight, ShadingPoint::Side::Near);
     const RayEnd end{light.position};
-    HitQuery query(end, !hasRefractiveShape_ && !context.observer);
+    HitQuery query(end, !hasRefractiveShape_ && !(context.observer && context.observer->asksWhatShadows()));
     const Hit hit = closestHit(ray, query, context);
     if (!hit.shape) return {};
     const Material& material = hit.shape->material();

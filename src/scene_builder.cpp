@@ -106,6 +106,11 @@ class SceneRenderer final : public Renderer {
         return scene_->renderPixels(options, pixels, colors);
     }
 
+    RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                        FollowedRays& followed) const override {
+        return scene_->follow(options, pixels, followed);
+    }
+
     RayExplanation explain(const RenderOptions& options, int x, int y) const override {
         return explainPixel(*scene_, options, x, y);
     }

@@ -29,16 +29,15 @@ std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const
 
 }  // namespace
 
-double evenSize(std::span<const double> activity) {
-    const double total = std::accumulate(activity.begin(), activity.end(), 0.0);
-    return total > 0 ? evenPart / (1 - evenPart) * total / static_cast<double>(activity.size()) : 1;
+double evenSize(double total, double count) {
+    return total > 0 ? evenPart / (1 - evenPart) * total / count : 1;
 }
 
 void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const double> activity, std::size_t count) {
     Sample sample{{}, static_cast<double>(pixels.size())};
     const std::vector<std::size_t> order = orderOf(activity);
-    const double even = evenSize(activity);
-    const double whole = std::accumulate(activity.begin(), activity.end(), 0.0) + even * sample.looked;
+    const double active = std::accumulate(activity.begin(), activity.end(), 0.0);
+    const double even = evenSize(active, sample.looked), whole = active + even * sample.looked;
     double sum = 0;
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
         const std::size_t number = sample.strata.size() + 1;

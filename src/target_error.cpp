@@ -15,10 +15,8 @@ namespace {
 struct Candidate {
     Setting setting;
     double rays = 0;  // for each pixel, predicted up to a factor that is the same for all; 0 if it is rendered already
-    double sampleError = 0, depthError = 0;  // RMSE
-    double sampleStandardError = 0;
-    double error() const { return std::hypot(sampleError, depthError); }
-    double standardError() const { return error() > 0 ? sampleStandardError * sampleError / error() : 0; }
+    ErrorEstimate samples, depth;
+    ErrorEstimate error() const { return together(samples, depth); }
 };
 
 constexpr double adaptiveSteps[] = {0.3, 0.1, 0.03, 0.01};
@@ -38,6 +36,7 @@ constexpr double smallStep = 1.05;   // a setting dearer by no more than this is
 // Standard errors; and what is only likely within the target may well be above, but not far.
 constexpr double reachedMargin = 1;  // above by no more than this is not said to be above
 constexpr double likelyMargin = 0.6, likelyExcess = 1.5;
+constexpr double togetherMargin = 1;  // for both parts as they were judged each by itself
 
 class Search {
   public:
@@ -58,7 +57,7 @@ class Search {
             TargetChoice choice = round();
             const double each = (spent() - before) / pixels;  // rays, for as many pixels as the first look has
             if (depths_.widen(leastRays(choice))) choice = round();
-            if (depths_.halve(choice.setting)) choice = round();
+            while (depths_.halve(choice.setting)) choice = round();
             if (samples_.judgePicture()) choice = round();
             if (samples_.isRendered(choice.setting)) {
                 choice.picture = std::move(samples_.picture());
@@ -104,12 +103,12 @@ class Search {
     // And what the depth leaves out, of which the pilot's pixels see the part that the judged depth does not leave out itself.
     ErrorEstimate measured(const Candidate& candidate) {
         const Setting& setting = candidate.setting;
-        const DepthChoice& depth = depths_.of(setting);
+        const DepthChoice depth = depths_.of(setting);
         const bool isDeeper = depth.error < samples_.judgedDepth().error || (samples_.picture() && setting.samples == 1);
-        ErrorEstimate error = samples_.error(isDeeper ? samples_.sampled(setting.samples, setting.adaptive) : setting);
+        const ErrorEstimate error = samples_.error(isDeeper ? samples_.sampled(setting.samples, setting.adaptive) : setting);
         const double shallow = isDeeper ? 0 : depths_.distance(depth, samples_.judgedDepth());
-        error.rmse = std::sqrt(error.rmse * error.rmse + std::max(0.0, depth.error * depth.error - shallow * shallow));
-        return error;
+        const double unseen = std::sqrt(std::max(0.0, depth.error * depth.error - shallow * shallow));
+        return together(error, {unseen, depth.error > 0 ? depth.standardError * unseen / depth.error : 0});
     }
 
     // From what is too few samples even without adaptive to where they are dearer than what is enough.
@@ -154,7 +153,7 @@ class Search {
         for (const DepthChoice& depth : depths_.choices()) {
             const Setting deep = samples_.sampledAt(depth, setting.samples, setting.adaptive);
             const double deepRays = samples_.isRendered(deep) ? 0 : rays * depth.rays;
-            candidates_.push_back({deep, deepRays, error.rmse, depth.error, error.standardError});
+            candidates_.push_back({deep, deepRays, error, {depth.error, depth.standardError}});
         }
     }
 
@@ -166,15 +165,15 @@ class Search {
             if (good && candidate.rays > smallStep * good->rays) break;
             if (!good && likely && candidate.rays > promise * likely->rays - spent() / area_) break;
             const bool isThere = candidate.rays == 0;
-            if (!possible && !isThere && isPossible({candidate.error(), candidate.standardError()})) possible = &candidate;
-            if (!isThere && candidate.error() > target_) continue;
+            if (!possible && !isThere && isPossible(candidate.error())) possible = &candidate;
+            if (!isThere && !isWithin(candidate.error(), togetherMargin)) continue;
             const ErrorEstimate error = measured(candidate);
             if (!likely && (isThere ? isReached(error) : isLikely(error))) likely = &candidate;
             if (isWithin(error, sureMargin)) return result(candidate, possible);
             if (!good && isWithin(error, margin)) good = &candidate;
         }
         if (good || likely) return result(good ? *good : *likely, possible);
-        const auto accuracy = [](const Candidate& c) { return std::pair(c.setting.adaptive, c.error()); };
+        const auto accuracy = [](const Candidate& c) { return std::pair(c.setting.adaptive, c.error().rmse); };
         return result(*std::ranges::min_element(candidates_, {}, accuracy), nullptr);
     }
 
@@ -185,13 +184,13 @@ class Search {
         choice.reached = isReached(error);
         choice.error = error.rmse;
         choice.standardError = error.standardError;
-        choice.sampleError = candidate.sampleError;
-        choice.depthError = candidate.depthError;
+        choice.sampleError = candidate.samples.rmse;
+        choice.depthError = candidate.depth.rmse;
         const double rendered = samples_.isRendered(choice.setting) ? rayCount(samples_.picture()->counts) : 0;
         choice.rays = rendered > 0 ? rendered / area_ : candidate.rays;
         if (cheaper && cheaper->rays < candidate.rays) {
             choice.cheaper = cheaper->setting;
-            choice.cheaperError = cheaper->error();
+            choice.cheaperError = cheaper->error().rmse;
             choice.cheaperRays = cheaper->rays;
         }
         choice.pilotPixels = samples_.pixelCount();

@@ -25,6 +25,12 @@ inline bool isWithin(const ErrorEstimate& error, double errors, double target) {
     return upperLimit(error.rmse, error.standardError, errors) <= target;
 }
 
+// Of two errors that hardly know of each other: their squares add up.
+inline ErrorEstimate together(const ErrorEstimate& a, const ErrorEstimate& b) {
+    const double rmse = std::hypot(a.rmse, b.rmse);
+    return {rmse, rmse > 0 ? std::hypot(a.rmse * a.standardError, b.rmse * b.standardError) / rmse : 0};
+}
+
 // The geometric mean of two numbers below 1, to one digit.
 inline double roundedMean(double a, double b) {
     if (a == b) return a;

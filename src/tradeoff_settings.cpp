@@ -14,13 +14,14 @@ std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
     cutoffs.insert(cutoffs.end(), std::begin(gridCutoffs), std::end(gridCutoffs));
     Setting deepest = reference.setting;
     deepest.samples = 1;
+    const auto measure = [&](int depth, double cutoff) -> DepthChoice {
+        const Setting setting{.max_recursion = depth, .cutoff = cutoff};
+        return {depth, cutoff, pilot.rays(setting), pilot.error(setting, deepest).rmse};
+    };
     std::vector<DepthChoice> chosen;
-    for (const DepthChoice& choice : depthFront(pilot, deepest, cutoffs, 1e-4))
+    for (const DepthChoice& choice : depthFront(measure, deepest.max_recursion, cutoffs, 1e-4))
         if (chosen.empty() || choice.error < 0.5 * chosen.back().error) chosen.push_back(choice);
-    for (const int depth : {1, 2, 3, 6}) {
-        const Setting plain{.max_recursion = depth};
-        chosen.push_back({depth, 0, pilot.rays(plain), pilot.error(plain, deepest).rmse});
-    }
+    for (const int depth : {1, 2, 3, 6}) chosen.push_back(measure(depth, 0));
     std::ranges::stable_sort(chosen, {}, &DepthChoice::rays);
     const auto same = [](const DepthChoice& a, const DepthChoice& b) {  // the defaults are what all is measured by
         return a.rays == b.rays && !(b.max_recursion == Setting{}.max_recursion && b.cutoff == 0);

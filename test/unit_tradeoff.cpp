@@ -151,6 +151,33 @@ TEST_CASE("a pilot's adaptive pixels are the render's, and cost about as many ra
     });
 }
 
+TEST_CASE("followed rays tell every shallower picture, and its rays") {
+    forEveryScene(32, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        const std::vector<PixelPlace> pixels = allPixels(options);
+        const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
+        FollowedRays followed;
+        const RenderCounts deep = renderer.follow(withSetting(options, deepest), pixels, followed);
+        REQUIRE(followed.pixelCount() == pixels.size());
+        for (const Setting& setting : {deepest, Setting{.max_recursion = 9, .cutoff = 0.3}, Setting{.max_recursion = 2, .cutoff = 0.02},
+                                       Setting{.max_recursion = 1, .cutoff = 0.1}, Setting{.max_recursion = 0, .cutoff = 1}}) {
+            INFO(commandLine(setting));
+            std::vector<glm::dvec3> colors(pixels.size());
+            const double rays = rayCount(renderer.renderPixels(withSetting(options, setting), pixels, colors));
+            double counted = 0;
+            std::size_t off = 0, notWhole = 0;
+            for (std::size_t i = 0; i < pixels.size(); ++i) {
+                const PixelAndRays pixel = shallower(followed, i, setting.max_recursion, setting.cutoff);
+                counted += pixel.rays;
+                off += squaredError(pixel.color, colors[i]) > 1e-10;
+                notWhole += !pixel.isWhole;
+            }
+            CHECK(off <= pixels.size() / 500);  // a weight that is the cutoff but for rounding
+            CHECK(counted == Approx(rays).epsilon(2e-3));
+            CHECK((notWhole == 0) == (rayCount(deep) == counted));
+        }
+    });
+}
+
 TEST_CASE("a truth of two noisy estimates gives the error without bias") {
     double off = 0;  // standard errors
     int estimates = 0;
@@ -175,12 +202,15 @@ TEST_CASE("a judged picture is the render's, and tells its own error without bia
     int scenes = 0;
     forEveryScene(48, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const Setting setting{.max_recursion = 2, .cutoff = 0.1};
-        const JudgedPicture judged = renderJudged(renderer, options, setting, 500);
+        const JudgedPicture judged = renderJudged(renderer, options, setting, 500, [](const ErrorEstimate&) { return false; });
         ColorSink sink(options.crop), copy(options.crop);
         renderer.render(withSetting(options, setting), sink);
         copyTo(copy, options.crop, judged.colors);
         CHECK(copy.colors() == sink.colors());
         CHECK(judged.judgedPixels < 510);
+        const JudgedPicture clear = renderJudged(renderer, options, setting, 500, [](const ErrorEstimate&) { return true; });
+        CHECK(clear.judgedPixels < 130);
+        CHECK(clear.error.standardError > judged.error.standardError);
         Pilot picture(renderer, options, allPixels(options));
         Setting converged = setting;
         converged.samples = 12;

@@ -2,6 +2,8 @@
 // that few pixels, most of them from there, tell the error of all.
 #pragma once
 
+#include <functional>
+
 #include "raytracer/pilot.h"
 
 namespace raytracer {
@@ -15,8 +17,10 @@ struct JudgedPicture {
     double judgingRays = 0;
 };
 
-// Renders the crop and judges about so many of its pixels, each chosen with a probability in proportion to its size: how
-// far it is from its neighbours, and a little that is the same for all. Takes 24 bytes a pixel.
-JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, double judgedPixels);
+// Renders the crop and judges up to about so many of its pixels, each chosen with a probability in proportion to its size:
+// how far it is from its neighbours, and a little that is the same for all. No more of them than make the error clear; asked
+// after each quarter. Takes 24 bytes a pixel.
+JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, double judgedPixels,
+                           const std::function<bool(const ErrorEstimate&)>& isClear);
 
 }  // namespace raytracer

@@ -2,7 +2,7 @@
 // off it would be. A pixel is the same whether alone or in the picture, so that this is a random sample of it.
 #pragma once
 
-#include <map>
+#include <functional>
 #include <memory>
 
 #include "raytracer/picture_error.h"
@@ -70,10 +70,12 @@ struct DepthChoice {
     double cutoff = 0;
     double rays = 0;   // for each pixel of one sample
     double error = 0;  // RMSE against the deepest, with the same samples
+    double standardError = 0;  // of that
 };
 
-// Tries the grid's depths up to `deepest`'s, each with these cutoffs, until one is closer than `enough` to `deepest`.
-// Returns those that are on the front of cost and error, from the cheapest on.
-std::vector<DepthChoice> depthFront(Pilot& pilot, const Setting& deepest, std::span<const double> cutoffs, double enough);
+// Tries the grid's depths up to `deepest` with each of these cutoffs, until the error is no more than `enough`. Returns those
+// that are on the front of cost and error, from the cheapest on.
+using MeasureDepth = std::function<DepthChoice(int max_recursion, double cutoff)>;
+std::vector<DepthChoice> depthFront(const MeasureDepth& measure, int deepest, std::span<const double> cutoffs, double enough);
 
 }  // namespace raytracer

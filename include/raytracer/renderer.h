@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "raytracer/explanation.h"
+#include "raytracer/followed_rays.h"
 #include "raytracer/render_options.h"
 #include "raytracer/scene_description.h"
 
@@ -21,6 +22,10 @@ class Renderer {
     // The same colours for some pixels only, which may be any of the whole picture: colors[i] is pixels[i]'s.
     virtual RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                       std::span<glm::dvec3> colors) const = 0;
+
+    // The rays behind the centres of some pixels, those of pixels[i] as FollowedRays::of(i).
+    virtual RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                                FollowedRays& followed) const = 0;
 
     // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for it when
     // options.samples is 1 and options.pass is Color.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raytracer/camera.h"
+#include "raytracer/followed_rays.h"
 #include "raytracer/observer.h"
 #include "raytracer/render_options.h"
 #include "raytracer/shape_tree.h"
@@ -96,6 +97,9 @@ class Scene {
     // Some pixels of the picture, as render has them.
     RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                               std::span<glm::dvec3> colors) const;
+
+    // Renderer::follow.
+    RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels, FollowedRays& followed) const;
 
   private:
     void traverse(const Ray& ray, HitQuery& query, RenderContext& context) const;
