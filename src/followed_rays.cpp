@@ -12,21 +12,21 @@ std::span<const FollowedRay> FollowedRays::of(std::size_t pixel) const {
 }
 
 PixelAndRays shallower(const FollowedRays& followed, std::size_t pixel, int max_recursion, double cutoff) {
-    const auto isCast = [&](const FollowedRay& ray) {  // as Scene::isWorthCasting has it
+    // As Scene::isWorthCasting has it. A ray that is worth it comes from one that was, since it can change no more.
+    const auto isCast = [&](const FollowedRay& ray) {
+        if (ray.depth == 0) return true;
         if (ray.depth > max_recursion) return false;
         const glm::vec3 most = glm::abs(ray.weight) * followed.brightest[static_cast<std::size_t>(max_recursion - ray.depth)];
         return static_cast<double>(std::max({most.x, most.y, most.z})) >= cutoff;
     };
-    const std::span<const FollowedRay> rays = followed.of(pixel);
     PixelAndRays result;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (i > 0 && !isCast(rays[i])) {
-            i += rays[i].descendants;
+    for (const FollowedRay& ray : followed.of(pixel)) {
+        if (!isCast(ray)) {
             result.isWhole = false;
             continue;
         }
-        result.color += glm::dvec3(rays[i].light);
-        result.rays += 1 + rays[i].shadows;
+        result.color += glm::dvec3(ray.light);
+        result.rays += 1 + ray.shadows;
     }
     return result;
 }

@@ -13,20 +13,29 @@ constexpr std::chrono::milliseconds quietStart{1000};          // shorter work n
 constexpr std::chrono::milliseconds betweenFrames{100};
 }  // namespace
 
-ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) == 1) {}
+TerminalLine::TerminalLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
-ProgressBar::~ProgressBar() {
+TerminalLine::~TerminalLine() {
     if (drawn_) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressBar::progress(double fraction) {
+bool TerminalLine::isDue() const {
     const auto now = Clock::now();
-    if (!terminal_ || now - start_ < quietStart || now - last_ < betweenFrames) return;
-    last_ = now;
+    return terminal_ && now - start_ >= quietStart && now - last_ >= betweenFrames;
+}
+
+void TerminalLine::show(const std::string& text) {
+    if (!isDue()) return;
+    last_ = Clock::now();
     drawn_ = true;
-    const std::chrono::duration<double> elapsed = now - start_;
-    std::fprintf(stderr, "\r\033[K%s", line(fraction, elapsed.count()).c_str());
+    std::fprintf(stderr, "\r\033[K%s", text.c_str());
     std::fflush(stderr);
+}
+
+double TerminalLine::elapsedSeconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+void ProgressBar::progress(double fraction) {
+    if (line_.isDue()) line_.show(line(fraction, line_.elapsedSeconds()));
 }
 
 std::string ProgressBar::line(double fraction, double elapsedSeconds) {

@@ -29,9 +29,7 @@ class RayFollower final : public Observer {
     void notCast(RayKind, NotCast) override {}
 
     void leave(const Color&) override {
-        const std::size_t index = open_.back();
         open_.pop_back();
-        followed_.rays[index].descendants = static_cast<std::uint32_t>(followed_.rays.size() - index - 1);
         if (open_.empty()) followed_.ends.push_back(followed_.rays.size());
     }
 

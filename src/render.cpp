@@ -238,6 +238,9 @@ RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const P
 }
 
 RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPlace> pixels, FollowedRays& followed) const {
+    RenderOptions once = options;
+    once.samples = 1;
+    once.pass = Pass::Color;
     const std::size_t batch = 64, jobs = (pixels.size() + batch - 1) / batch;
     std::vector<FollowedRays> parts(jobs);
     const auto work = [&](int job, RenderContext& context) {
@@ -249,7 +252,7 @@ RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPl
             pixelColors({&pixel, 1}, {&color, 1}, context);
         parts[static_cast<std::size_t>(job)] = follower.take();
     };
-    const RenderCounts counts = shareOut(*this, options, static_cast<int>(jobs), nullptr, work);
+    const RenderCounts counts = shareOut(*this, once, static_cast<int>(jobs), nullptr, work);
     followed = {};
     for (const FollowedRays& part : parts) {
         const std::size_t before = followed.rays.size();

@@ -40,8 +40,8 @@ constexpr double togetherMargin = 1;  // for both parts as they were judged each
 
 class Search {
   public:
-    Search(const Renderer& renderer, const RenderOptions& options, double target)
-        : area_(options.crop.area()), target_(target), depths_(renderer, options, target),
+    Search(const Renderer& renderer, const RenderOptions& options, double target, const ChoiceSoFar& tell)
+        : area_(options.crop.area()), target_(target), tell_(tell), depths_(renderer, options, target),
           samples_(renderer, options, target, depths_) {}
 
     // In looks at ever more pixels, until the choice is clear or more would cost too much of what it can save.
@@ -75,7 +75,9 @@ class Search {
     TargetChoice round() {
         samples_.findSamples();
         collect();
-        return pick();
+        TargetChoice choice = pick();
+        if (tell_) tell_(choice);
+        return choice;
     }
 
     // What the best setting may cost.
@@ -199,6 +201,7 @@ class Search {
     }
 
     double area_, target_;
+    const ChoiceSoFar& tell_;
     DepthSearch depths_;
     SampleSearch samples_;
     std::vector<Candidate> candidates_;
@@ -206,8 +209,8 @@ class Search {
 
 }  // namespace
 
-TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target) {
-    return Search(renderer, options, target).choose();
+TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target, const ChoiceSoFar& tell) {
+    return Search(renderer, options, target, tell).choose();
 }
 
 }  // namespace raytracer

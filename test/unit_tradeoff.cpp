@@ -286,6 +286,16 @@ TEST_CASE("target-error: a wider look at depths goes on from the finest, not fro
     CHECK(best.max_recursion > 12);
 }
 
+TEST_CASE("target-error: tells what it would choose so far, at last what it chooses") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    std::vector<Setting> told;
+    const TargetChoice choice = chooseSetting(*renderer, wholePicture(scene, 64), 0.02,
+                                              [&](const TargetChoice& soFar) { told.push_back(soFar.setting); });
+    REQUIRE(!told.empty());
+    CHECK(told.back() == choice.setting);
+}
+
 TEST_CASE("target-error: the texture filter stays the one that was asked for") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/texture.json", true).description;
     const auto renderer = makeRenderer(scene, Precision::Double);

@@ -10,16 +10,15 @@
 namespace raytracer {
 
 struct FollowedRay {
-    glm::vec3 light{0};             // what the lights alone give it, as it reaches the pixel
-    glm::vec3 weight{1};            // what its colour is multiplied by on its way to the pixel
-    std::uint32_t descendants = 0;  // the rays that it leads to; they come right after it
-    std::uint16_t depth = 0;        // reflections and refractions on the way to it
-    std::uint16_t shadows = 0;      // shadow rays from where it hits
+    glm::vec3 light{0};         // what the lights alone give it, as it reaches the pixel
+    glm::vec3 weight{1};        // what its colour is multiplied by on its way to the pixel
+    std::uint16_t depth = 0;    // reflections and refractions on the way to it
+    std::uint16_t shadows = 0;  // shadow rays from where it hits
 };
 
 // As they are followed with one max_recursion and cutoff.
 struct FollowedRays {
-    std::vector<FollowedRay> rays;     // pixel by pixel, beginning with its own
+    std::vector<FollowedRay> rays;     // pixel by pixel, each one's own first
     std::vector<std::size_t> ends;     // of each pixel's
     std::vector<glm::vec3> brightest;  // the most that a ray's colour can be, by the max_recursion that it has left
 

@@ -1,4 +1,4 @@
-// A progress bar with the remaining time, on stderr.
+// What long work says on a terminal while it lasts.
 #pragma once
 
 #include <chrono>
@@ -8,21 +8,35 @@
 
 namespace raytracer {
 
-// Draws nothing in the first second, and nothing at all where stderr is not a terminal.
-class ProgressBar final : public ProgressListener {
+// A line on stderr that is written over. Shows nothing in the first second, and nothing at all where stderr is not a terminal.
+class TerminalLine {
   public:
-    ProgressBar();
-    ~ProgressBar() override;  // clears the line
-    void progress(double fraction) override;
+    TerminalLine();
+    ~TerminalLine();  // clears the line
+    TerminalLine(const TerminalLine&) = delete;
+    TerminalLine& operator=(const TerminalLine&) = delete;
 
-    // One line, without the carriage return: "[#####     ]  50 %  0:07 left".
-    static std::string line(double fraction, double elapsedSeconds);
+    bool isDue() const;  // not too soon after what was shown last
+    void show(const std::string& text);
+    double elapsedSeconds() const;
 
   private:
     using Clock = std::chrono::steady_clock;
     bool terminal_;
     bool drawn_ = false;
     Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+// With the remaining time.
+class ProgressBar final : public ProgressListener {
+  public:
+    void progress(double fraction) override;
+
+    // One line, without the carriage return: "[#####     ]  50 %  0:07 left".
+    static std::string line(double fraction, double elapsedSeconds);
+
+  private:
+    TerminalLine line_;
 };
 
 }  // namespace raytracer

@@ -23,7 +23,8 @@ class Renderer {
     virtual RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                       std::span<glm::dvec3> colors) const = 0;
 
-    // The rays behind the centres of some pixels, those of pixels[i] as FollowedRays::of(i).
+    // The rays behind the centres of some pixels, those of pixels[i] as FollowedRays::of(i): when options.samples is 1 and
+    // options.pass is Color, the ones that renderPixels follows.
     virtual RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                 FollowedRays& followed) const = 0;
 

@@ -1,6 +1,7 @@
 // The cheapest setting whose picture is as accurate as asked for, found by a pilot render of the very scene.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "raytracer/judged_picture.h"
@@ -25,7 +26,9 @@ struct TargetChoice {
 };
 
 // `target` is an RMSE, of 1, in linear light after clamping; the truth is the picture with many more samples and deeper
-// recursion. Chooses by counted rays, so that the same command makes the same picture on every machine.
-TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target);
+// recursion. Chooses by counted rays, so that the same command makes the same picture on every machine. Tells what it would
+// choose so far, whenever it has looked at more.
+using ChoiceSoFar = std::function<void(const TargetChoice&)>;
+TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target, const ChoiceSoFar& tell = {});
 
 }  // namespace raytracer

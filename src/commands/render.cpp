@@ -159,7 +159,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     const auto renderer = makeRenderer(description, arguments.precisionChosen(), arguments.buildOptions());
     timings.build = watch.lap();
     std::optional<TargetChoice> choice;
-    if (wanted.targetError > 0) choice = chooseAndTell(*renderer, options, wanted.targetError);
+    if (wanted.targetError > 0) choice = chooseAndTell(*renderer, options, wanted.targetError, arguments.quiet);
     timings.choose = watch.lap();
     const JudgedPicture* rendered = choice && choice->picture ? &*choice->picture : nullptr;
     const Picture picture{arguments, description, *renderer, options, rendered};

@@ -3,10 +3,25 @@
 #include <cstdio>
 #include <string>
 
+#include "raytracer/progress_bar.h"
+
 namespace raytracer::commands {
 
-TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target) {
-    const TargetChoice choice = chooseSetting(renderer, options, target);
+namespace {
+
+TargetChoice choose(const Renderer& renderer, const RenderOptions& options, double target, bool quiet) {
+    if (quiet) return chooseSetting(renderer, options, target);
+    TerminalLine line;
+    return chooseSetting(renderer, options, target, [&](const TargetChoice& choice) {
+        line.show("--target-error " + shortNumber(target) + ": so far " + commandLine(choice.setting) + " with about " +
+                  shortNumber(choice.error) + " +- " + shortNumber(choice.standardError) + "; looking at more pixels");
+    });
+}
+
+}  // namespace
+
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
+    const TargetChoice choice = choose(renderer, options, target, quiet);
     options = withSetting(options, choice.setting);
     std::string why = "the cheapest of those that reach " + shortNumber(target);
     if (!choice.reached) why = "the most accurate there is; nothing reaches " + shortNumber(target);

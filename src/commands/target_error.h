@@ -5,8 +5,8 @@
 
 namespace raytracer::commands {
 
-// Picks the setting, says which and why, and puts it into the options.
-TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target);
+// Picks the setting, says which and why, and puts it into the options. Shows how far it is on a terminal, unless `quiet`.
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet);
 
 // After the render: the error that it is estimated to have, and whether that is what was asked for.
 bool tellOutcome(const TargetChoice& choice, double target);
