@@ -26,11 +26,10 @@ constexpr double leastLook = 0.25;         // of all pixels before: fewer would 
 
 // What the best setting may cost, times this, is the most that all may cost, the pilot included.
 constexpr double promise = 1.5;
-// No look is begun that would exceed such a share of it, all pilots together:
-constexpr double pilotShare = 0.16;
-constexpr double checkShare = 0.12;  // where it would only make sure,
-constexpr double lastShare = 0.25;   // where the promise is going to be broken.
-constexpr double hope = 0.25;        // of what more pixels seem to save, this part
+// No look is begun after which all pilots together would have cost more than such a part of what the best setting costs, or
+// of what a cheaper one would save; nor for more than that part of what it would save itself.
+constexpr double pilotShare = 0.12, savedShare = 0.15, hope = 0.25;
+constexpr double checkShare = 0.09;  // for a look that would only make sure, instead of pilotShare
 constexpr double smallStep = 1.05;   // a setting dearer by no more than this is as good
 
 // Standard errors; and what is only likely within the target may well be above, but not far.
@@ -87,8 +86,8 @@ class Search {
     // or show that this one will not do.
     double worthwhile(const TargetChoice& choice) const {
         const double best = leastRays(choice) * area_, chosen = choice.rays * area_;
-        const double share = chosen + spent() > promise * best ? lastShare : pilotShare;
-        const double saving = std::min(share * best - spent(), hope * (chosen - best));
+        const double saved = chosen - best;
+        const double saving = std::min(std::max(pilotShare * best, savedShare * saved) - spent(), hope * saved);
         if (isWithin({choice.error, choice.standardError}, sureMargin)) return saving;
         return std::max(saving, checkShare * best - spent());
     }
