@@ -17,7 +17,7 @@ constexpr double scatteredPart = 1.0 / 256, leastScattered = 1000;  // of the pi
 constexpr double judgedPixels = 260, fewSamplesPixels = 200;        // these, divided by the samples, are judged too
 constexpr double flat = 0.01;  // squared difference between corners where adaptive is likely to take no more samples
 
-constexpr double judgedPart = 1.0 / 100, leastJudged = 1000;  // of the pixels of a whole picture
+constexpr double judgedPart = 1.0 / 60, leastJudged = 1000;  // of the pixels of a whole picture
 constexpr double leastPixels = 20 * leastJudged;  // of such a picture: less is dearer to judge than to render
 constexpr double mostPixels = 1 << 22;            // 100 MB
 constexpr double minorDepth = 0.1;  // of the target: what a depth may leave, where the samples alone leave nearly all of it
