@@ -11,7 +11,7 @@ namespace {
 
 constexpr double lookPart = 1.0 / 200, leastLook = 500;  // of the picture's pixels: looked at before its cost is known
 constexpr double widePart = 0.009;     // of the picture's rays, for all that is looked at again
-constexpr double mostPixels = 100000;  // see what is in three of 100,000, missed in 1 of 20; and take 50 MB
+constexpr double mostPixels = 100000;  // see what is in three of 100,000, missed in 1 of 20; and take 100 MB
 constexpr double worthHalving = 1.1;   // a step of the rays
 constexpr double worthwhile = 3;       // times the pixels before
 

@@ -16,8 +16,8 @@ PixelAndRays shallower(const FollowedRays& followed, std::size_t pixel, int max_
     const auto isCast = [&](const FollowedRay& ray) {
         if (ray.depth == 0) return true;
         if (ray.depth > max_recursion) return false;
-        const glm::vec3 most = glm::abs(ray.weight) * followed.brightest[static_cast<std::size_t>(max_recursion - ray.depth)];
-        return static_cast<double>(std::max({most.x, most.y, most.z})) >= cutoff;
+        const glm::dvec3 most = glm::abs(ray.weight) * followed.brightest[static_cast<std::size_t>(max_recursion - ray.depth)];
+        return std::max({most.x, most.y, most.z}) >= cutoff;
     };
     PixelAndRays result;
     for (const FollowedRay& ray : followed.of(pixel)) {
@@ -25,7 +25,7 @@ PixelAndRays shallower(const FollowedRays& followed, std::size_t pixel, int max_
             result.isWhole = false;
             continue;
         }
-        result.color += glm::dvec3(ray.light);
+        result.color += ray.light;
         result.rays += 1 + ray.shadows;
     }
     return result;

@@ -13,7 +13,7 @@ class RayFollower final : public Observer {
         if (open_.empty()) max_recursion_ = path.max_recursion;
         open_.push_back(followed_.rays.size());
         FollowedRay ray;
-        ray.weight = glm::vec3(path.weight);
+        ray.weight = glm::dvec3(path.weight);
         ray.depth = static_cast<std::uint16_t>(max_recursion_ - path.max_recursion);
         followed_.rays.push_back(ray);
     }
@@ -22,7 +22,7 @@ class RayFollower final : public Observer {
 
     void light(const DirectLight&, const Shadow* shadow, const Color& sum) override {
         FollowedRay& ray = followed_.rays[open_.back()];
-        ray.light += ray.weight * glm::vec3(sum);
+        ray.light += ray.weight * glm::dvec3(sum);
         if (shadow) ++ray.shadows;
     }
 

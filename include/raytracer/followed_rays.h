@@ -10,17 +10,17 @@
 namespace raytracer {
 
 struct FollowedRay {
-    glm::vec3 light{0};         // what the lights alone give it, as it reaches the pixel
-    glm::vec3 weight{1};        // what its colour is multiplied by on its way to the pixel
+    glm::dvec3 light{0};        // what the lights alone give it, as it reaches the pixel
+    glm::dvec3 weight{1};       // what its colour is multiplied by on its way to the pixel
     std::uint16_t depth = 0;    // reflections and refractions on the way to it
     std::uint16_t shadows = 0;  // shadow rays from where it hits
 };
 
 // As they are followed with one max_recursion and cutoff.
 struct FollowedRays {
-    std::vector<FollowedRay> rays;     // pixel by pixel, each one's own first
-    std::vector<std::size_t> ends;     // of each pixel's
-    std::vector<glm::vec3> brightest;  // the most that a ray's colour can be, by the max_recursion that it has left
+    std::vector<FollowedRay> rays;      // pixel by pixel, each one's own first
+    std::vector<std::size_t> ends;      // of each pixel's
+    std::vector<glm::dvec3> brightest;  // the most that a ray's colour can be, by the max_recursion that it has left
 
     std::size_t pixelCount() const { return ends.size(); }
     std::span<const FollowedRay> of(std::size_t pixel) const;
@@ -33,8 +33,8 @@ struct PixelAndRays {
     bool isWhole = true;  // no ray is left out
 };
 
-// Had they been followed with no more than this max_recursion, and no less than this cutoff: what a render has, but for the
-// rounding to float.
+// Had they been followed with no more than this max_recursion, and no less than this cutoff: what a render has, but for
+// rounding.
 PixelAndRays shallower(const FollowedRays& followed, std::size_t pixel, int max_recursion, double cutoff);
 
 }  // namespace raytracer
