@@ -13,26 +13,19 @@ namespace {
 
 constexpr int truthSamples = 2;  // n x n: the truth may be noisy, as long as it is not the larger part of the differences
 
-// A row of the picture as shown, channel by channel.
-struct ShownRow {
-    std::vector<float> channels[3];
+// A row of the picture as shown, three floats a pixel.
+void show(std::span<const glm::dvec3> colors, std::vector<float>& row) {
+    row.resize(3 * colors.size());
+    const double* const channels = &colors[0].x;
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<float>(channels[i]);
+    for (float& value : row) value = std::min(std::max(value, 0.0f), 1.0f);
+}
 
-    void show(std::span<const glm::dvec3> colors) {
-        for (int channel = 0; channel < 3; ++channel) {
-            std::vector<float>& row = channels[channel];
-            row.resize(colors.size());
-            for (std::size_t x = 0; x < row.size(); ++x) row[x] = static_cast<float>(colors[x][channel]);
-            for (float& value : row) value = std::min(std::max(value, 0.0f), 1.0f);
-        }
-    }
-};
-
-// Squared, of the pixels from x on from as many others.
-void findDistances(const ShownRow& row, std::size_t x, const ShownRow& other, std::span<float> distances) {
-    std::ranges::fill(distances, 0.0f);
-    for (int channel = 0; channel < 3; ++channel) {
-        const float *a = row.channels[channel].data() + x, *b = other.channels[channel].data();
-        for (std::size_t i = 0; i < distances.size(); ++i) distances[i] += (a[i] - b[i]) * (a[i] - b[i]);
+// Squared, of as many pixels from others.
+void findDistances(const float* a, const float* b, std::span<float> distances) {
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const float red = a[3 * i] - b[3 * i], green = a[3 * i + 1] - b[3 * i + 1], blue = a[3 * i + 2] - b[3 * i + 2];
+        distances[i] = red * red + green * green + blue * blue;
     }
 }
 
@@ -44,15 +37,15 @@ void add(std::span<const float> values, float* sums) {
 std::vector<float> changes(std::span<const glm::dvec3> colors, const PixelRectangle& crop) {
     const auto width = static_cast<std::size_t>(crop.width()), count = colors.size();
     std::vector<float> sums(count, 0.0f), distances(width);
-    ShownRow shown, above;
+    std::vector<float> shown, above;
     for (std::size_t row = 0; row < count; row += width, std::swap(shown, above)) {
-        shown.show(colors.subspan(row, width));
+        show(colors.subspan(row, width), shown);
         const std::span<float> beside = std::span(distances).first(width - 1);
-        findDistances(shown, 1, shown, beside);
+        findDistances(shown.data() + 3, shown.data(), beside);
         add(beside, &sums[row]);
         add(beside, &sums[row] + 1);
         if (row == 0) continue;
-        findDistances(shown, 0, above, distances);
+        findDistances(shown.data(), above.data(), distances);
         add(distances, &sums[row - width]);
         add(distances, &sums[row]);
     }
@@ -67,25 +60,33 @@ struct Chosen {
     std::vector<double> weights;
 };
 
+double sumOf(std::span<const float> values) { return std::reduce(values.begin(), values.end(), 0.0); }
+
+constexpr std::size_t block = 16;          // of so many pixels most have none chosen
 constexpr std::size_t parts[] = {0, 2, 1, 3};  // in which they are judged: of every four the first, then the third, ...
 
 // In steps of equal size through the picture, row by row (systematic sampling with probability proportional to size; Madow
 // 1949): a large pixel may be chosen more than once.
 std::vector<Chosen> choose(std::span<const glm::dvec3> colors, std::span<const float> changes, const PixelRectangle& crop,
                            double count) {
-    const double all = crop.area(), changed = std::reduce(changes.begin(), changes.end(), 0.0);
+    const double all = crop.area(), changed = sumOf(changes);
     const double even = evenSize(changed, all), total = changed + even * all, step = total / count;
     const auto width = static_cast<std::size_t>(crop.width());
     std::vector<Chosen> chosen(std::size(parts));
     double sum = 0, next = step / 2;
     std::size_t number = 0;
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-        const double size = static_cast<double>(changes[i]) + even;
-        for (sum += size; sum > next; next += step) {
-            Chosen& part = chosen[number++ % chosen.size()];
-            part.pixels.push_back({crop.x0 + static_cast<int>(i % width), crop.y0 + static_cast<int>(i / width)});
-            part.colors.push_back(colors[i]);
-            part.weights.push_back(total / (size * all));
+    for (std::size_t begin = 0, end = 0; begin < changes.size(); begin = end) {
+        end = std::min(begin + block, changes.size());
+        double size = sum;
+        sum += sumOf(changes.subspan(begin, end - begin)) + even * static_cast<double>(end - begin);
+        for (std::size_t i = begin; next < sum && i < end; ++i) {
+            const double own = static_cast<double>(changes[i]) + even;
+            for (size += own; size > next; next += step) {
+                Chosen& part = chosen[number++ % chosen.size()];
+                part.pixels.push_back({crop.x0 + static_cast<int>(i % width), crop.y0 + static_cast<int>(i / width)});
+                part.colors.push_back(colors[i]);
+                part.weights.push_back(total / (own * all));
+            }
         }
     }
     return chosen;
