@@ -1,25 +1,30 @@
 // Does `--target-error` keep its word? For every scene and several errors: the setting that it picks, the error which that
 // has, and the cheapest setting of the whole grid that has no more.
 //
-//     target_error [--size PIXELS] [--pixels N] [--errors LIST] [--whole] [--time] SCENE...
+//     target_error [--size PIXELS] [--pixels N] [--errors LIST] [--whole] [--time RAYTRACER] SCENE...
 //
 // The truth is 48 x 48 samples, 32 deep, with a cutoff of 0.003, for N pixels out of an eighth of the picture's (other ones
 // than the pilot's; see stratified_pilot.h). That is too few to tell 2.9 from 3.0 %: --whole measures both settings by all
-// pixels, each with twice 12 x 12 jittered samples for the truth. Costs are rays, the pilot's included; --time renders the
-// whole picture with both settings, and compares processor seconds, the search included. Exit status 1 where the promise is
+// pixels, each with twice 12 x 12 jittered samples for the truth. Costs are rays, the pilot's included; --time runs the
+// program once with --target-error, once with the best setting, and compares their processor seconds. Exit status 1 where the promise is
 // broken: the error is above the target in more than one of ten cases or ever above twice the target, the cost is more than
 // 1.5 times the best, or something was said to be out of reach that is not.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 
+#include "raytracer/child_process.h"
 #include "raytracer/scene_loader.h"
 #include "raytracer/stratified_pilot.h"
 #include "raytracer/target_error.h"
+#include "raytracer/temporary_folder.h"
 
 using namespace raytracer;
 
@@ -124,48 +129,69 @@ class WholePicture {
     std::vector<std::unique_ptr<Pilot>> strips_;
 };
 
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-template <class Work>
-double secondsOf(Work work) {
-    const double start = processorSeconds();
-    work();
-    return processorSeconds() - start;
+double processorSecondsOfChildren() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-double renderSeconds(const Renderer& renderer, const RenderOptions& options, const Setting& setting) {
-    ColorSink sink(options.crop);
-    return secondsOf([&] { renderer.render(withSetting(options, setting), sink); });
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
 }
 
-// What --target-error takes, as a multiple of a render with the best setting: the median of three, or as many as take a few
-// seconds, each of both in turn.
-double timeRatio(const Renderer& renderer, RenderOptions options, double target, const Setting& chosen, const Setting& best) {
-    constexpr double enough = 3;  // seconds
-    options.threads = 1;
-    std::vector<double> ratios;
-    for (double all = 0; (all < enough && ratios.size() < 15) || ratios.size() < 3;) {
-        bool isThere = false;
-        const double search = secondsOf([&] { isThere = chooseSetting(renderer, options, target).picture.has_value(); });
-        const double render = isThere ? 0 : renderSeconds(renderer, options, chosen);
-        const double shortest = renderSeconds(renderer, options, best);
-        ratios.push_back((search + render) / shortest);
-        all += search + render + shortest;
+// Whole processes: a scene by the raytracer, with one thread and what follows of its command line.
+class Timer {
+  public:
+    Timer(const std::string& program, const std::string& scene, int size)
+        : program_(program), base_{scene, folder_.file("out.png"), std::to_string(size), "--quiet", "--threads", "1"} {}
+
+    // What --target-error takes, as a multiple of a render with the best setting: the median of three, or of as many as take
+    // a few seconds, each of both in turn.
+    double ratio(double target, const Setting& best) const {
+        constexpr double enough = 5;  // seconds
+        std::vector<double> ratios;
+        for (double all = 0; (all < enough && ratios.size() < 15) || ratios.size() < 3;) {
+            const double chosen = seconds("--target-error " + std::to_string(target));
+            const double shortest = seconds(best == Setting{} ? "" : commandLine(best));
+            ratios.push_back(chosen / shortest);
+            all += chosen + shortest;
+        }
+        return median(ratios);
     }
-    std::ranges::nth_element(ratios, ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2));
-    return ratios[ratios.size() / 2];
-}
+
+  private:
+    static constexpr double timeout = 3600;  // seconds
+
+    double seconds(const std::string& options) const {
+        std::vector<std::string> arguments = base_;
+        std::istringstream words(options);
+        for (std::string word; words >> word;) arguments.push_back(word);
+        const double before = processorSecondsOfChildren();
+        const ProcessEnd end = runProcess(program_, arguments, folder_.file("log"), timeout);
+        if (end.exitStatus > 1 || end.signal || end.timedOut) throw std::runtime_error(program_ + " " + end.description());
+        return processorSecondsOfChildren() - before;
+    }
+
+    const TemporaryFolder folder_;
+    std::string program_;
+    std::vector<std::string> base_;
+};
 
 struct Arguments {
     std::vector<std::string> scenes;
     std::vector<double> errors{0.1, 0.03, 0.01, 0.003, 0.001};
     int size = 600, pixels = 2400;
-    bool whole = false, time = false;
+    bool whole = false;
+    std::string program;  // to time, or none
 };
 
 struct Tally {
     int cases = 0, above = 0, farAbove = 0, slow = 0, unreached = 0, wronglyUnreached = 0;
     double slowest = 0;
+    std::vector<double> seconds;  // of the cases timed, as multiples of the best setting's
 
     bool isBroken() const { return farAbove > 0 || 10 * above > cases || slow > 0 || wronglyUnreached > 0; }
 };
@@ -174,7 +200,7 @@ class SceneCheck {
   public:
     SceneCheck(const std::string& file, const Arguments& arguments)
         : name_(std::filesystem::path(file).stem()), scene_(loadScene(file, false).description),
-          renderer_(makeRenderer(scene_, Precision::Double)), time_(arguments.time) {
+          renderer_(makeRenderer(scene_, Precision::Double)) {
         options_.size = imageSize(scene_.camera, arguments.size);
         options_.crop = {0, 0, options_.size.width, options_.size.height};
         area_ = options_.crop.area();
@@ -182,6 +208,7 @@ class SceneCheck {
         pilot_ = std::make_unique<StratifiedPilot>(*renderer_, options_);
         pilot_->add(look.pixels(), activity(look), static_cast<std::size_t>(arguments.pixels));
         grid_ = wholeGrid(*pilot_);
+        if (!arguments.program.empty()) timer_.emplace(arguments.program, file, arguments.size);
         if (arguments.whole) whole_ = std::make_unique<WholePicture>(*renderer_, options_);
     }
 
@@ -194,8 +221,10 @@ class SceneCheck {
                     "with pilot %.2f", name_.c_str(), target, choice.reached ? "reached" : "NOT    ", choice.error,
                     100 * choice.standardError / choice.error, achieved.rmse, 100 * achieved.standardError / achieved.rmse,
                     achieved.rmse / target, rays, rays / best.rays, cost);
-        if (time_ && best.rays > 0)
-            std::printf(", seconds %.2f", timeRatio(*renderer_, options_, target, choice.setting, best.setting));
+        if (timer_ && best.rays > 0) {
+            tally.seconds.push_back(timer_->ratio(target, best.setting));
+            std::printf(", seconds %.2f", tally.seconds.back());
+        }
         std::printf("  [%s] best [%s] %.2e\n", commandLine(choice.setting).c_str(),
                     best.rays > 0 ? commandLine(best.setting).c_str() : "none", best.error);
         std::fflush(stdout);
@@ -234,9 +263,9 @@ class SceneCheck {
     std::unique_ptr<Renderer> renderer_;
     RenderOptions options_;
     double area_;
-    bool time_;
     std::unique_ptr<StratifiedPilot> pilot_;
     std::unique_ptr<WholePicture> whole_;
+    std::optional<Timer> timer_;
     std::vector<Found> grid_;
 };
 
@@ -250,7 +279,7 @@ int main(int argc, char** argv) {
     app.add_option("--pixels", arguments.pixels)->capture_default_str();
     app.add_option("--errors", arguments.errors)->delimiter(',')->allow_extra_args(false);
     app.add_flag("--whole", arguments.whole);
-    app.add_flag("--time", arguments.time);
+    app.add_option("--time", arguments.program, "the program to time")->check(CLI::ExistingFile);
     CLI11_PARSE(app, argc, argv);
     Tally tally;
     for (const std::string& scene : arguments.scenes) {
@@ -261,5 +290,9 @@ int main(int argc, char** argv) {
     std::printf("%d cases said to be reached: %d above the target, %d above twice the target, %d dearer than 1.5 times the best "
                 "(pilot included; at most %.2f); %d said to be out of reach, %d of them wrongly\n",
                 tally.cases, tally.above, tally.farAbove, tally.slow, tally.slowest, tally.unreached, tally.wronglyUnreached);
+    if (!tally.seconds.empty())
+        std::printf("processor seconds: %zu cases, %zu of them over 1.5 times the best, median %.2f, at most %.2f\n", tally.seconds.size(),
+                    static_cast<std::size_t>(std::ranges::count_if(tally.seconds, [](double ratio) { return ratio > 1.5; })),
+                    median(tally.seconds), std::ranges::max(tally.seconds));
     return tally.isBroken();
 }
