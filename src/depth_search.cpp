@@ -14,6 +14,16 @@ constexpr double widePart = 0.009;     // of the picture's rays, for all that is
 constexpr double mostPixels = 100000;  // see what is in three of 100,000, missed in 1 of 20; and take 100 MB
 constexpr double worthHalving = 1.1;   // a step of the rays
 constexpr double worthwhile = 3;       // times the pixels before
+constexpr double sameRays = 1.02;      // not worth telling apart, since each is judged with every number of samples
+
+// Of those on a front, from the cheapest on, that cost nearly the same, the closest to the truth.
+std::vector<DepthChoice> distinct(const std::vector<DepthChoice>& front) {
+    std::vector<DepthChoice> few;
+    for (std::size_t i = front.size(); i-- > 0;)
+        if (few.empty() || sameRays * front[i].rays < few.back().rays) few.push_back(front[i]);
+    std::ranges::reverse(few);
+    return few;
+}
 
 }  // namespace
 
@@ -34,7 +44,7 @@ std::vector<DepthChoice> DepthSearch::front(double part) {
     std::vector<double> cutoffs;
     std::ranges::copy_if(gridCutoffs, std::back_inserter(cutoffs), [&](double cutoff) { return cutoff >= deepest_.cutoff; });
     const auto measure = [&](int depth, double cutoff) { return pilot_->measured(depth, cutoff); };
-    return depthFront(measure, deepest_.max_recursion, cutoffs, part * target_);
+    return distinct(depthFront(measure, deepest_.max_recursion, cutoffs, part * target_));
 }
 
 bool DepthSearch::widen(double raysOfPixel) {
