@@ -164,6 +164,18 @@ std::vector<double> Pilot::squaredErrors(std::span<const glm::dvec3> colors) con
 
 MeanSquare Pilot::squaredError(const Setting& setting) { return meanOf(squaredErrors(colors(setting))); }
 
+MeanSquare Pilot::squaredErrorOfShallow(const Setting& setting, const Setting& deep) {
+    const auto someOf = [&](Setting depth) -> const auto& {
+        depth.samples = std::min(depth.samples, 2);
+        depth.adaptive = 0;
+        return colors(depth);
+    };
+    const auto &with = someOf(deep), &without = someOf(setting);
+    std::vector<glm::dvec3> colors = this->colors(deep);
+    for (std::size_t i = 0; i < colors.size(); ++i) colors[i] += without[i] - with[i];
+    return meanOf(squaredErrors(colors));
+}
+
 MeanSquare Pilot::squaredErrorOfFlat(const Setting& setting) {
     const Grid& grid = gridOf(setting);
     std::vector<glm::dvec3> colors = truths_[0];
@@ -174,15 +186,18 @@ MeanSquare Pilot::squaredErrorOfFlat(const Setting& setting) {
 
 void Pilot::sampleTruth(const Setting& depth, int n) {
     if (truthSamples_ >= n * n) return;
+    n = static_cast<int>(std::ceil(std::sqrt(n * n - truthSamples_)));  // those that lack
     const int cells = n * n, scale = n * placesOfCell;
     std::vector<PixelPlace> places;  // of both in turn, so that neighbours share packets
     for (const PixelPlace& pixel : pixels_)
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {
                 const int x = scale * pixel.x + placesOfCell * i, y = scale * pixel.y + placesOfCell * j;
-                for (std::uint32_t twin = 0; twin < 2; ++twin)
+                for (int twin = 0; twin < 2; ++twin) {
+                    const auto seed = static_cast<std::uint32_t>(2 * truthSamples_ + twin);
                     places.push_back(pixelIn({x, y, x + placesOfCell, y + placesOfCell},
-                                             hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), twin)));
+                                             hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed)));
+                }
             }
     const std::vector<glm::dvec3> colors = samples(depth, scale, places);
     auto color = colors.begin();

@@ -74,7 +74,7 @@ int SampleSearch::guessSamples(Pilot& look) const {
     return stepFrom(std::floor(std::pow(one / target_, 1 / fastestFall)));
 }
 
-// How much each pixel has going on: how far apart is what its centre, its corners, some samples and a coarse depth see.
+// How much each pixel has going on: how far apart is what its centre, its corners, 2 x 2 samples and a coarse depth see.
 // Where the corners tell nothing but the samples do, adaptive will miss it all; the rest falls with the samples.
 std::vector<double> SampleSearch::activity(Pilot& look) const {
     const auto &centre = look.colors(sampled(1)), &corners = look.colors(cornersOf(sampled(1)));
@@ -84,7 +84,7 @@ std::vector<double> SampleSearch::activity(Pilot& look) const {
     };
     addDifference(corners);
     if (samples_ > 2) {
-        const auto& some = look.colors(sampled((samples_ + 2) / 2));
+        const auto& some = look.colors(sampled(2));
         for (std::size_t i = 0; i < activity.size(); ++i)
             if (activity[i] < flat) activity[i] += samples_ * samples_ * squaredError(corners[i], some[i]);
         addDifference(some);
@@ -97,7 +97,7 @@ std::vector<double> SampleSearch::activity(Pilot& look) const {
 
 void SampleSearch::findSamples() {
     for (;;) {
-        pilot_.sampleTruth(sampled(1), std::max(3, samples_ + 1));
+        pilot_.sampleTruth(sampled(1), samples_ > 2 ? samples_ + 1 : 2);
         if (samples_ == sampleLimit || isEnough(sampled(samples_))) break;
         const double excess = error(sampled(samples_)).rmse / target_;
         samples_ = stepFrom(std::max(samples_ + 1.0, samples_ * std::pow(excess, 1 / usualFall)));
@@ -106,7 +106,9 @@ void SampleSearch::findSamples() {
 }
 
 ErrorEstimate SampleSearch::error(const Setting& setting) {
-    return picture_ && setting.samples == 1 ? picture_->error : pilot_.error(setting);
+    if (picture_ && setting.samples == 1) return picture_->error;
+    const Setting judged = sampled(setting.samples, setting.adaptive);
+    return setting == judged ? pilot_.error(setting) : pilot_.errorOfShallow(setting, judged);
 }
 
 bool SampleSearch::judgePicture() {

@@ -81,6 +81,10 @@ ErrorEstimate StratifiedPilot::error(const Setting& setting) {
     return estimate([&](Pilot& pilot) { return pilot.squaredError(setting); });
 }
 
+ErrorEstimate StratifiedPilot::errorOfShallow(const Setting& setting, const Setting& deep) {
+    return estimate([&](Pilot& pilot) { return pilot.squaredErrorOfShallow(setting, deep); });
+}
+
 ErrorEstimate StratifiedPilot::errorOfFlat(const Setting& setting) {
     return estimate([&](Pilot& pilot) { return pilot.squaredErrorOfFlat(setting); });
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -207,6 +208,35 @@ TEST_CASE("a truth of two noisy estimates gives the error without bias") {
     CHECK(std::abs(off / estimates) < 0.7);
 }
 
+TEST_CASE("a truth that grows takes other samples, and no more than it lacks") {
+    // Remembers where in the picture it was asked to look.
+    class Places : public Renderer {
+      public:
+        RenderCounts render(const RenderOptions&, PixelSink&, ProgressListener*) const override { return {}; }
+        RenderCounts follow(const RenderOptions&, std::span<const PixelPlace>, FollowedRays&) const override { return {}; }
+        RayExplanation explain(const RenderOptions&, int, int) const override { return {}; }
+        RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                                  std::span<glm::dvec3>) const override {
+            for (const PixelPlace& pixel : pixels)
+                places.emplace_back((pixel.x + 0.5) / options.size.width, (pixel.y + 0.5) / options.size.height);
+            return {};
+        }
+        mutable std::vector<std::pair<double, double>> places;
+    };
+    const Places renderer;
+    RenderOptions options;
+    options.size = {10, 10};
+    options.crop = {0, 0, 10, 10};
+    Pilot pilot(renderer, options, allPixels(options));
+    constexpr std::size_t samples[] = {4, 4 + 9, 4 + 9 + 4, 4 + 9 + 4 + 9};  // of a pixel and an estimate
+    for (int n = 2; n <= 5; ++n) {
+        pilot.sampleTruth({}, n);
+        CHECK(renderer.places.size() == 2 * 100 * samples[n - 2]);
+    }
+    const std::set<std::pair<double, double>> different(renderer.places.begin(), renderer.places.end());
+    CHECK(different.size() > renderer.places.size() * 19 / 20);  // the two of a cell meet in 1 of 256
+}
+
 TEST_CASE("a judged picture is the render's, and tells its own error without bias") {
     double off = 0;  // standard errors
     int scenes = 0;
@@ -232,6 +262,23 @@ TEST_CASE("a judged picture is the render's, and tells its own error without bia
         ++scenes;
     });
     CHECK(std::abs(off / scenes) < 0.7);
+}
+
+TEST_CASE("what a depth leaves out is the same whatever the samples, or nearly: 2 x 2 tell it") {
+    forEveryScene(32, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        Pilot picture(renderer, options, allPixels(options));
+        for (const int samples : {1, 2, 4}) {
+            const Setting deep{.samples = samples, .max_recursion = 6, .cutoff = 0.03};
+            Setting shallow = deep;
+            shallow.max_recursion = 2;
+            picture.sampleTruth(deep, 4);
+            const double told = std::sqrt(picture.squaredErrorOfShallow(shallow, deep).mean);
+            const double error = std::sqrt(picture.squaredError(shallow).mean);
+            INFO(samples << ": " << told << " instead of " << error);
+            if (samples <= 2) CHECK(told == Approx(error));
+            else CHECK(told == Approx(error).epsilon(0.15).margin(1e-4));
+        }
+    });
 }
 
 TEST_CASE("a pilot's flat pixels: the others count as right, and take no samples") {

@@ -38,6 +38,8 @@ class Pilot {
     void sampleTruth(const Setting& depth, int n);
     std::vector<double> squaredErrors(std::span<const glm::dvec3> colors) const;  // of each pixel, against that truth
     MeanSquare squaredError(const Setting& setting);
+    // Of a setting that is less deep than `deep`, which is it otherwise: by what 2 x 2 samples say that the depth changes.
+    MeanSquare squaredErrorOfShallow(const Setting& setting, const Setting& deep);
     MeanSquare squaredErrorOfFlat(const Setting& setting);  // as if the pixels that adaptive takes all samples of were right
 
     std::span<const PixelPlace> pixels() const { return pixels_; }

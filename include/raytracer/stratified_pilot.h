@@ -27,6 +27,7 @@ class StratifiedPilot {
     // Of all pixels; see pilot.h.
     void sampleTruth(const Setting& depth, int n);
     ErrorEstimate error(const Setting& setting);  // against that truth
+    ErrorEstimate errorOfShallow(const Setting& setting, const Setting& deep);
     ErrorEstimate errorOfFlat(const Setting& setting);
 
     double rays(const Setting& setting);  // for each pixel of the whole picture
