@@ -14,14 +14,14 @@ constexpr double usualFall = 1.2, fastestFall = 1.5;  // the error of n x n samp
 
 // The first look's pixels; later ones may have as many as all before.
 constexpr double scatteredPart = 1.0 / 256, leastScattered = 1000;  // of the picture's pixels: looked at
-constexpr double judgedPixels = 260, fewSamplesPixels = 200;        // these, divided by the samples, are judged too
+constexpr double judgedPixels = 200, fewSamplesPixels = 400;        // these, divided by the samples, are judged too
 constexpr double flat = 0.01;  // squared difference between corners where adaptive is likely to take no more samples
 
 constexpr double judgedPart = 1.0 / 60, leastJudged = 1000;  // of the pixels of a whole picture
 constexpr double leastPixels = 20 * leastJudged;  // of such a picture: less is dearer to judge than to render
 constexpr double mostPixels = 1 << 22;            // 100 MB
 constexpr double minorDepth = 0.1;  // of the target: what a depth may leave, where the samples alone leave nearly all of it
-constexpr double possibleMargin = 1.3;  // standard errors: one chance in ten that it is enough
+constexpr double possibleMargin = 2;     // standard errors: missing it costs four times as much, trying in vain a third
 
 Setting cornersOf(Setting setting) {
     setting.samples = 64;

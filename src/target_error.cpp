@@ -21,7 +21,7 @@ struct Candidate {
 
 constexpr double adaptiveSteps[] = {0.3, 0.1, 0.03, 0.01};
 
-constexpr double adaptivePart = 1.0 / 64;  // of the pixels, where adaptive may help: what it misses is in few pixels
+constexpr double adaptivePart = 1.0 / 48;  // of the pixels, where adaptive may help: what it misses is in few pixels
 constexpr double leastLook = 0.25;         // of all pixels before: fewer would tell little more
 
 // What the best setting may cost, times this, is the most that all may cost, the pilot included.
