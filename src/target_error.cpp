@@ -96,7 +96,9 @@ class Search {
 
     bool isWithin(const ErrorEstimate& error, double errors) const { return raytracer::isWithin(error, errors, target_); }
     bool isPossible(const ErrorEstimate& error) const { return error.rmse - sureMargin * error.standardError <= target_; }
-    bool isReached(const ErrorEstimate& error) const { return error.rmse - reachedMargin * error.standardError <= target_; }
+    bool isReached(const ErrorEstimate& error) const {  // with a standard error above the target nothing is known
+        return error.standardError <= target_ && error.rmse - reachedMargin * error.standardError <= target_;
+    }
     bool isLikely(const ErrorEstimate& error) const {
         return isWithin(error, likelyMargin) && raytracer::isWithin(error, sureMargin, likelyExcess * target_);
     }
