@@ -18,6 +18,7 @@
 
 #include <embree3/rtcore.h>
 
+#include "median.h"
 #include "raytracer/mesh.h"
 #include "raytracer/packet_tracer.h"
 #include "raytracer/shape_tree.h"
@@ -42,11 +43,6 @@ double cpuSeconds(const std::function<void()>& work) {
     const double start = now();
     work();
     return now() - start;
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
 }
 
 // A sphere with bumps: 16 n^2 triangles, of even sizes but at the poles.

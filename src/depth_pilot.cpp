@@ -8,8 +8,10 @@ DepthPilot::DepthPilot(const Renderer& renderer, const RenderOptions& options, s
     spent_ = rayCount(renderer.follow(withSetting(options, deepest), pixels, followed_));
     for (std::size_t pixel = 0; pixel < pixels.size(); ++pixel) {
         const std::span<const FollowedRay> rays = followed_.of(pixel);
-        if (rays.size() > 1) deep_.push_back(pixel);
-        else ofOneRay_ += 1 + rays[0].shadows;
+        if (rays.size() > 1)
+            deep_.push_back({pixel, shallower(followed_, pixel, deepest_.max_recursion, deepest_.cutoff).color});
+        else
+            ofOneRay_ += 1 + rays[0].shadows;
     }
 }
 
@@ -28,11 +30,12 @@ const DepthPilot::Compared& DepthPilot::compared(const Depth& a, const Depth& b)
     if (!isNew) return both;
     double rays = ofOneRay_;
     std::vector<double> errors(pixelCount(), 0);
-    for (const std::size_t pixel : deep_) {
+    for (const auto& [pixel, deepest] : deep_) {
         const PixelAndRays one = shallower(followed_, pixel, a.max_recursion, a.cutoff);
         rays += one.rays;
         if (one.isWhole && b == deepest_) continue;
-        errors[pixel] = squaredError(one.color, shallower(followed_, pixel, b.max_recursion, b.cutoff).color);
+        errors[pixel] = squaredError(
+            one.color, b == deepest_ ? deepest : shallower(followed_, pixel, b.max_recursion, b.cutoff).color);
     }
     both = {rays / static_cast<double>(pixelCount()), rootOf(meanOf(errors))};
     return both;

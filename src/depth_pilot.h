@@ -32,12 +32,16 @@ class DepthPilot {
         double rays;          // of the first, for each pixel
         ErrorEstimate error;  // between them
     };
+    struct DeepPixel {
+        std::size_t pixel;
+        glm::dvec3 color;  // as deep as can be
+    };
     const Compared& compared(const Depth& a, const Depth& b);
 
     Depth deepest_;
     FollowedRays followed_;
     double spent_ = 0, ofOneRay_ = 0;  // rays: in all; of the pixels that are the same at every depth
-    std::vector<std::size_t> deep_;    // the other pixels
+    std::vector<DeepPixel> deep_;      // the other pixels
     std::map<std::pair<Depth, Depth>, Compared> compared_;
 };
 

@@ -16,8 +16,9 @@ constexpr int truthSamples = 2;  // n x n: the truth may be noisy, as long as it
 // A row of the picture as shown, three floats a pixel.
 void show(std::span<const glm::dvec3> colors, std::vector<float>& row) {
     row.resize(3 * colors.size());
-    const double* const channels = &colors[0].x;
-    for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<float>(channels[i]);
+    float* channel = row.data();
+    for (const glm::dvec3& color : colors)
+        for (int i = 0; i < 3; ++i) *channel++ = static_cast<float>(color[i]);
     for (float& value : row) value = std::min(std::max(value, 0.0f), 1.0f);
 }
 
@@ -62,7 +63,7 @@ struct Chosen {
 
 double sumOf(std::span<const float> values) { return std::reduce(values.begin(), values.end(), 0.0); }
 
-constexpr std::size_t block = 16;          // of so many pixels most have none chosen
+constexpr std::size_t block = 16;              // of so many pixels most have none chosen
 constexpr std::size_t parts[] = {0, 2, 1, 3};  // in which they are judged: of every four the first, then the third, ...
 
 // In steps of equal size through the picture, row by row (systematic sampling with probability proportional to size; Madow

@@ -21,7 +21,7 @@ constexpr double judgedPart = 1.0 / 60, leastJudged = 1000;  // of the pixels of
 constexpr double leastPixels = 20 * leastJudged;  // of such a picture: less is dearer to judge than to render
 constexpr double mostPixels = 1 << 22;            // 100 MB
 constexpr double minorDepth = 0.1;  // of the target: what a depth may leave, where the samples alone leave nearly all of it
-constexpr double possibleMargin = 2;     // standard errors: missing it costs four times as much, trying in vain a third
+constexpr double possibleMargin = 2;  // standard errors: missing it costs four times as much, trying in vain a third
 
 Setting cornersOf(Setting setting) {
     setting.samples = 64;

@@ -14,7 +14,7 @@
 #include <stb_image_write.h>
 
 #include "raytracer/image.h"
-#include "temporary_folder.h"
+#include "test_folder.h"
 
 using namespace raytracer;
 
@@ -93,7 +93,7 @@ TEST_CASE("A channel becomes the nearest byte") {
 }
 
 TEST_CASE("A PNG comes back as it was written") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 7}, {7, 1}, {64, 33}, {301, 200}}) {
         const ByteImage image = testPicture(width, height);
         writePng(folder.file("a.png"), image);
@@ -106,7 +106,7 @@ TEST_CASE("A PNG comes back as it was written") {
 }
 
 TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const auto pixels = [&](const std::string& bytes) { return readImage(folder.write("a", bytes)).pixels; };
     using Bytes = std::vector<std::uint8_t>;
     SECTION("alpha is dropped") { CHECK(pixels(pngOf(2, 1, 4, {1, 2, 3, 0, 4, 5, 6, 99})) == Bytes{1, 2, 3, 4, 5, 6}); }
@@ -127,7 +127,7 @@ TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
 }
 
 TEST_CASE("A picture that cannot be read is told") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const auto check = [&](const std::string& bytes, const std::string& message) {
         CHECK_THROWS_WITH(readImage(folder.write("a.png", bytes)), message);
     };
@@ -145,7 +145,7 @@ TEST_CASE("A picture that cannot be read is told") {
 }
 
 TEST_CASE("A PNG with any bit flipped is refused") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const std::string png = pngOf(5, 4, 3, testPicture(5, 4).pixels);
     for (std::size_t bit = 0; bit < 8 * png.size(); ++bit) {
         std::string flipped = png;
@@ -169,7 +169,7 @@ TEST_CASE("A PNG with a palette") {
             "\0\0\0\x9PLTE\xff\0\0\0\xff\0\0\0\xff@@@@\0\0\0\2tRNS\xff\0@@@@\0\0\0\xfIDAT";
         return checksummed(std::string(head, sizeof head - 1) + zlib + std::string("@@@@\0\0\0\0IEND@@@@", 16));
     };
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const auto read = [&](const std::string& png) { return readImage(folder.write("a.png", png)); };
     CHECK(read(paletted(2, 1, 0)).pixels == std::vector<std::uint8_t>{0, 0, 255, 0, 255, 0, 255, 0, 0});
     for (const int beyond : {3, 4, 255})
@@ -177,7 +177,7 @@ TEST_CASE("A PNG with a palette") {
 }
 
 TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const float inf = std::numeric_limits<float>::infinity();
     const FloatImage image{2, 2, {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
     writePfm(folder.file("a.pfm"), image);
@@ -195,13 +195,13 @@ TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
 }
 
 TEST_CASE("A PFM of the other byte order is read") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const std::string bytes("PF 1 1 2\n\x3f\x80\0\0\xc0\x20\0\0\0\0\0\0", 21);
     CHECK(readPfm(folder.write("a.pfm", bytes)).pixels == std::vector<float>{1, -2.5F, 0});
 }
 
 TEST_CASE("A PFM that is broken is told") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const auto check = [&](const std::string& bytes, const std::string& message) {
         CHECK_THROWS_WITH(readPfm(folder.write("a.pfm", bytes)), message);
     };
@@ -218,7 +218,7 @@ TEST_CASE("A PFM that is broken is told") {
 }
 
 TEST_CASE("A picture is written whole or not at all") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const ByteImage image = testPicture(100, 100);
     SECTION("the folder is missing") {
         CHECK_THROWS_AS(writePng(folder.file("no/a.png"), image), ImageError);
@@ -265,7 +265,7 @@ TEST_CASE("A picture is written whole or not at all") {
 }
 
 TEST_CASE("A picture is read from a pipe") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
     const ByteImage image = testPicture(300, 300);  // more than the pipe holds at once
     std::jthread writer([&] { folder.write("pipe", pngOf(300, 300, 3, image.pixels)); });

@@ -6,7 +6,7 @@
 
 #include "../src/obj_text.h"
 #include "raytracer/mesh_file.h"
-#include "temporary_folder.h"
+#include "test_folder.h"
 
 using raytracer::MeshData;
 using raytracer::MeshError;
@@ -191,7 +191,7 @@ TEST_CASE("The number of chunks changes nothing in an OBJ") {
 }
 
 TEST_CASE("An OBJ from a file") {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     SECTION("is read") { CHECK(raytracer::loadObj(folder.write("a.obj", square + "f 1 2 3")).triangleCount() == 1); }
     SECTION("that is empty") {
         CHECK_THROWS_WITH(raytracer::loadObj(folder.write("a.obj", "")), "no faces, so not an OBJ mesh");

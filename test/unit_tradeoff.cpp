@@ -185,7 +185,8 @@ TEST_CASE("followed rays of colours as large as any stay numbers") {
     for (LightDescription& light : scene.lights) light.color = glm::dvec3(1e300);
     const RenderOptions options = wholePicture(scene, 16);
     FollowedRays followed;
-    makeRenderer(scene, Precision::Double)->follow(withSetting(options, {.max_recursion = 6, .cutoff = 0.1}), allPixels(options), followed);
+    const RenderOptions deep = withSetting(options, {.max_recursion = 6, .cutoff = 0.1});
+    makeRenderer(scene, Precision::Double)->follow(deep, allPixels(options), followed);
     for (const FollowedRay& ray : followed.rays) CHECK(std::isfinite(glm::dot(ray.light, glm::dvec3(1))));
 }
 
