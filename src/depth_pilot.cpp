@@ -1,44 +1,80 @@
 #include "depth_pilot.h"
 
+#include <cmath>
+
 namespace raytracer {
 
 DepthPilot::DepthPilot(const Renderer& renderer, const RenderOptions& options, std::span<const PixelPlace> pixels,
                        const Setting& deepest)
-    : deepest_{deepest.max_recursion, deepest.cutoff} {
+    : deepest_(deepest.max_recursion) {
     spent_ = rayCount(renderer.follow(withSetting(options, deepest), pixels, followed_));
     for (std::size_t pixel = 0; pixel < pixels.size(); ++pixel) {
         const std::span<const FollowedRay> rays = followed_.of(pixel);
         if (rays.size() > 1)
-            deep_.push_back({pixel, shallower(followed_, pixel, deepest_.max_recursion, deepest_.cutoff).color});
+            deep_.push_back(pixel);
         else
             ofOneRay_ += 1 + rays[0].shadows;
     }
 }
 
-DepthChoice DepthPilot::measured(int max_recursion, double cutoff) {
-    const Compared& both = compared({max_recursion, cutoff}, deepest_);
-    return {max_recursion, cutoff, both.rays, both.error.rmse, both.error.standardError};
+const DepthChoice& DepthPilot::measured(int max_recursion, double cutoff) {
+    std::vector<DepthChoice>& choices = measured_[cutoff];
+    if (choices.empty()) choices = measure(cutoff);
+    return choices[static_cast<std::size_t>(max_recursion)];
+}
+
+// Each ray once, for every max_recursion.
+std::vector<DepthChoice> DepthPilot::measure(double cutoff) const {
+    const auto depths = static_cast<std::size_t>(deepest_) + 1;
+    std::vector<double> rays(depths, 0);  // those that are followed from this max_recursion on
+    rays[0] = ofOneRay_;
+    // Sums of squared errors and of their squares, of this max_recursion; and of pixels where it is from this one on.
+    std::vector<glm::dvec2> of(depths, glm::dvec2(0)), from(depths, glm::dvec2(0));
+    std::vector<glm::dvec3> color(depths);
+    for (const std::size_t pixel : deep_) {
+        glm::dvec3 never(0);
+        std::size_t top = 0;
+        color[0] = glm::dvec3(0);
+        for (const FollowedRay& ray : followed_.of(pixel)) {
+            const int least = followedFrom(followed_, ray, cutoff);
+            if (least > deepest_) {
+                never += ray.light;
+                continue;
+            }
+            const auto depth = static_cast<std::size_t>(least);
+            while (top < depth) color[++top] = glm::dvec3(0);
+            color[depth] += ray.light;
+            rays[depth] += 1 + ray.shadows;
+        }
+        for (std::size_t depth = 1; depth <= top; ++depth) color[depth] += color[depth - 1];
+        const glm::dvec3 deepest = color[top] + never;
+        for (std::size_t depth = 0; depth <= top; ++depth) {
+            const double error = squaredError(color[depth], deepest);
+            (depth < top ? of : from)[depth] += glm::dvec2(error, error * error);
+        }
+    }
+    std::vector<DepthChoice> choices;
+    glm::dvec2 whole(0);
+    double followed = 0;
+    for (std::size_t depth = 0; depth < depths; ++depth) {
+        whole += from[depth];
+        followed += rays[depth];
+        const glm::dvec2 sums = of[depth] + whole;
+        const ErrorEstimate error = rootOf(meanOf(sums.x, sums.y, pixelCount()));
+        choices.push_back({static_cast<int>(depth), cutoff, followed / static_cast<double>(pixelCount()), error.rmse,
+                           error.standardError});
+    }
+    return choices;
 }
 
 double DepthPilot::distance(const DepthChoice& a, const DepthChoice& b) {
-    return compared({a.max_recursion, a.cutoff}, {b.max_recursion, b.cutoff}).error.rmse;
-}
-
-const DepthPilot::Compared& DepthPilot::compared(const Depth& a, const Depth& b) {
-    const auto [found, isNew] = compared_.try_emplace({a, b});
-    Compared& both = found->second;
-    if (!isNew) return both;
-    double rays = ofOneRay_;
-    std::vector<double> errors(pixelCount(), 0);
-    for (const auto& [pixel, deepest] : deep_) {
-        const PixelAndRays one = shallower(followed_, pixel, a.max_recursion, a.cutoff);
-        rays += one.rays;
-        if (one.isWhole && b == deepest_) continue;
-        errors[pixel] = squaredError(
-            one.color, b == deepest_ ? deepest : shallower(followed_, pixel, b.max_recursion, b.cutoff).color);
-    }
-    both = {rays / static_cast<double>(pixelCount()), rootOf(meanOf(errors))};
-    return both;
+    const auto [found, isNew] = distances_.try_emplace({{a.max_recursion, a.cutoff}, {b.max_recursion, b.cutoff}});
+    if (!isNew) return found->second;
+    double sum = 0;
+    for (const std::size_t pixel : deep_)
+        sum += squaredError(shallower(followed_, pixel, a.max_recursion, a.cutoff).color,
+                            shallower(followed_, pixel, b.max_recursion, b.cutoff).color);
+    return found->second = std::sqrt(sum / static_cast<double>(pixelCount()));
 }
 
 }  // namespace raytracer

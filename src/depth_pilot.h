@@ -1,7 +1,6 @@
 // A few pixels, whose rays are followed once: what they would be and cost at every depth.
 #pragma once
 
-#include <compare>
 #include <map>
 #include <utility>
 
@@ -16,33 +15,22 @@ class DepthPilot {
                const Setting& deepest);
 
     // No deeper than that, and no smaller cutoff.
-    DepthChoice measured(int max_recursion, double cutoff);
+    const DepthChoice& measured(int max_recursion, double cutoff);
     double distance(const DepthChoice& a, const DepthChoice& b);  // RMSE between them
 
     std::size_t pixelCount() const { return followed_.pixelCount(); }
     double raysSpent() const { return spent_; }  // for all pixels
 
   private:
-    struct Depth {
-        int max_recursion;
-        double cutoff;
-        auto operator<=>(const Depth&) const = default;
-    };
-    struct Compared {
-        double rays;          // of the first, for each pixel
-        ErrorEstimate error;  // between them
-    };
-    struct DeepPixel {
-        std::size_t pixel;
-        glm::dvec3 color;  // as deep as can be
-    };
-    const Compared& compared(const Depth& a, const Depth& b);
+    using Depth = std::pair<int, double>;  // max_recursion and cutoff
+    std::vector<DepthChoice> measure(double cutoff) const;
 
-    Depth deepest_;
+    int deepest_;
     FollowedRays followed_;
     double spent_ = 0, ofOneRay_ = 0;  // rays: in all; of the pixels that are the same at every depth
-    std::vector<DeepPixel> deep_;      // the other pixels
-    std::map<std::pair<Depth, Depth>, Compared> compared_;
+    std::vector<std::size_t> deep_;    // the other pixels
+    std::map<double, std::vector<DepthChoice>> measured_;  // by cutoff: each max_recursion
+    std::map<std::pair<Depth, Depth>, double> distances_;
 };
 
 }  // namespace raytracer

@@ -1,8 +1,7 @@
 #include "raytracer/followed_rays.h"
 
 #include <algorithm>
-
-#include <glm/common.hpp>
+#include <cmath>
 
 namespace raytracer {
 
@@ -11,23 +10,31 @@ std::span<const FollowedRay> FollowedRays::of(std::size_t pixel) const {
     return std::span(rays).subspan(begin, ends[pixel] - begin);
 }
 
+// As Scene::isWorthCasting has it.
+static bool isWorthIt(const FollowedRay& ray, const glm::dvec3& brightest, double cutoff) {
+    return std::abs(ray.weight.x) * brightest.x >= cutoff || std::abs(ray.weight.y) * brightest.y >= cutoff ||
+           std::abs(ray.weight.z) * brightest.z >= cutoff;
+}
+
+// A ray that is worth it comes from one that was, since it can change no more; with more max_recursion left it can change no less.
+int followedFrom(const FollowedRays& followed, const FollowedRay& ray, double cutoff) {
+    if (ray.depth == 0) return 0;
+    const auto& brightest = followed.brightest;
+    const auto least = std::ranges::partition_point(brightest, [&](const auto& each) { return !isWorthIt(ray, each, cutoff); });
+    return least == brightest.end() ? neverFollowed : ray.depth + static_cast<int>(least - brightest.begin());
+}
+
 PixelAndRays shallower(const FollowedRays& followed, std::size_t pixel, int max_recursion, double cutoff) {
-    // As Scene::isWorthCasting has it. A ray that is worth it comes from one that was, since it can change no more.
-    const auto isCast = [&](const FollowedRay& ray) {
-        if (ray.depth == 0) return true;
-        if (ray.depth > max_recursion) return false;
-        const glm::dvec3 most = glm::abs(ray.weight) * followed.brightest[static_cast<std::size_t>(max_recursion - ray.depth)];
-        return std::max({most.x, most.y, most.z}) >= cutoff;
+    const auto isFollowed = [&](const FollowedRay& ray) {
+        const int left = max_recursion - ray.depth;
+        return ray.depth == 0 || (left >= 0 && isWorthIt(ray, followed.brightest[static_cast<std::size_t>(left)], cutoff));
     };
     PixelAndRays result;
-    for (const FollowedRay& ray : followed.of(pixel)) {
-        if (!isCast(ray)) {
-            result.isWhole = false;
-            continue;
+    for (const FollowedRay& ray : followed.of(pixel))
+        if (isFollowed(ray)) {
+            result.color += ray.light;
+            result.rays += 1 + ray.shadows;
         }
-        result.color += ray.light;
-        result.rays += 1 + ray.shadows;
-    }
     return result;
 }
 

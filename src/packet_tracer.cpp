@@ -3,6 +3,7 @@
 #include "raytracer/packet_tracer.h"
 
 #include "packet_traversal.h"
+#include "ray_follower.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -28,6 +29,10 @@ class PacketTracer {
     ColorLanes shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight, const Light& light, LaneBits lanes);
     ColorLanes reflectedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
     ColorLanes refractedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
+    template <class Function>
+    void forEachFollower(LaneBits lanes, Function function) {
+        if (RayFollower* followers = context_->followers) forEach(lanes, [&](int lane) { function(followers[lane], lane); });
+    }
     bool isCast(NotCast reason, LaneBits lanes, const RayPath& onwards);
 
     const Scene* scene_;
@@ -44,6 +49,7 @@ void PacketTracer::closestHits(const RayLanes& ray, PacketQuery& query) {
 }
 
 ColorLanes PacketTracer::rayColor(const RayLanes& ray, LaneBits asked, const RayPath& path) {
+    forEachFollower(asked, [&](RayFollower& follower, int) { follower.enter(path); });
     PacketQuery query(asked);
     closestHits(ray, query);
     ColorLanes color(0);
@@ -53,6 +59,7 @@ ColorLanes PacketTracer::rayColor(const RayLanes& ray, LaneBits asked, const Ray
         const bool together = std::popcount(alike) >= PointPacket::least;
         color = select<Lanes>(maskOf(alike), (together ? hitColor(ray, query, alike, path) : oneByOne(ray, query, alike, path)), color);
     }
+    forEachFollower(asked, [](RayFollower& follower, int) { follower.leave(); });
     return color;
 }
 
@@ -60,6 +67,7 @@ ColorLanes PacketTracer::oneByOne(const RayLanes& ray, const PacketQuery& query,
     ColorLanes color(0);
     forEach(lanes, [&](int lane) {
         context_->dropped = 0;
+        if (context_->followers) context_->observer = &context_->followers[lane];
         setLane(color, lane, scene_->hitColor(laneOf(ray, lane), query.hit(lane), path, *context_));
         dropped[lane] += context_->dropped;
     });
@@ -105,6 +113,9 @@ ColorLanes PacketTracer::lightColor(const ShadingPointT<Lanes>& point, LaneBits 
             context_->options->shadows ? lanes & ~bits((lit.x == 0) & (lit.y == 0) & (lit.z == 0)) : 0;
         ColorLanes sum = direct.ambient;
         sum += asked != 0 ? lit * shadow(point, direct.toLight, light, asked) : lit;
+        forEachFollower(lanes, [&](RayFollower& follower, int lane) {
+            follower.light((asked >> lane & 1) != 0, laneOf(sum, lane));
+        });
         color += sum;
     }
     return color;

@@ -70,7 +70,11 @@ MeanSquare meanOf(std::span<const double> squaredErrors) {
         sum += pixel;
         sumOfSquares += pixel * pixel;
     }
-    const auto count = static_cast<double>(std::max<std::size_t>(1, squaredErrors.size()));
+    return meanOf(sum, sumOfSquares, squaredErrors.size());
+}
+
+MeanSquare meanOf(double sum, double sumOfSquares, std::size_t pixels) {
+    const auto count = static_cast<double>(std::max<std::size_t>(1, pixels));
     const double mean = sum / count;
     return {mean, std::max(0.0, sumOfSquares / count - mean * mean) / count};
 }

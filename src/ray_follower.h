@@ -1,4 +1,4 @@
-// Watches rayColor for some pixels and keeps what each ray brings.
+// Watches rayColor for a pixel and keeps what each ray brings.
 #pragma once
 
 #include "raytracer/followed_rays.h"
@@ -7,36 +7,24 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
+// Nothing is inline, since packet_tracer.cpp uses it.
 class RayFollower final : public Observer {
   public:
-    void enter(const Ray&, const RayPath& path) override {
-        if (open_.empty()) max_recursion_ = path.max_recursion;
-        open_.push_back(followed_.rays.size());
-        FollowedRay ray;
-        ray.weight = glm::dvec3(path.weight);
-        ray.depth = static_cast<std::uint16_t>(max_recursion_ - path.max_recursion);
-        followed_.rays.push_back(ray);
-    }
+    void enter(const RayPath& path);
+    void light(bool castsShadowRay, const Color& sum);
+    void leave();
 
-    void meet(const ShadingPoint&) override {}
+    void enter(const Ray& ray, const RayPath& path) override;
+    void meet(const ShadingPoint& point) override;
+    void light(const DirectLight& direct, const Shadow* shadow, const Color& sum) override;
+    void notCast(RayKind kind, NotCast reason) override;
+    void leave(const Color& color) override;
 
-    void light(const DirectLight&, const Shadow* shadow, const Color& sum) override {
-        FollowedRay& ray = followed_.rays[open_.back()];
-        ray.light += ray.weight * glm::dvec3(sum);
-        if (shadow) ++ray.shadows;
-    }
-
-    void notCast(RayKind, NotCast) override {}
-
-    void leave(const Color&) override {
-        open_.pop_back();
-        if (open_.empty()) followed_.ends.push_back(followed_.rays.size());
-    }
-
-    FollowedRays take() { return std::move(followed_); }
+    // The pixel's, to the end of what is there; another pixel comes next.
+    void moveTo(FollowedRays& followed);
 
   private:
-    FollowedRays followed_;
+    std::vector<FollowedRay> rays_;
     std::vector<std::size_t> open_;  // the ray being followed, after those that led to it
     int max_recursion_ = 0;
 };

@@ -196,6 +196,7 @@ void Scene::pointColors(PointPacket& points, RenderContext& context) const {
         return tracePacket(*this, points, context);
     for (int i = 0; i < points.count; ++i) {
         context.dropped = 0;
+        if (context.followers) context.observer = &context.followers[i];
         const Color color = pointColor(points.x[i], points.y[i], context);
         for (int channel = 0; channel < 3; ++channel) points.color[channel][i] = color[channel];
         points.dropped[i] = context.dropped;
@@ -245,12 +246,15 @@ RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPl
     std::vector<FollowedRays> parts(jobs);
     const auto work = [&](int job, RenderContext& context) {
         const std::size_t begin = static_cast<std::size_t>(job) * batch;
-        RayFollower follower;
-        context.observer = &follower;
-        Color color;
-        for (const PixelPlace& pixel : pixels.subspan(begin, std::min(batch, pixels.size() - begin)))
-            pixelColors({&pixel, 1}, {&color, 1}, context);
-        parts[static_cast<std::size_t>(job)] = follower.take();
+        std::span<const PixelPlace> some = pixels.subspan(begin, std::min(batch, pixels.size() - begin));
+        RayFollower followers[PointPacket::most];
+        context.followers = followers;
+        for (Color colors[PointPacket::most]; !some.empty();) {
+            const std::size_t count = std::min<std::size_t>(PointPacket::most, some.size());
+            pixelColors(some.first(count), colors, context);
+            for (std::size_t i = 0; i < count; ++i) followers[i].moveTo(parts[static_cast<std::size_t>(job)]);
+            some = some.subspan(count);
+        }
     };
     const RenderCounts counts = shareOut(*this, once, static_cast<int>(jobs), nullptr, work);
     followed = {};

@@ -19,11 +19,14 @@ std::vector<std::size_t> orderOf(std::span<const double> activity) {
     return order;
 }
 
-// `count` of them, evenly spread; all if there are no more.
+// `count` of them, evenly spread; all if there are no more. In the picture's order, so that neighbours share packets.
 std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const std::size_t> indices, std::size_t count) {
     const std::size_t taken = std::min(count, indices.size());
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < taken; ++k) places.push_back(indices[(2 * k + 1) * indices.size() / (2 * taken)]);
+    std::ranges::sort(places);
     std::vector<PixelPlace> chosen;
-    for (std::size_t k = 0; k < taken; ++k) chosen.push_back(pixels[indices[(2 * k + 1) * indices.size() / (2 * taken)]]);
+    for (const std::size_t place : places) chosen.push_back(pixels[place]);
     return chosen;
 }
 

@@ -157,7 +157,7 @@ TEST_CASE("followed rays tell every shallower picture, and its rays") {
         const std::vector<PixelPlace> pixels = allPixels(options);
         const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
         FollowedRays followed;
-        const RenderCounts deep = renderer.follow(withSetting(options, deepest), pixels, followed);
+        renderer.follow(withSetting(options, deepest), pixels, followed);
         REQUIRE(followed.pixelCount() == pixels.size());
         for (const Setting& setting : {deepest, Setting{.max_recursion = 9, .cutoff = 0.3}, Setting{.max_recursion = 2, .cutoff = 0.02},
                                        Setting{.max_recursion = 1, .cutoff = 0.1}, Setting{.max_recursion = 0, .cutoff = 1}}) {
@@ -165,18 +165,44 @@ TEST_CASE("followed rays tell every shallower picture, and its rays") {
             std::vector<glm::dvec3> colors(pixels.size());
             const double rays = rayCount(renderer.renderPixels(withSetting(options, setting), pixels, colors));
             double counted = 0;
-            std::size_t notWhole = 0;
             double off = 0;
             for (std::size_t i = 0; i < pixels.size(); ++i) {
                 const PixelAndRays pixel = shallower(followed, i, setting.max_recursion, setting.cutoff);
                 counted += pixel.rays;
                 off = std::max(off, squaredError(pixel.color, colors[i]));
-                notWhole += !pixel.isWhole;
             }
             CHECK(off < 1e-24);
             CHECK(counted == rays);
-            CHECK((notWhole == 0) == (rayCount(deep) == counted));
         }
+    });
+}
+
+TEST_CASE("a depth costs and leaves out what its pixels say, one by one") {
+    forEveryScene(32, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        const std::vector<PixelPlace> pixels = allPixels(options);
+        const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
+        FollowedRays followed;
+        renderer.follow(withSetting(options, deepest), pixels, followed);
+        DepthPilot pilot(renderer, options, pixels, deepest);
+        for (const int depth : {0, 1, 2, 5, 9})
+            for (const double cutoff : {0.02, 0.1, 0.5}) {
+                INFO(depth << ", cutoff " << cutoff);
+                double rays = 0;
+                std::vector<double> errors;
+                for (std::size_t i = 0; i < pixels.size(); ++i) {
+                    const PixelAndRays pixel = shallower(followed, i, depth, cutoff);
+                    rays += pixel.rays / static_cast<double>(pixels.size());
+                    errors.push_back(squaredError(pixel.color, shallower(followed, i, 9, 0.02).color));
+                }
+                const ErrorEstimate error = rootOf(meanOf(errors));
+                const DepthChoice choice = pilot.measured(depth, cutoff);
+                CHECK(choice.max_recursion == depth);
+                CHECK(choice.cutoff == cutoff);
+                CHECK(choice.rays == Approx(rays));
+                CHECK(choice.error == Approx(error.rmse).margin(1e-12));
+                CHECK(choice.standardError == Approx(error.standardError).margin(1e-12));
+                CHECK(pilot.distance(choice, pilot.measured(9, 0.02)) == Approx(error.rmse).margin(1e-12));
+            }
     });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,11 +27,14 @@ struct FollowedRays {
     std::span<const FollowedRay> of(std::size_t pixel) const;
 };
 
+// The least max_recursion that a ray is followed with at a cutoff; neverFollowed where none is enough.
+int followedFrom(const FollowedRays& followed, const FollowedRay& ray, double cutoff);
+inline constexpr int neverFollowed = std::numeric_limits<int>::max();
+
 // A pixel's colour (linear, unclamped), and rays of every kind.
 struct PixelAndRays {
     glm::dvec3 color{0};
     double rays = 0;
-    bool isWhole = true;  // no ray is left out
 };
 
 // Had they been followed with no more than this max_recursion, and no less than this cutoff: what a render has, but for

@@ -49,6 +49,7 @@ struct MeanSquare {
 };
 
 MeanSquare meanOf(std::span<const double> squaredErrors);
+MeanSquare meanOf(double sum, double sumOfSquares, std::size_t pixels);  // the sums of those, and of their squares
 
 // Of a picture, of which few pixels were seen.
 struct ErrorEstimate {

@@ -14,11 +14,14 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
+class RayFollower;
+
 // A render's own state while it follows rays; one for each thread.
 struct RenderContext {
     const RenderOptions* options;
     const Color* brightest = nullptr;  // by max_recursion: Scene::brightestColors; only for a cutoff
     Observer* observer = nullptr;
+    RayFollower* followers = nullptr;  // one for each point of a packet (Scene::follow)
     RenderCounts counts;
     double dropped = 0;  // the most that rays not cast so far can have changed the pixel
 };
