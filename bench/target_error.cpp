@@ -211,7 +211,8 @@ class SceneCheck {
     }
 
     void check(double target, Tally& tally) {
-        const TargetChoice choice = chooseSetting(*renderer_, options_, target);
+        ColorSink sink(options_.crop);
+        const TargetChoice choice = chooseSetting(*renderer_, options_, target, sink);
         const ErrorEstimate achieved = error(choice.setting);
         const Found best = cheapest(target);
         const double rays = this->rays(choice.setting), cost = (rays + choice.pilotRays / area_) / best.rays;

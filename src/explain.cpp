@@ -96,7 +96,7 @@ RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, in
     once.samples = 1;
     once.pass = Pass::Color;
     const auto brightest = scene.brightestColors(options.max_recursion);
-    RenderContext context{&once, options.cutoff > 0 ? brightest.data() : nullptr, &recorder, {}};
+    RenderContext context{&once, options.cutoff > 0 ? brightest.data() : nullptr, &recorder};
     const PixelPlace pixel{x, y};
     Color color;
     scene.pixelColors({&pixel, 1}, {&color, 1}, context);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "raytracer/stratified_pilot.h"
 
@@ -13,81 +12,97 @@ namespace {
 
 constexpr int truthSamples = 2;  // n x n: the truth may be noisy, as long as it is not the larger part of the differences
 
-// A row of the picture as shown, three floats a pixel.
-void show(std::span<const glm::dvec3> colors, std::vector<float>& row) {
-    row.resize(3 * colors.size());
-    float* channel = row.data();
-    for (const glm::dvec3& color : colors)
-        for (int i = 0; i < 3; ++i) *channel++ = static_cast<float>(color[i]);
-    for (float& value : row) value = std::min(std::max(value, 0.0f), 1.0f);
-}
+constexpr int parts = 4;  // of the picture: each a quarter of its blocks, evenly spread
+constexpr int blockWidth = 8, blockHeight = 16;
 
-// Squared, of as many pixels from others.
-void findDistances(const float* a, const float* b, std::span<float> distances) {
-    for (std::size_t i = 0; i < distances.size(); ++i) {
-        const float red = a[3 * i] - b[3 * i], green = a[3 * i + 1] - b[3 * i + 1], blue = a[3 * i + 2] - b[3 * i + 2];
-        distances[i] = red * red + green * green + blue * blue;
-    }
-}
-
-void add(std::span<const float> values, float* sums) {
-    for (std::size_t i = 0; i < values.size(); ++i) sums[i] += values[i];
-}
-
-// How far each pixel is from the next ones, in both directions.
-std::vector<float> changes(std::span<const glm::dvec3> colors, const PixelRectangle& crop) {
-    const auto width = static_cast<std::size_t>(crop.width()), count = colors.size();
-    std::vector<float> sums(count, 0.0f), distances(width);
-    std::vector<float> shown, above;
-    for (std::size_t row = 0; row < count; row += width, std::swap(shown, above)) {
-        show(colors.subspan(row, width), shown);
-        const std::span<float> beside = std::span(distances).first(width - 1);
-        findDistances(shown.data() + 3, shown.data(), beside);
-        add(beside, &sums[row]);
-        add(beside, &sums[row] + 1);
-        if (row == 0) continue;
-        findDistances(shown.data(), above.data(), distances);
-        add(distances, &sums[row - width]);
-        add(distances, &sums[row]);
-    }
-    for (float& sum : sums) sum = std::sqrt(sum);
-    return sums;
-}
-
-// Pixels, their colours, and what each one's squared error counts for in the mean.
-struct Chosen {
-    std::vector<PixelPlace> pixels;
-    std::vector<glm::dvec3> colors;
-    std::vector<double> weights;
+struct Part {
+    std::vector<PixelRectangle> blocks;
+    std::vector<PixelPlace> pixels;  // block by block
 };
+
+// In an order in which those next to each other share packets.
+template <class Function>
+void forEachPixel(const PixelRectangle& block, Function function) {
+    constexpr int width = 4, height = 2;  // of a packet
+    for (int top = block.y0; top < block.y1; top += height)
+        for (int left = block.x0; left < block.x1; left += width)
+            for (int y = top; y < std::min(top + height, block.y1); ++y)
+                for (int x = left; x < std::min(left + width, block.x1); ++x) function(x, y);
+}
+
+void findPart(const PixelRectangle& crop, int number, Part& part) {
+    part.blocks.clear();
+    part.pixels.clear();
+    part.pixels.reserve(static_cast<std::size_t>(crop.area()) / parts);
+    for (int row = 0, y = crop.y0; y < crop.y1; ++row, y += blockHeight)
+        for (int x = crop.x0 + (number + 2 * row) % parts * blockWidth; x < crop.x1; x += parts * blockWidth)
+            part.blocks.push_back({x, y, std::min(x + blockWidth, crop.x1), std::min(y + blockHeight, crop.y1)});
+    for (const PixelRectangle& block : part.blocks)
+        forEachPixel(block, [&](int x, int y) { part.pixels.push_back({x, y}); });
+}
+
+void write(const Part& part, std::span<const glm::dvec3> colors, PixelSink& sink) {
+    auto color = colors.begin();
+    for (const PixelRectangle& block : part.blocks) {
+        glm::dvec3 rows[blockHeight][blockWidth];
+        forEachPixel(block, [&](int x, int y) { rows[y - block.y0][x - block.x0] = *color++; });
+        for (int y = block.y0; y < block.y1; ++y)
+            sink.write(block.x0, y, {rows[y - block.y0], static_cast<std::size_t>(block.width())});
+    }
+}
+
+float squared(float x) { return x * x; }
+
+// How far each of a part's pixels is, as shown, from those beside, above and below it in its block.
+std::vector<float> changesOf(const Part& part, std::span<const glm::dvec3> colors) {
+    std::vector<float> changes;
+    changes.reserve(colors.size());
+    auto color = colors.begin();
+    for (const PixelRectangle& block : part.blocks) {
+        float shown[3][blockHeight][blockWidth];
+        forEachPixel(block, [&](int x, int y) {
+            for (int i = 0; i < 3; ++i)
+                shown[i][y - block.y0][x - block.x0] = std::min(std::max(static_cast<float>((*color)[i]), 0.0f), 1.0f);
+            ++color;
+        });
+        float beside[blockHeight][blockWidth + 1] = {}, above[blockHeight + 1][blockWidth] = {};  // squared distances
+        for (const auto& channel : shown) {
+            for (int y = 0; y < block.height(); ++y)
+                for (int x = 1; x < block.width(); ++x) beside[y][x] += squared(channel[y][x] - channel[y][x - 1]);
+            for (int y = 1; y < block.height(); ++y)
+                for (int x = 0; x < block.width(); ++x) above[y][x] += squared(channel[y][x] - channel[y - 1][x]);
+        }
+        forEachPixel(block, [&](int x, int y) {
+            x -= block.x0, y -= block.y0;
+            changes.push_back(std::sqrt(beside[y][x] + beside[y][x + 1] + above[y][x] + above[y + 1][x]));
+        });
+    }
+    return changes;
+}
 
 double sumOf(std::span<const float> values) { return std::reduce(values.begin(), values.end(), 0.0); }
 
-constexpr std::size_t block = 16;              // of so many pixels most have none chosen
-constexpr std::size_t parts[] = {0, 2, 1, 3};  // in which they are judged: of every four the first, then the third, ...
+// A pixel of a part, and what its squared error counts for in the part's mean.
+struct Chosen {
+    std::size_t pixel;
+    double weight;
+};
 
-// In steps of equal size through the picture, row by row (systematic sampling with probability proportional to size; Madow
-// 1949): a large pixel may be chosen more than once.
-std::vector<Chosen> choose(std::span<const glm::dvec3> colors, std::span<const float> changes, const PixelRectangle& crop,
-                           double count) {
-    const double all = crop.area(), changed = sumOf(changes);
-    const double even = evenSize(changed, all), total = changed + even * all, step = total / count;
-    const auto width = static_cast<std::size_t>(crop.width());
-    std::vector<Chosen> chosen(std::size(parts));
+// In steps of equal size through the part (systematic sampling with probability proportional to size; Madow 1949): a large
+// pixel may be chosen more than once.
+std::vector<Chosen> choose(std::span<const float> changes, double count) {
+    constexpr std::size_t group = 16;  // of so many pixels most have none chosen
+    const auto all = static_cast<double>(changes.size());
+    const double changed = sumOf(changes), even = evenSize(changed, all), total = changed + even * all, step = total / count;
+    std::vector<Chosen> chosen;
     double sum = 0, next = step / 2;
-    std::size_t number = 0;
     for (std::size_t begin = 0, end = 0; begin < changes.size(); begin = end) {
-        end = std::min(begin + block, changes.size());
+        end = std::min(begin + group, changes.size());
         double size = sum;
         sum += sumOf(changes.subspan(begin, end - begin)) + even * static_cast<double>(end - begin);
         for (std::size_t i = begin; next < sum && i < end; ++i) {
             const double own = static_cast<double>(changes[i]) + even;
-            for (size += own; size > next; next += step) {
-                Chosen& part = chosen[number++ % chosen.size()];
-                part.pixels.push_back({crop.x0 + static_cast<int>(i % width), crop.y0 + static_cast<int>(i / width)});
-                part.colors.push_back(colors[i]);
-                part.weights.push_back(total / (own * all));
-            }
+            for (size += own; size > next; next += step) chosen.push_back({i, total / (own * all)});
         }
     }
     return chosen;
@@ -95,26 +110,37 @@ std::vector<Chosen> choose(std::span<const glm::dvec3> colors, std::span<const f
 
 }  // namespace
 
-JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, double judgedPixels,
-                           const std::function<bool(const ErrorEstimate&)>& isClear) {
-    JudgedPicture picture{setting, {}, {}, {}, 0, 0};
-    ColorSink sink(options.crop);
-    picture.counts = renderer.render(withSetting(options, setting), sink);
-    picture.colors = std::move(sink).colors();
-    const std::vector<Chosen> chosen =
-        choose(picture.colors, changes(picture.colors, options.crop), options.crop, judgedPixels);
+JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, PixelSink& sink,
+                           double judgedPixels, const std::function<Judgement(const ErrorEstimate&)>& judge) {
+    const PixelRectangle& crop = options.crop;
+    JudgedPicture picture{setting, {}, {}};
     std::vector<double> estimates;  // Hansen and Hurwitz 1943: the mean of what each one tells of the whole
-    for (const std::size_t part : parts) {
-        const auto& [pixels, colors, weights] = chosen[part];
-        Pilot pilot(renderer, options, pixels);
+    Judgement judgement = Judgement::Unclear;
+    Part part;
+    std::vector<glm::dvec3> colors;  // its
+    for (int number = 0; number < parts; ++number) {
+        findPart(crop, number, part);
+        colors.resize(part.pixels.size());
+        picture.counts += renderer.renderPixels(withSetting(options, setting), part.pixels, colors);
+        write(part, colors, sink);
+        if (judgement == Judgement::Enough) continue;
+
+        const double share = static_cast<double>(colors.size()) / crop.area();
+        const std::vector<Chosen> chosen = choose(changesOf(part, colors), share * judgedPixels);
+        std::vector<PixelPlace> places;
+        std::vector<glm::dvec3> judged;
+        for (const auto& [pixel, weight] : chosen) places.push_back(part.pixels[pixel]), judged.push_back(colors[pixel]);
+        Pilot pilot(renderer, options, places);
         pilot.sampleTruth(setting, truthSamples);
-        const std::vector<double> errors = pilot.squaredErrors(colors);
-        for (std::size_t i = 0; i < errors.size(); ++i) estimates.push_back(weights[i] * errors[i]);
+        const std::vector<double> errors = pilot.squaredErrors(judged);
+        for (std::size_t i = 0; i < errors.size(); ++i) estimates.push_back(chosen[i].weight * errors[i]);
         picture.error = rootOf(meanOf(estimates));
-        picture.judgedPixels += pixels.size();
+        picture.judgedPixels += chosen.size();
         picture.judgingRays += pilot.raysSpent();
-        if (isClear(picture.error)) break;
+        judgement = judge(picture.error);
+        if (judgement == Judgement::TooFar) return picture;
     }
+    picture.isWhole = true;
     return picture;
 }
 

@@ -166,7 +166,7 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, int jobs
     std::vector<Color> brightest;
     if (options.cutoff > 0) brightest = scene.brightestColors(options.max_recursion);
     const auto drain = [&] {
-        RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), nullptr, {}};
+        RenderContext context{&options, brightest.empty() ? nullptr : brightest.data()};
         for (int job; queue.next(job); queue.done()) work(job, context);
         const std::lock_guard lock(mutex);
         counts += context.counts;
@@ -255,6 +255,7 @@ RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPl
             for (std::size_t i = 0; i < count; ++i) followers[i].moveTo(parts[static_cast<std::size_t>(job)]);
             some = some.subspan(count);
         }
+        context.followers = nullptr;
     };
     const RenderCounts counts = shareOut(*this, once, static_cast<int>(jobs), nullptr, work);
     followed = {};

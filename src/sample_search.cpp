@@ -19,9 +19,9 @@ constexpr double flat = 0.01;  // squared difference between corners where adapt
 
 constexpr double judgedPart = 1.0 / 60, leastJudged = 1000;  // of the pixels of a whole picture
 constexpr double leastPixels = 20 * leastJudged;  // of such a picture: less is dearer to judge than to render
-constexpr double mostPixels = 1 << 22;            // 100 MB
+constexpr double mostPixels = 1 << 22;            // 40 MB
 constexpr double minorDepth = 0.1;  // of the target: what a depth may leave, where the samples alone leave nearly all of it
-constexpr double possibleMargin = 2;  // standard errors: missing it costs four times as much, trying in vain a third
+constexpr double possibleMargin = 2, tooFarMargin = 3;  // standard errors: missing it costs four times as much
 
 Setting cornersOf(Setting setting) {
     setting.samples = 64;
@@ -31,8 +31,9 @@ Setting cornersOf(Setting setting) {
 
 }  // namespace
 
-SampleSearch::SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths)
-    : renderer_(renderer), options_(options), target_(target), depths_(depths), judged_(sampledAt(depths.fine(), 1)),
+SampleSearch::SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths,
+                           PixelSink& sink)
+    : renderer_(renderer), options_(options), target_(target), depths_(depths), sink_(sink), judged_(sampledAt(depths.fine(), 1)),
       pilot_(renderer, options) {}
 
 double SampleSearch::firstPixels() const { return std::max(leastScattered, scatteredPart * options_.crop.area()); }
@@ -120,11 +121,12 @@ bool SampleSearch::judgePicture() {
     };
     if (with(depths_.fine(), -possibleMargin) > target_ || with(depths_.fine(), sureMargin) <= target_) return false;
     const DepthChoice& depth = depths_.deeper(minorDepth);
-    const auto isClear = [&](const ErrorEstimate& samples) {
+    const auto judge = [&](const ErrorEstimate& samples) {
         const ErrorEstimate error{std::hypot(samples.rmse, depth.error), samples.standardError};
-        return isWithin(error, sureMargin, target_) || error.rmse - sureMargin * error.standardError > target_;
+        if (isWithin(error, sureMargin, target_)) return Judgement::Enough;
+        return error.rmse - tooFarMargin * error.standardError > target_ ? Judgement::TooFar : Judgement::Unclear;
     };
-    picture_ = renderJudged(renderer_, options_, sampledAt(depth, 1), std::max(leastJudged, judgedPart * area), isClear);
+    picture_ = renderJudged(renderer_, options_, sampledAt(depth, 1), sink_, std::max(leastJudged, judgedPart * area), judge);
     return true;
 }
 

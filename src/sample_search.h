@@ -13,7 +13,7 @@ namespace raytracer {
 class SampleSearch {
   public:
     // What lies between the samples is judged as deep as the depths' finest one at this time. All are kept by reference.
-    SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths);
+    SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths, PixelSink& sink);
 
     // Looks at more pixels, by so many times the number of the first look.
     void look(double times);
@@ -26,8 +26,8 @@ class SampleSearch {
     // Between 1 sample and 2 x 2 lies a step of the rays by 4. Where it is likely that one is enough but not sure, renders and
     // judges the whole picture of one: that costs little more than to be sure, and it may be the picture wanted. False if not.
     bool judgePicture();
-    std::optional<JudgedPicture>& picture() { return picture_; }
-    bool isRendered(const Setting& setting) const { return picture_ && picture_->setting == setting; }
+    const std::optional<JudgedPicture>& picture() const { return picture_; }
+    bool isRendered(const Setting& setting) const { return picture_ && picture_->isWhole && picture_->setting == setting; }
 
     // Between the samples alone, where the setting is as deep as the judged depth; and against that, where it is not.
     ErrorEstimate error(const Setting& setting);
@@ -54,6 +54,7 @@ class SampleSearch {
     const RenderOptions& options_;
     double target_;
     DepthSearch& depths_;
+    PixelSink& sink_;
     Setting judged_;
     std::vector<std::unique_ptr<Pilot>> looks_;
     StratifiedPilot pilot_;

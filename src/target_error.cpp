@@ -39,9 +39,9 @@ constexpr double togetherMargin = 1;  // for both parts as they were judged each
 
 class Search {
   public:
-    Search(const Renderer& renderer, const RenderOptions& options, double target, const ChoiceSoFar& tell)
+    Search(const Renderer& renderer, const RenderOptions& options, double target, PixelSink& sink, const ChoiceSoFar& tell)
         : area_(options.crop.area()), target_(target), tell_(tell), depths_(renderer, options, target),
-          samples_(renderer, options, target, depths_) {}
+          samples_(renderer, options, target, depths_, sink) {}
 
     // In looks at ever more pixels, until the choice is clear or more would cost too much of what it can save.
     TargetChoice choose() {
@@ -59,7 +59,7 @@ class Search {
             while (depths_.halve(choice.setting)) choice = round();
             if (samples_.judgePicture()) choice = round();
             if (samples_.isRendered(choice.setting)) {
-                choice.picture = std::move(samples_.picture());
+                choice.rendered = samples_.picture()->counts;
                 return choice;
             }
             pixels = std::min(all, worthwhile(choice) / each);
@@ -210,8 +210,9 @@ class Search {
 
 }  // namespace
 
-TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target, const ChoiceSoFar& tell) {
-    return Search(renderer, options, target, tell).choose();
+TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target, PixelSink& sink,
+                           const ChoiceSoFar& tell) {
+    return Search(renderer, options, target, sink, tell).choose();
 }
 
 }  // namespace raytracer

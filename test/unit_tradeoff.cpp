@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "../src/depth_search.h"
+#include "raytracer/judged_picture.h"
 #include "raytracer/stratified_pilot.h"
 #include "raytracer/target_error.h"
 #include "raytracer/tradeoff_report.h"
@@ -267,15 +268,18 @@ TEST_CASE("a truth that grows takes other samples, and no more than it lacks") {
 TEST_CASE("a judged picture is the render's, and tells its own error without bias") {
     double off = 0;  // standard errors
     int scenes = 0;
-    forEveryScene(48, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+    forEveryScene(64, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const Setting setting{.max_recursion = 2, .cutoff = 0.1};
-        const JudgedPicture judged = renderJudged(renderer, options, setting, 500, [](const ErrorEstimate&) { return false; });
-        ColorSink sink(options.crop), copy(options.crop);
-        renderer.render(withSetting(options, setting), sink);
-        copyTo(copy, options.crop, judged.colors);
-        CHECK(copy.colors() == sink.colors());
+        ColorSink sink(options.crop), other(options.crop);
+        const JudgedPicture judged =
+            renderJudged(renderer, options, setting, sink, 500, [](const ErrorEstimate&) { return Judgement::Unclear; });
+        const RenderCounts counts = renderer.render(withSetting(options, setting), other);
+        CHECK(sink.colors() == other.colors());
+        CHECK(rayCount(judged.counts) == rayCount(counts));
+        CHECK(judged.isWhole);
         CHECK(judged.judgedPixels < 510);
-        const JudgedPicture clear = renderJudged(renderer, options, setting, 500, [](const ErrorEstimate&) { return true; });
+        const JudgedPicture clear = renderJudged(renderer, options, setting, other, 500, [](const ErrorEstimate&) { return Judgement::Enough; });
+        CHECK(sink.colors() == other.colors());
         CHECK(clear.judgedPixels < 130);
         CHECK(clear.error.standardError > judged.error.standardError);
         Pilot picture(renderer, options, allPixels(options));
@@ -289,6 +293,37 @@ TEST_CASE("a judged picture is the render's, and tells its own error without bia
         ++scenes;
     });
     CHECK(std::abs(off / scenes) < 0.7);
+}
+
+TEST_CASE("a judged picture that is too far off is given up after a quarter, which tells the error of all") {
+    double sum = 0, half = 0;  // of squared relative differences
+    int scenes = 0;
+    forEveryScene(150, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        const Setting setting{.max_recursion = 2, .cutoff = 0.1};
+        ColorSink sink(options.crop);
+        std::vector<ErrorEstimate> told;
+        const JudgedPicture whole = renderJudged(renderer, options, setting, sink, 4000, [&](const ErrorEstimate& error) {
+            told.push_back(error);
+            return Judgement::Unclear;
+        });
+        REQUIRE(told.size() == 4);
+        int asked = 0;
+        const JudgedPicture part = renderJudged(renderer, options, setting, sink, 4000, [&](const ErrorEstimate&) {
+            ++asked;
+            return Judgement::TooFar;
+        });
+        CHECK(asked == 1);
+        CHECK(!part.isWhole);
+        CHECK(static_cast<double>(part.counts.primary) == Approx(options.crop.area() / 4).epsilon(0.05));
+        CHECK(part.error.rmse == told[0].rmse);
+        CHECK(part.error.standardError == told[0].standardError);
+        sum += std::pow(told[0].rmse / whole.error.rmse - 1, 2);
+        half += std::pow(told[1].rmse / whole.error.rmse - 1, 2);
+        ++scenes;
+    });
+    INFO("a quarter differs by " << std::sqrt(sum / scenes) << ", a half by " << std::sqrt(half / scenes));
+    CHECK(std::sqrt(sum / scenes) < 0.15);
+    CHECK(std::sqrt(half / scenes) < 0.1);
 }
 
 TEST_CASE("what a depth leaves out is the same whatever the samples, or nearly: 2 x 2 tell it") {
@@ -331,12 +366,17 @@ TEST_CASE("a pilot's flat pixels: the others count as right, and take no samples
     CHECK(pilot.raysSpent() - before == Approx(pilot.rays(whole) * static_cast<double>(pixels.size())));  // none was taken twice
 }
 
+static TargetChoice choose(const Renderer& renderer, const RenderOptions& options, double target, const ChoiceSoFar& tell = {}) {
+    ColorSink sink(options.crop);
+    return chooseSetting(renderer, options, target, sink, tell);
+}
+
 TEST_CASE("target-error: hardly ever above, never above twice, on every scene") {
     int cases = 0, above = 0;
     forEveryScene(24, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         Pilot picture(renderer, options, allPixels(options));
         for (const double target : {0.1, 0.04}) {
-            const TargetChoice choice = chooseSetting(renderer, options, target);
+            const TargetChoice choice = choose(renderer, options, target);
             CHECK(choice.reached);
             const double error = picture.error(choice.setting, {.samples = 6, .max_recursion = 8, .cutoff = 0.05}).rmse;
             INFO(commandLine(choice.setting) << " has " << error << " for " << target);
@@ -351,7 +391,7 @@ TEST_CASE("target-error: hardly ever above, never above twice, on every scene") 
 TEST_CASE("target-error: where nothing reaches it, the most accurate and no promise") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/checker_horizon.json", true).description;
     const auto renderer = makeRenderer(scene, Precision::Double);
-    const TargetChoice choice = chooseSetting(*renderer, wholePicture(scene, 6), 1e-9);
+    const TargetChoice choice = choose(*renderer, wholePicture(scene, 6), 1e-9);
     CHECK(!choice.reached);
     CHECK(choice.setting.samples == 16);
     CHECK(choice.setting.adaptive == 0);
@@ -374,8 +414,8 @@ TEST_CASE("target-error: tells what it would choose so far, at last what it choo
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     std::vector<Setting> told;
-    const TargetChoice choice = chooseSetting(*renderer, wholePicture(scene, 64), 0.02,
-                                              [&](const TargetChoice& soFar) { told.push_back(soFar.setting); });
+    const TargetChoice choice = choose(*renderer, wholePicture(scene, 64), 0.02,
+                                       [&](const TargetChoice& soFar) { told.push_back(soFar.setting); });
     REQUIRE(!told.empty());
     CHECK(told.back() == choice.setting);
 }
@@ -385,5 +425,5 @@ TEST_CASE("target-error: the texture filter stays the one that was asked for") {
     const auto renderer = makeRenderer(scene, Precision::Double);
     RenderOptions options = wholePicture(scene, 24);
     options.bilinear = true;
-    CHECK(chooseSetting(*renderer, options, 0.05).setting.bilinear);
+    CHECK(choose(*renderer, options, 0.05).setting.bilinear);
 }

@@ -10,17 +10,20 @@ namespace raytracer {
 
 struct JudgedPicture {
     Setting setting;
-    std::vector<glm::dvec3> colors;  // of the crop, row-major from the top left; linear, unclamped
-    RenderCounts counts;             // of the picture
-    ErrorEstimate error;             // between the samples: against the same depth
+    RenderCounts counts;  // of the picture
+    ErrorEstimate error;  // between the samples: against the same depth
     std::size_t judgedPixels = 0;
     double judgingRays = 0;
+    bool isWhole = false;  // if not, it was given up
 };
 
-// Renders the crop and judges up to about so many of its pixels, each chosen with a probability in proportion to its size:
-// how far it is from its neighbours, and a little that is the same for all. No more of them than make the error clear; asked
-// after each quarter. Takes 24 bytes a pixel.
-JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, double judgedPixels,
-                           const std::function<bool(const ErrorEstimate&)>& isClear);
+enum class Judgement { Unclear, Enough, TooFar };
+
+// Renders the crop into the sink and judges up to about so many of its pixels, each chosen with a probability in proportion to its size:
+// how far it is from its neighbours, and a little that is the same for all. By quarters, each of blocks from all
+// over the picture: after each one `judge` is asked; from Enough on no more are judged, at TooFar no more are rendered. Takes 10
+// bytes a pixel.
+JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, PixelSink& sink,
+                           double judgedPixels, const std::function<Judgement(const ErrorEstimate&)>& judge);
 
 }  // namespace raytracer

@@ -22,7 +22,7 @@ struct RenderContext {
     const Color* brightest = nullptr;  // by max_recursion: Scene::brightestColors; only for a cutoff
     Observer* observer = nullptr;
     RayFollower* followers = nullptr;  // one for each point of a packet (Scene::follow)
-    RenderCounts counts;
+    RenderCounts counts{};
     double dropped = 0;  // the most that rays not cast so far can have changed the pixel
 };
 

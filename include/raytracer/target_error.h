@@ -4,7 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "raytracer/judged_picture.h"
+#include "raytracer/renderer.h"
+#include "raytracer/setting.h"
 
 namespace raytracer {
 
@@ -22,13 +23,14 @@ struct TargetChoice {
     std::size_t pilotPixels = 0;
     double pilotRays = 0;  // what the search cost, in all; but not the picture's
 
-    std::optional<JudgedPicture> picture;  // the very picture, where finding out took all of it
+    std::optional<RenderCounts> rendered;  // of the very picture, where finding out took all of it: it is in the sink
 };
 
 // `target` is an RMSE, of 1, in linear light after clamping; the truth is the picture with many more samples and deeper
-// recursion. Chooses by counted rays, so that the same command makes the same picture on every machine. Tells what it would
-// choose so far, whenever it has looked at more.
+// recursion. Chooses by counted rays, so that the same command makes the same picture on every machine. What is in the sink
+// afterwards means nothing unless the choice says so. Tells what it would choose so far, whenever it has looked at more.
 using ChoiceSoFar = std::function<void(const TargetChoice&)>;
-TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target, const ChoiceSoFar& tell = {});
+TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target, PixelSink& sink,
+                           const ChoiceSoFar& tell = {});
 
 }  // namespace raytracer

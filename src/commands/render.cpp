@@ -106,30 +106,41 @@ std::string outputProblem(const std::filesystem::path& out) {
     return {};
 }
 
-struct Picture {
-    const RenderArguments& arguments;
-    const SceneDescription& scene;
-    const Renderer& renderer;
-    const RenderOptions& options;
-    const JudgedPicture* rendered;  // already, or null
+// What only this command asks for.
+struct PictureArguments {
+    std::string out;
+    bool stats = false;
+    double targetError = 0;  // 0: none
 };
 
-RenderCounts fill(PixelSink& sink, const Picture& picture) {
-    if (picture.rendered) {
-        copyTo(sink, picture.options.crop, picture.rendered->colors);
-        return picture.rendered->counts;
-    }
+struct Picture {
+    const RenderArguments& arguments;
+    const PictureArguments& wanted;
+    const SceneDescription& scene;
+    const Renderer& renderer;
+    RenderOptions& options;
+    Timings& timings;
+    RenderCounts counts{};
+    std::optional<TargetChoice> choice{};
+};
+
+RenderCounts render(const Picture& picture, PixelSink& sink) {
     std::optional<ProgressBar> bar;
     if (!picture.arguments.quiet) bar.emplace();
     return picture.renderer.render(picture.options, sink, bar ? &*bar : nullptr);
 }
 
 template <class Sink, class Write>
-RenderCounts renderTo(const std::string& out, const Picture& picture, Timings& timings, Write write) {
+void renderTo(Picture& picture, Write write) {
+    const std::string& out = picture.wanted.out;
     Stopwatch watch;
     Sink sink(picture.options.crop);
-    const RenderCounts counts = fill(sink, picture);
-    timings.render = watch.lap();
+    if (const double target = picture.wanted.targetError; target > 0)
+        picture.choice = chooseAndTell(picture.renderer, picture.options, target, sink, picture.arguments.quiet);
+    picture.timings.choose = watch.lap();
+    const bool isThere = picture.choice && picture.choice->rendered;
+    picture.counts = isThere ? *picture.choice->rendered : render(picture, sink);
+    picture.timings.render = watch.lap();
     if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
         picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
     try {
@@ -137,16 +148,8 @@ RenderCounts renderTo(const std::string& out, const Picture& picture, Timings& t
     } catch (const ImageError& error) {
         throw ImageError(out + ": " + error.what());
     }
-    timings.write = watch.lap();
-    return counts;
+    picture.timings.write = watch.lap();
 }
-
-// What only this command asks for.
-struct PictureArguments {
-    std::string out;
-    bool stats = false;
-    double targetError = 0;  // 0: none
-};
 
 int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted) {
     const std::string& out = wanted.out;
@@ -158,16 +161,11 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     RenderOptions options = arguments.prepare(description);
     const auto renderer = makeRenderer(description, arguments.precisionChosen(), arguments.buildOptions());
     timings.build = watch.lap();
-    std::optional<TargetChoice> choice;
-    if (wanted.targetError > 0) choice = chooseAndTell(*renderer, options, wanted.targetError, arguments.quiet);
-    timings.choose = watch.lap();
-    const JudgedPicture* rendered = choice && choice->picture ? &*choice->picture : nullptr;
-    const Picture picture{arguments, description, *renderer, options, rendered};
-    const bool floats = std::filesystem::path(out).extension() == ".pfm";
-    const RenderCounts counts =
-        floats ? renderTo<FloatSink>(out, picture, timings, writePfm) : renderTo<ByteSink>(out, picture, timings, writePng);
-    if (wanted.stats) printStats(counts, timings, options);
-    return choice && !tellOutcome(*choice, wanted.targetError) ? 1 : 0;
+    Picture picture{arguments, wanted, description, *renderer, options, timings};
+    if (std::filesystem::path(out).extension() == ".pfm") renderTo<FloatSink>(picture, writePfm);
+    else renderTo<ByteSink>(picture, writePng);
+    if (wanted.stats) printStats(picture.counts, timings, options);
+    return picture.choice && !tellOutcome(*picture.choice, wanted.targetError) ? 1 : 0;
 }
 
 }  // namespace

@@ -9,10 +9,10 @@ namespace raytracer::commands {
 
 namespace {
 
-TargetChoice choose(const Renderer& renderer, const RenderOptions& options, double target, bool quiet) {
-    if (quiet) return chooseSetting(renderer, options, target);
+TargetChoice choose(const Renderer& renderer, const RenderOptions& options, double target, PixelSink& sink, bool quiet) {
+    if (quiet) return chooseSetting(renderer, options, target, sink);
     TerminalLine line;
-    return chooseSetting(renderer, options, target, [&](const TargetChoice& choice) {
+    return chooseSetting(renderer, options, target, sink, [&](const TargetChoice& choice) {
         line.show("--target-error " + shortNumber(target) + ": so far " + commandLine(choice.setting) + " with about " +
                   shortNumber(choice.error) + " +- " + shortNumber(choice.standardError) + "; looking at more pixels");
     });
@@ -20,8 +20,8 @@ TargetChoice choose(const Renderer& renderer, const RenderOptions& options, doub
 
 }  // namespace
 
-TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
-    const TargetChoice choice = choose(renderer, options, target, quiet);
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, PixelSink& sink, bool quiet) {
+    const TargetChoice choice = choose(renderer, options, target, sink, quiet);
     options = withSetting(options, choice.setting);
     std::string why = "the cheapest of those that reach " + shortNumber(target);
     if (!choice.reached) why = "the most accurate there is; nothing reaches " + shortNumber(target);
@@ -32,7 +32,7 @@ TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, dou
     std::fprintf(stderr, "--target-error %s: %s rays a pixel, found with %zu pixels and as many rays as %s a pixel%s\n",
                  shortNumber(target).c_str(), shortNumber(choice.rays).c_str(), choice.pilotPixels,
                  shortNumber(choice.pilotRays / options.crop.area()).c_str(),
-                 choice.picture ? "; to find out, the picture was rendered" : "");
+                 choice.rendered ? "; to find out, the picture was rendered" : "");
     return choice;
 }
 
