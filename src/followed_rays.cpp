@@ -16,7 +16,8 @@ static bool isWorthIt(const FollowedRay& ray, const glm::dvec3& brightest, doubl
            std::abs(ray.weight.z) * brightest.z >= cutoff;
 }
 
-// A ray that is worth it comes from one that was, since it can change no more; with more max_recursion left it can change no less.
+// A ray that is worth it comes from one that was, since it can change no more; with more max_recursion left it can change no
+// less.
 int followedFrom(const FollowedRays& followed, const FollowedRay& ray, double cutoff) {
     if (ray.depth == 0) return 0;
     const auto& brightest = followed.brightest;

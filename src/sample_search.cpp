@@ -33,7 +33,8 @@ Setting cornersOf(Setting setting) {
 
 SampleSearch::SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths,
                            PixelSink& sink)
-    : renderer_(renderer), options_(options), target_(target), depths_(depths), sink_(sink), judged_(sampledAt(depths.fine(), 1)),
+    : renderer_(renderer), options_(options), target_(target), depths_(depths), sink_(sink),
+      judged_(sampledAt(depths.fine(), 1)),
       pilot_(renderer, options) {}
 
 double SampleSearch::firstPixels() const { return std::max(leastScattered, scatteredPart * options_.crop.area()); }

@@ -23,8 +23,9 @@ class SampleSearch {
     void findSamples();
     int samples() const { return samples_; }
 
-    // Between 1 sample and 2 x 2 lies a step of the rays by 4. Where it is likely that one is enough but not sure, renders and
-    // judges the whole picture of one: that costs little more than to be sure, and it may be the picture wanted. False if not.
+    // Between 1 sample and 2 x 2 lies a step of the rays by 4. Where one may be enough but is not sure to be, renders the picture
+    // of one into the sink, until it is clearly too far off: that costs little more than to be sure, and it may be the picture
+    // wanted. False if not.
     bool judgePicture();
     const std::optional<JudgedPicture>& picture() const { return picture_; }
     bool isRendered(const Setting& setting) const { return picture_ && picture_->isWhole && picture_->setting == setting; }

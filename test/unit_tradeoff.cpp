@@ -278,7 +278,8 @@ TEST_CASE("a judged picture is the render's, and tells its own error without bia
         CHECK(rayCount(judged.counts) == rayCount(counts));
         CHECK(judged.isWhole);
         CHECK(judged.judgedPixels < 510);
-        const JudgedPicture clear = renderJudged(renderer, options, setting, other, 500, [](const ErrorEstimate&) { return Judgement::Enough; });
+        const JudgedPicture clear =
+            renderJudged(renderer, options, setting, other, 500, [](const ErrorEstimate&) { return Judgement::Enough; });
         CHECK(sink.colors() == other.colors());
         CHECK(clear.judgedPixels < 130);
         CHECK(clear.error.standardError > judged.error.standardError);
@@ -366,7 +367,8 @@ TEST_CASE("a pilot's flat pixels: the others count as right, and take no samples
     CHECK(pilot.raysSpent() - before == Approx(pilot.rays(whole) * static_cast<double>(pixels.size())));  // none was taken twice
 }
 
-static TargetChoice choose(const Renderer& renderer, const RenderOptions& options, double target, const ChoiceSoFar& tell = {}) {
+static TargetChoice choose(const Renderer& renderer, const RenderOptions& options, double target,
+                           const ChoiceSoFar& tell = {}) {
     ColorSink sink(options.crop);
     return chooseSetting(renderer, options, target, sink, tell);
 }
