@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "raytracer/packet_order.h"
 #include "raytracer/stratified_pilot.h"
 
 namespace raytracer {
@@ -20,16 +21,6 @@ struct Part {
     std::vector<PixelPlace> pixels;  // block by block
 };
 
-// In an order in which those next to each other share packets.
-template <class Function>
-void forEachPixel(const PixelRectangle& block, Function function) {
-    constexpr int width = 4, height = 2;  // of a packet
-    for (int top = block.y0; top < block.y1; top += height)
-        for (int left = block.x0; left < block.x1; left += width)
-            for (int y = top; y < std::min(top + height, block.y1); ++y)
-                for (int x = left; x < std::min(left + width, block.x1); ++x) function(x, y);
-}
-
 void findPart(const PixelRectangle& crop, int number, Part& part) {
     part.blocks.clear();
     part.pixels.clear();
@@ -38,14 +29,14 @@ void findPart(const PixelRectangle& crop, int number, Part& part) {
         for (int x = crop.x0 + (number + 2 * row) % parts * blockWidth; x < crop.x1; x += parts * blockWidth)
             part.blocks.push_back({x, y, std::min(x + blockWidth, crop.x1), std::min(y + blockHeight, crop.y1)});
     for (const PixelRectangle& block : part.blocks)
-        forEachPixel(block, [&](int x, int y) { part.pixels.push_back({x, y}); });
+        forEachInPacketOrder(block, [&](int x, int y) { part.pixels.push_back({x, y}); });
 }
 
 void write(const Part& part, std::span<const glm::dvec3> colors, PixelSink& sink) {
     auto color = colors.begin();
     for (const PixelRectangle& block : part.blocks) {
         glm::dvec3 rows[blockHeight][blockWidth];
-        forEachPixel(block, [&](int x, int y) { rows[y - block.y0][x - block.x0] = *color++; });
+        forEachInPacketOrder(block, [&](int x, int y) { rows[y - block.y0][x - block.x0] = *color++; });
         for (int y = block.y0; y < block.y1; ++y)
             sink.write(block.x0, y, {rows[y - block.y0], static_cast<std::size_t>(block.width())});
     }
@@ -60,7 +51,7 @@ std::vector<float> changesOf(const Part& part, std::span<const glm::dvec3> color
     auto color = colors.begin();
     for (const PixelRectangle& block : part.blocks) {
         float shown[3][blockHeight][blockWidth];
-        forEachPixel(block, [&](int x, int y) {
+        forEachInPacketOrder(block, [&](int x, int y) {
             for (int i = 0; i < 3; ++i)
                 shown[i][y - block.y0][x - block.x0] = std::min(std::max(static_cast<float>((*color)[i]), 0.0f), 1.0f);
             ++color;
@@ -72,7 +63,7 @@ std::vector<float> changesOf(const Part& part, std::span<const glm::dvec3> color
             for (int y = 1; y < block.height(); ++y)
                 for (int x = 0; x < block.width(); ++x) above[y][x] += squared(channel[y][x] - channel[y - 1][x]);
         }
-        forEachPixel(block, [&](int x, int y) {
+        forEachInPacketOrder(block, [&](int x, int y) {
             x -= block.x0, y -= block.y0;
             changes.push_back(std::sqrt(beside[y][x] + beside[y][x + 1] + above[y][x] + above[y + 1][x]));
         });

@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "raytracer/packet_order.h"
+
 namespace raytracer {
 
 namespace {
@@ -35,16 +37,11 @@ std::vector<PixelPlace> scatteredPixels(const PixelRectangle& crop, std::size_t 
     const double edge = std::max(1.0, std::sqrt(crop.area() / static_cast<double>(count)));
     const int columns = static_cast<int>(std::ceil(crop.width() / edge)), rows = static_cast<int>(std::ceil(crop.height() / edge));
     std::vector<PixelPlace> pixels;
-    const auto add = [&](int column, int row) {
+    forEachInPacketOrder({0, 0, columns, rows}, [&](int column, int row) {
         const PixelRectangle cell{crop.x0 + crop.width() * column / columns, crop.y0 + crop.height() * row / rows,
                                   crop.x0 + crop.width() * (column + 1) / columns, crop.y0 + crop.height() * (row + 1) / rows};
         pixels.push_back(pixelIn(cell, hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed)));
-    };
-    constexpr int width = 4, height = 2;  // cells whose pixels share a packet
-    for (int top = 0; top < rows; top += height)
-        for (int left = 0; left < columns; left += width)
-            for (int row = top; row < std::min(top + height, rows); ++row)
-                for (int column = left; column < std::min(left + width, columns); ++column) add(column, row);
+    });
     return pixels;
 }
 

@@ -255,7 +255,7 @@ RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPl
             for (std::size_t i = 0; i < count; ++i) followers[i].moveTo(parts[static_cast<std::size_t>(job)]);
             some = some.subspan(count);
         }
-        context.followers = nullptr;
+        context.followers = nullptr, context.observer = nullptr;
     };
     const RenderCounts counts = shareOut(*this, once, static_cast<int>(jobs), nullptr, work);
     followed = {};

@@ -8,6 +8,7 @@
 #include "raytracer/camera.h"
 #include "raytracer/followed_rays.h"
 #include "raytracer/observer.h"
+#include "raytracer/packet_order.h"
 #include "raytracer/render_options.h"
 #include "raytracer/shape_tree.h"
 
@@ -35,7 +36,7 @@ struct RayPath {
 
 // A few points of the picture, in pixels, (0, 0) at the top left; and what is seen there.
 struct PointPacket {
-    static constexpr int width = 4, height = 2;  // pixels that it holds when it is filled best
+    static constexpr int width = packetWidth, height = packetHeight;  // pixels that it holds when it is filled best
     static constexpr int most = width * height, least = 3;  // fewer are sooner traced one at a time
 
     int count = 0;

@@ -124,7 +124,7 @@ struct Picture {
     std::optional<TargetChoice> choice{};
 };
 
-RenderCounts render(const Picture& picture, PixelSink& sink) {
+RenderCounts renderInto(PixelSink& sink, const Picture& picture) {
     std::optional<ProgressBar> bar;
     if (!picture.arguments.quiet) bar.emplace();
     return picture.renderer.render(picture.options, sink, bar ? &*bar : nullptr);
@@ -139,7 +139,7 @@ void renderTo(Picture& picture, Write write) {
         picture.choice = chooseAndTell(picture.renderer, picture.options, target, sink, picture.arguments.quiet);
     picture.timings.choose = watch.lap();
     const bool isThere = picture.choice && picture.choice->rendered;
-    picture.counts = isThere ? *picture.choice->rendered : render(picture, sink);
+    picture.counts = isThere ? *picture.choice->rendered : renderInto(sink, picture);
     picture.timings.render = watch.lap();
     if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
         picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
