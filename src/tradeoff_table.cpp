@@ -50,10 +50,12 @@ std::string tradeoffCsv(std::span<const SceneTradeoff> scenes) {
 
 std::string describeReference(const SceneTradeoff& scene) {
     const Reference& reference = scene.reference;
-    return formatted("%d x %d pixels. Reference: %s; its cutoff changed no pixel by more than %.1g. Half of its samples (%d x %d) "
-                     "are %.1e off it, so that it is closer than that to the truth. The error between the samples falls like "
-                     "rays^-%.2f.",
-                     scene.size.width, scene.size.height, commandLine(reference.setting).c_str(), reference.cutoffBound,
+    const std::string cutoff = reference.setting.cutoff > 0
+                                   ? formatted("its cutoff changed no pixel by more than %.1g", reference.cutoffBound)
+                                   : "no cutoff";
+    return formatted("%d x %d pixels. Reference: %s; %s. Half of its samples (%d x %d) are %.1e off it, so that it is closer than "
+                     "that to the truth. The error between the samples falls like rays^-%.2f.",
+                     scene.size.width, scene.size.height, commandLine(reference.setting).c_str(), cutoff.c_str(),
                      reference.half.samples, reference.half.samples, reference.doublingError, scene.sampleRate);
 }
 

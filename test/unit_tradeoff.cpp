@@ -109,6 +109,22 @@ TEST_CASE("a measured scene: its front is one, its errors are apart, its referen
     CHECK(!measured.exhibits.empty());
 }
 
+TEST_CASE("a reference has no cutoff, but where glass would take many times the rays") {
+    int cut = 0;
+    forEveryScene(12, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
+        const Reference reference = makeReference(renderer, options, 1);
+        Pilot picture(renderer, options, allPixels(options));
+        const Setting whole{.max_recursion = reference.setting.max_recursion};
+        const Setting glass{.max_recursion = whole.max_recursion, .cutoff = 1e-5};
+        const bool isCut = reference.setting.cutoff > 0;
+        cut += isCut;
+        CHECK(isCut == (picture.rays(whole) > 4 * picture.rays(glass)));
+        CHECK(isCut == (reference.cutoffBound > 0));
+        CHECK(reference.cutoffBound < 0.01);
+    });
+    CHECK(cut == 1);  // nested_glass
+}
+
 TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one that its standard error tells") {
     int far = 0, scenes = 0;
     forEveryScene(32, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
