@@ -21,7 +21,7 @@ constexpr double judgedPart = 1.0 / 60, leastJudged = 1000;  // of the pixels of
 constexpr double leastPixels = 20 * leastJudged;  // of such a picture: less is dearer to judge than to render
 constexpr double mostPixels = 1 << 22;            // 40 MB
 constexpr double minorDepth = 0.1;  // of the target: what a depth may leave, where the samples alone leave nearly all of it
-constexpr double possibleMargin = 2, tooFarMargin = 3;  // standard errors: missing it costs four times as much
+constexpr double possibleMargin = 2, tooFarMargin = 1.6;  // standard errors: missing it costs four times as much
 
 Setting cornersOf(Setting setting) {
     setting.samples = 64;

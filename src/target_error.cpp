@@ -30,12 +30,12 @@ constexpr double promise = 1.5;
 // of what a cheaper one would save; nor for more than that part of what it would save itself.
 constexpr double pilotShare = 0.12, savedShare = 0.15, hope = 0.25;
 constexpr double checkShare = 0.09;  // for a look that would only make sure, instead of pilotShare
+constexpr double leastShare = 0.04;  // even where all seems to be sure: few pixels may all have missed the same thing
 constexpr double smallStep = 1.05;   // a setting dearer by no more than this is as good
 
 // Standard errors; and what is only likely within the target may well be above, but not far.
 constexpr double reachedMargin = 1;  // above by no more than this is not said to be above
-constexpr double likelyMargin = 0.6, likelyExcess = 1.5;
-constexpr double togetherMargin = 1;  // for both parts as they were judged each by itself
+constexpr double likelyMargin = 0.3, likelyExcess = 1.5;
 
 class Search {
   public:
@@ -88,8 +88,8 @@ class Search {
         const double best = leastRays(choice) * area_, chosen = choice.rays * area_;
         const double saved = chosen - best;
         const double saving = std::min(std::max(pilotShare * best, savedShare * saved) - spent(), hope * saved);
-        if (isWithin({choice.error, choice.standardError}, sureMargin)) return saving;
-        return std::max(saving, checkShare * best - spent());
+        const bool isSure = isWithin({choice.error, choice.standardError}, sureMargin);
+        return std::max(saving, (isSure ? leastShare : checkShare) * best - spent());
     }
 
     double spent() const { return depths_.raysSpent() + samples_.raysSpent(); }
@@ -169,7 +169,7 @@ class Search {
             if (!good && likely && candidate.rays > promise * likely->rays - spent() / area_) break;
             const bool isThere = candidate.rays == 0;
             if (!possible && !isThere && isPossible(candidate.error())) possible = &candidate;
-            if (!isThere && !isWithin(candidate.error(), togetherMargin)) continue;
+            if (!isThere && !isWithin(candidate.error(), likelyMargin)) continue;
             const ErrorEstimate error = measured(candidate);
             if (!likely && (isThere ? isReached(error) : isLikely(error))) likely = &candidate;
             if (isWithin(error, sureMargin)) return result(candidate, possible);
