@@ -33,9 +33,8 @@ constexpr double checkShare = 0.09;  // for a look that would only make sure, in
 constexpr double leastShare = 0.04;  // even where all seems to be sure: few pixels may all have missed the same thing
 constexpr double smallStep = 1.05;   // a setting dearer by no more than this is as good
 
-// Standard errors; and what is only likely within the target may well be above, but not far.
-constexpr double reachedMargin = 1;  // above by no more than this is not said to be above
-constexpr double likelyMargin = 0.3, likelyExcess = 1.5;
+constexpr double reachedMargin = 1;   // standard errors: above by no more than this is not said to be above
+constexpr double likelyExcess = 1.5;  // of the target: what is only likely within it may well be above, but not far
 
 class Search {
   public:
@@ -100,7 +99,7 @@ class Search {
         return error.standardError <= target_ && error.rmse - reachedMargin * error.standardError <= target_;
     }
     bool isLikely(const ErrorEstimate& error) const {
-        return isWithin(error, likelyMargin) && raytracer::isWithin(error, sureMargin, likelyExcess * target_);
+        return error.rmse <= target_ && raytracer::isWithin(error, sureMargin, likelyExcess * target_);
     }
 
     // And what the depth leaves out, of which the pilot's pixels see the part that the judged depth does not leave out itself.
@@ -169,7 +168,7 @@ class Search {
             if (!good && likely && candidate.rays > promise * likely->rays - spent() / area_) break;
             const bool isThere = candidate.rays == 0;
             if (!possible && !isThere && isPossible(candidate.error())) possible = &candidate;
-            if (!isThere && !isWithin(candidate.error(), likelyMargin)) continue;
+            if (!isThere && candidate.error().rmse > target_) continue;
             const ErrorEstimate error = measured(candidate);
             if (!likely && (isThere ? isReached(error) : isLikely(error))) likely = &candidate;
             if (isWithin(error, sureMargin)) return result(candidate, possible);
