@@ -59,8 +59,8 @@ void markFront(std::vector<Trial>& trials) {
     for (const std::size_t i : paretoFront(costsAndErrors(trials))) trials[i].onFront = true;
 }
 
-// The error between the samples: of the settings that are as deep as the deepest of them.
-double measuredRate(std::span<const Trial> trials, const Reference& reference) {
+// Of the settings that are as deep as the deepest of them.
+std::optional<double> measuredRate(std::span<const Trial> trials, const Reference& reference) {
     std::vector<CostAndError> points;
     for (const int samples : gridSamples) {
         const CostAndError none{static_cast<double>(samples) * samples, 1};
@@ -70,6 +70,7 @@ double measuredRate(std::span<const Trial> trials, const Reference& reference) {
                 best.error = std::min(best.error, trial.error.rmse);
         if (best.error < 1 && best.error > 1.5 * reference.doublingError) points.push_back(best);
     }
+    if (points.size() < 2) return std::nullopt;
     return fallRate(points);
 }
 

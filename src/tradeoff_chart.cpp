@@ -88,9 +88,10 @@ std::string floorLine(const Axes& axes, const Reference& reference) {
 }
 
 // How the error between the samples falls, as the slope of a line of that rate would show it.
-std::string rateLabel(double rate) {
+std::string rateLabel(const std::optional<double>& rate) {
+    if (!rate) return {};
     return formatted("<text class='label' x='%.1f' y='%.1f' text-anchor='end'>between the samples: rays"
-                     "<tspan dy='-4' font-size='8'>-%.2f</tspan></text>\n", width - right - 4, top + 14, rate);
+                     "<tspan dy='-4' font-size='8'>-%.2f</tspan></text>\n", width - right - 4, top + 14, *rate);
 }
 
 std::string point(const Axes& axes, const Trial& trial) {

@@ -53,10 +53,12 @@ std::string describeReference(const SceneTradeoff& scene) {
     const std::string cutoff = reference.setting.cutoff > 0
                                    ? formatted("its cutoff changed no pixel by more than %.1g", reference.cutoffBound)
                                    : "no cutoff";
+    const std::string rate =
+        scene.sampleRate ? formatted(" The error between the samples falls like rays^-%.2f.", *scene.sampleRate) : "";
     return formatted("%d x %d pixels. Reference: %s; %s. Half of its samples (%d x %d) are %.1e off it, so that it is closer than "
-                     "that to the truth. The error between the samples falls like rays^-%.2f.",
+                     "that to the truth.",
                      scene.size.width, scene.size.height, commandLine(reference.setting).c_str(), cutoff.c_str(),
-                     reference.half.samples, reference.half.samples, reference.doublingError, scene.sampleRate);
+                     reference.half.samples, reference.half.samples, reference.doublingError) + rate;
 }
 
 std::string tradeoffTable(const SceneTradeoff& scene) {

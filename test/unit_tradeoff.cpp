@@ -68,9 +68,19 @@ TEST_CASE("the error falls with the samples at the rate that the chart claims") 
         const RenderOptions options = wholePicture(scene, 32);
         Pilot picture(*renderer, options, allPixels(options));
         const double rate = fallRate(errorsOfSamples(picture));
-        INFO("rate " << rate << ", the chart's " << chart.sampleRate);
-        CHECK(std::abs(rate - chart.sampleRate) < 0.15);
+        REQUIRE(chart.sampleRate);
+        INFO("rate " << rate << ", the chart's " << *chart.sampleRate);
+        CHECK(std::abs(rate - *chart.sampleRate) < 0.15);
     }
+}
+
+TEST_CASE("one number of samples tells no rate, and none is claimed") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
+    const SceneTradeoff chart = measureTradeoff("one", scene, {.size = 12, .samples = 1, .repeats = 1,
+                                                               .referencePrecision = Precision::Double, .tell = {}});
+    CHECK(!chart.sampleRate);
+    CHECK(tradeoffTable(chart).find("falls like") == std::string::npos);
+    CHECK(tradeoffSvg(std::span(&chart, 1)).find("between the samples") == std::string::npos);
 }
 
 TEST_CASE("the rate of a power law is its exponent") {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,8 @@ struct SceneTradeoff {
     Reference reference;
     std::vector<Trial> truncation;  // against the reference, in double; from the cheapest on
     std::vector<Trial> arithmetic;  // against the same samples in extended precision
-    double sampleRate = 0;          // the error between the samples falls like (rays a pixel)^-sampleRate
+    // The error between the samples falls like (rays a pixel)^-sampleRate; none where fewer than two of them tell.
+    std::optional<double> sampleRate;
     std::vector<Exhibit> exhibits;  // from the cheapest on
 };
 
