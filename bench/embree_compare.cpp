@@ -19,9 +19,9 @@
 #include <embree3/rtcore.h>
 
 #include "median.h"
-#include "raytracer/mesh.h"
-#include "raytracer/packet_tracer.h"
-#include "raytracer/shape_tree.h"
+#include "raytracer/geometry/mesh.h"
+#include "raytracer/tracer/packet_tracer.h"
+#include "raytracer/geometry/shape_tree.h"
 
 using namespace raytracer;
 

@@ -6,12 +6,12 @@
 
 #include <benchmark/benchmark.h>
 
-#include "raytracer/image.h"
-#include "raytracer/mesh_file.h"
-#include "raytracer/picture.h"
-#include "raytracer/renderer.h"
-#include "raytracer/scene_builder.h"
-#include "raytracer/shading.h"
+#include "raytracer/pictures/image.h"
+#include "raytracer/scene/mesh_file.h"
+#include "raytracer/pictures/picture.h"
+#include "raytracer/tracer/renderer.h"
+#include "raytracer/tracer/scene_builder.h"
+#include "raytracer/tracer/shading.h"
 
 using namespace raytracer;
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <thread>
 
-#include "raytracer/mesh_file.h"
+#include "raytracer/scene/mesh_file.h"
 
 namespace {
 

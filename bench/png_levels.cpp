@@ -10,7 +10,7 @@
 
 #include <stb_image_write.h>
 
-#include "raytracer/image.h"
+#include "raytracer/pictures/image.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "../test/core_reintersection.h"
+#include "../test/support/core_reintersection.h"
 
 using namespace raytracer;
 using namespace raytracer::test;

@@ -22,11 +22,11 @@
 #include <CLI/CLI.hpp>
 
 #include "median.h"
-#include "raytracer/child_process.h"
-#include "raytracer/scene_loader.h"
-#include "raytracer/stratified_pilot.h"
-#include "raytracer/target_error.h"
-#include "raytracer/temporary_folder.h"
+#include "raytracer/util/child_process.h"
+#include "raytracer/scene/scene_loader.h"
+#include "raytracer/accuracy/stratified_pilot.h"
+#include "raytracer/accuracy/target_error.h"
+#include "raytracer/util/temporary_folder.h"
 
 using namespace raytracer;
 

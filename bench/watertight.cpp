@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "../test/core_watertight.h"
+#include "../test/support/core_watertight.h"
 
 using namespace raytracer;
 using namespace raytracer::test;

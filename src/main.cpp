@@ -3,7 +3,7 @@
 #include <exception>
 #include <string_view>
 
-#include "commands/commands.h"
+#include "raytracer/commands/commands.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
-#include "commands/arguments.h"
+#include "arguments.h"
 
 #include <cstdio>
 #include <stdexcept>
 
-#include "raytracer/image.h"
-#include "raytracer/scene_loader.h"
+#include "raytracer/pictures/image.h"
+#include "raytracer/scene/scene_loader.h"
 
 namespace raytracer::commands {
 

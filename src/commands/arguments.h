@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "raytracer/compare.h"
+#include "raytracer/grading/compare.h"
 
 namespace raytracer::commands {
 

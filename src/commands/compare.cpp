@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <string>
 
-#include "commands/arguments.h"
-#include "commands/commands.h"
-#include "raytracer/compare.h"
-#include "raytracer/json_writer.h"
+#include "arguments.h"
+#include "raytracer/commands/commands.h"
+#include "raytracer/grading/compare.h"
+#include "raytracer/json/json_writer.h"
 
 namespace raytracer::commands {
 

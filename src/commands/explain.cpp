@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <string>
 
-#include "commands/arguments.h"
-#include "commands/commands.h"
-#include "commands/render_arguments.h"
-#include "raytracer/explanation_text.h"
+#include "arguments.h"
+#include "raytracer/commands/commands.h"
+#include "render_arguments.h"
+#include "raytracer/explain/explanation_text.h"
 
 namespace raytracer::commands {
 

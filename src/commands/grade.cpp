@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <string>
 
-#include "commands/arguments.h"
-#include "commands/commands.h"
-#include "commands/render_arguments.h"
-#include "raytracer/file_bytes.h"
-#include "raytracer/grade_report.h"
-#include "raytracer/picture.h"
-#include "raytracer/scene_loader.h"
+#include "arguments.h"
+#include "raytracer/commands/commands.h"
+#include "render_arguments.h"
+#include "raytracer/util/file_bytes.h"
+#include "raytracer/grading/grade_report.h"
+#include "raytracer/pictures/picture.h"
+#include "raytracer/scene/scene_loader.h"
 
 namespace raytracer::commands {
 

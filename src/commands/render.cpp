@@ -7,14 +7,14 @@
 
 #include <sys/resource.h>
 
-#include "commands/arguments.h"
-#include "commands/commands.h"
-#include "commands/render_arguments.h"
-#include "commands/target_error.h"
-#include "raytracer/black_picture.h"
-#include "raytracer/json_writer.h"
-#include "raytracer/picture.h"
-#include "raytracer/progress_bar.h"
+#include "arguments.h"
+#include "raytracer/commands/commands.h"
+#include "render_arguments.h"
+#include "target_error.h"
+#include "raytracer/explain/black_picture.h"
+#include "raytracer/json/json_writer.h"
+#include "raytracer/pictures/picture.h"
+#include "raytracer/util/progress_bar.h"
 
 namespace raytracer::commands {
 

@@ -1,4 +1,4 @@
-#include "commands/render_arguments.h"
+#include "render_arguments.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "raytracer/scene_advice.h"
-#include "raytracer/scene_loader.h"
+#include "raytracer/explain/scene_advice.h"
+#include "raytracer/scene/scene_loader.h"
 
 namespace raytracer::commands {
 

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "raytracer/renderer.h"
+#include "raytracer/tracer/renderer.h"
 
 namespace raytracer::commands {
 

@@ -1,9 +1,9 @@
-#include "commands/target_error.h"
+#include "target_error.h"
 
 #include <cstdio>
 #include <string>
 
-#include "raytracer/progress_bar.h"
+#include "raytracer/util/progress_bar.h"
 
 namespace raytracer::commands {
 

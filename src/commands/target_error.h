@@ -1,7 +1,7 @@
 // What --target-error says on stderr.
 #pragma once
 
-#include "raytracer/target_error.h"
+#include "raytracer/accuracy/target_error.h"
 
 namespace raytracer::commands {
 

@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "commands/arguments.h"
-#include "commands/commands.h"
-#include "raytracer/file_bytes.h"
-#include "raytracer/scene_loader.h"
-#include "raytracer/tradeoff_report.h"
+#include "arguments.h"
+#include "raytracer/commands/commands.h"
+#include "raytracer/util/file_bytes.h"
+#include "raytracer/scene/scene_loader.h"
+#include "raytracer/accuracy/tradeoff_report.h"
 
 namespace raytracer::commands {
 

@@ -1,0 +1,27 @@
+// What surfaces are made of, and the lights: the numbers of Phong's model in Real.
+#pragma once
+
+#include "raytracer/pictures/texture.h"
+#include "raytracer/numerics/types.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+struct Material {
+    Color color_ambient{0}, color_diffuse{1}, color_specular{1};
+    Real shininess = 10;
+    bool reflective = false;
+    Color color_reflect{1};
+    bool refractive = false;
+    Color color_refract{1};
+    Real index_of_refraction = 1;
+    const Texture* diffuse_texture = nullptr;  // null: none is used
+};
+
+struct Light {
+    Vec3 position{0};  // world
+    Color color{1}, color_ambient{1};
+};
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

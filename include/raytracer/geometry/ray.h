@@ -1,0 +1,50 @@
+// Rays, and what a secondary ray knows of the point that it leaves.
+#pragma once
+
+#include <cstdint>
+
+#include "raytracer/numerics/numerics.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+class Shape;
+
+// For each ray a number of a face or triangle.
+template <class T>
+struct PrimitiveOf {
+    using type = std::uint32_t;
+};
+template <class T>
+using Primitive = typename PrimitiveOf<T>::type;
+inline bool equals(std::uint32_t a, std::uint32_t b) { return a == b; }
+template <class Function>
+void forEachLane(std::uint32_t primitive, Function function) {
+    function(0, primitive);
+}
+inline std::uint32_t faceOf(std::uint32_t primitive) { return primitive; }  // of rays that all meet the same face
+
+// Where a ray starts when it starts on a surface. With it a ray never meets again the point that it leaves, and no
+// offset along the ray is needed: the shape that it leaves is ruled out by geometry (Shape::intersect), another shape
+// that goes through the same point by the bound on where that point can be (Shape::touches).
+template <class T>
+struct DepartureT {
+    const Shape* shape = nullptr;    // null for a ray from the camera: every hit with t >= 0 counts
+    Primitive<T> primitive{};        // of that shape: face or triangle
+    bool inside = false;             // the ray runs on the inner side of that surface (against its exterior normal)
+    Vec3T<T> positionError{0};       // bound on |origin - surface|, for each axis, in world units
+};
+
+// The points origin + t * direction, t >= 0, in world space. The direction is not of unit length: t counts in its units.
+// With Lanes for T, several rays that start together: from one camera, or from one shape on the same side.
+template <class T>
+struct RayT {
+    Vec3T<T> origin{0};
+    Vec3T<T> direction{0};
+    DepartureT<T> departure;
+};
+using Departure = DepartureT<Real>;
+using Ray = RayT<Real>;
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

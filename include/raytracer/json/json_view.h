@@ -1,0 +1,80 @@
+// A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that the JsonError that
+// it throws says so: ": /camera/eye: expected 3 numbers, found an array of 2".
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <glm/vec3.hpp>
+
+#include "raytracer/json/json_document.h"
+
+namespace raytracer {
+
+// Two words, passed by value; the document must outlive it.
+class JsonView {
+  public:
+    class Iterator;
+    struct Children;
+
+    explicit JsonView(const JsonDocument& document, std::uint32_t node = 0) : document_(&document), node_(node) {}
+
+    bool boolean() const;
+    double number() const;
+    std::string_view string() const;
+    void numbers(std::span<double> out) const;  // an array of exactly as many
+    glm::dvec3 vec3() const;
+
+    // The position of this string in `choices`.
+    std::size_t choice(std::span<const std::string_view> choices) const;
+
+    std::string_view key() const;    // of an object's member
+    Children elements() const;       // of an array
+    Children members() const;        // of an object
+    std::size_t size() const;        // of either, else 0; counted anew at each call
+    JsonView element(std::size_t index) const;
+
+    // That this is an array of so many, which the error calls `expected`.
+    void requireElements(std::size_t count, const char* expected) const;
+
+    std::optional<JsonView> find(std::string_view key) const;  // an object's member
+
+    std::string pointer() const { return document_->pointer(node_); }
+    [[noreturn]] void fail(const std::string& message) const { document_->fail(node_, message); }
+    [[noreturn]] void failExpected(const std::string& expected) const;  // "expected ..., found " and this value
+
+  private:
+    const JsonDocument::Node& node() const { return (*document_)[node_]; }
+    void require(JsonDocument::Kind kind, const char* expected) const {
+        if (node().kind != kind) failExpected(expected);
+    }
+    std::string inWords() const;
+
+    const JsonDocument* document_;
+    std::uint32_t node_;
+};
+
+class JsonView::Iterator {
+  public:
+    // `ahead`: by how much a value lies behind where its sibling ends; 1 in an object, for the key.
+    Iterator(const JsonDocument& document, std::uint32_t node, std::uint32_t ahead)
+        : document_(&document), node_(node), ahead_(ahead) {}
+    JsonView operator*() const { return JsonView(*document_, node_ + ahead_); }
+    Iterator& operator++() { return node_ = document_->end(node_ + ahead_), *this; }
+    bool operator==(const Iterator& other) const { return node_ == other.node_; }
+
+  private:
+    const JsonDocument* document_;
+    std::uint32_t node_, ahead_;
+};
+
+struct JsonView::Children {
+    Iterator first, last;
+    Iterator begin() const { return first; }
+    Iterator end() const { return last; }
+};
+
+}  // namespace raytracer

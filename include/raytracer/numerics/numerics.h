@@ -1,0 +1,185 @@
+// Rounding errors and the arithmetic that is built to survive them. The only file that owns a tolerance.
+//
+// Every bound here is relative: a multiple of the unit roundoff of Real and of the magnitudes that went into a result.
+// None is a length, so none prefers a unit of length.
+//
+// Sums and products. One operation gives fl(x op y) = (x op y)(1 + d), |d| <= u; n of them one after the other are wrong by
+// gamma_n of the result (Higham, Accuracy and Stability of Numerical Algorithms, lemma 3.1), a sum by gamma_n of what its
+// terms are without their signs. So a bound counts roundings. For M p + t with M and t rounded themselves and p right to
+// three roundings: 1 + 3 for the factors, 1 for the product, 2 for the sum of the three, 1 for the sum with t, so
+// gamma_8 |M||p| + gamma_2 |t| (Transform::pointError; after pbrt, "Managing Rounding Error"). In the same way:
+// Transform::objectError, Shape::touches, closeChord, directLight, Mesh::toObject.
+//
+// Quadrics far from the ray's origin o. In b^2 - a c, with c = |o|^2 - 1, nearly all cancels: the errors are of |o|^2 u, the
+// rest is of the order of 1. From the point of the line that is closest to the centre, b = 0 and c is of the order of 1
+// wherever there is a hit, and what is left is the error of that point, |o| u (Haines, Gunther and Akenine-Moller,
+// Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7). For sphere and cylinder from farSquared
+// on, for the cone always (chord.h).
+//
+// Boxes, in float. The distance of a plane, (plane - origin) / direction, takes four roundings: of the direction, of its
+// inverse, of the difference, of the product. Entry and exit are compared, each wrong by gamma_4, so one is to be
+// made larger by (1 + gamma_4) / (1 - gamma_4) < 1 + 2^-20 (Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013, who has
+// three roundings and hence two units in the last place; as there, it costs nothing, being in the inverse:
+// BvhTraversal::growth). The origin's rounding goes with its distance from zero, not with the plane's from it: it
+// widens the origin (BvhRay::slack, prepare in bvh_kernel.inc).
+//
+// Triangles. Which side of an edge the line passes by is found exactly, so that two triangles never disagree about the edge
+// that they share: differenceOfProducts (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "raytracer/numerics/types.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// u: the largest relative error of one correctly rounded operation.
+inline constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
+inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+// gamma_n = n u / (1 - n u): the bound on the relative error of a product of n factors (1 + d), |d| <= u.
+constexpr Real gamma(int n) {
+    return static_cast<Real>(n) * unitRoundoff / (1 - static_cast<Real>(n) * unitRoundoff);
+}
+
+// Two hits whose t differ by less than this factor might be one place where two surfaces coincide, so they are looked
+// at more closely (HitQuery). Half of the digits: far above the rounding error of any t that is worth its name, far
+// below what a picture shows. It decides nothing but whether to look.
+inline constexpr Real coincidenceWindow = [] {
+    Real window = 1;
+    for (int bit = 0; bit < std::numeric_limits<Real>::digits / 2; ++bit) window /= 2;
+    return window;
+}();
+
+// From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at most a fifth
+// of the digits in the textbook's discriminant.
+inline constexpr Real farSquared = [] {
+    Real squared = 1;
+    for (int bit = 0; bit < std::numeric_limits<Real>::digits / 5; ++bit) squared *= 2;
+    return squared;
+}();
+
+// The words in which a formula is written once for one ray and for several (lanes.h has them for Lanes): comparisons of T
+// give a Truth<T>, a choice is a select, and a branch is taken where any of the rays asks for it.
+template <class T>
+using Truth = decltype(std::declval<T>() < std::declval<T>());
+inline bool any(bool truth) { return truth; }
+inline bool all(bool truth) { return truth; }
+inline Real select(bool truth, Real yes, Real no) { return truth ? yes : no; }
+inline Real sqrt(Real x) { return std::sqrt(x); }
+inline Real abs(Real x) { return std::abs(x); }
+inline Real copysign(Real magnitude, Real sign) { return std::copysign(magnitude, sign); }
+inline Real max(Real a, Real b) { return std::max(a, b); }
+inline Real min(Real a, Real b) { return std::min(a, b); }
+
+inline Real laneOf(Real x, int) { return x; }
+template <class V>
+void setLane(V& to, int, const V& value) {
+    to = value;
+}
+
+// function(arguments), each ray's by itself: for what is rare, or has no form for several.
+template <class Result>
+struct LaneByLane {
+    template <class Function, class... Arguments>
+    static Result call(Function function, const Arguments&... arguments) {
+        return function(arguments...);
+    }
+};
+template <class Result, class Function, class... Arguments>
+Result laneByLane(Function function, const Arguments&... arguments) {
+    return LaneByLane<Result>::call(function, arguments...);
+}
+
+template <class T>
+Vec3T<T> select(const Truth<T>& truth, const Vec3T<T>& yes, const Vec3T<T>& no) {
+    return {select(truth, yes.x, no.x), select(truth, yes.y, no.y), select(truth, yes.z, no.z)};
+}
+template <class T>
+Vec3T<T> abs(const Vec3T<T>& v) {
+    return {abs(v.x), abs(v.y), abs(v.z)};
+}
+template <class T>
+T maxComponent(const Vec3T<T>& v) {
+    return max(v.x, max(v.y, v.z));
+}
+inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
+
+inline Mat3 abs(const Mat3& m) { return Mat3(abs(m[0]), abs(m[1]), abs(m[2])); }
+
+// m v; and v m, the transposed matrix's product.
+template <class T>
+Vec3T<T> product(const Mat3& m, const Vec3T<T>& v) {
+    return {m[0].x * v.x + m[1].x * v.y + m[2].x * v.z, m[0].y * v.x + m[1].y * v.y + m[2].y * v.z,
+            m[0].z * v.x + m[1].z * v.y + m[2].z * v.z};
+}
+// |m| |v|.
+template <class T>
+Vec3T<T> absoluteProduct(const Mat3& m, const Vec3T<T>& v) {
+    return {abs(m[0].x * v.x) + abs(m[1].x * v.y) + abs(m[2].x * v.z),
+            abs(m[0].y * v.x) + abs(m[1].y * v.y) + abs(m[2].y * v.z),
+            abs(m[0].z * v.x) + abs(m[1].z * v.y) + abs(m[2].z * v.z)};
+}
+template <class T>
+Vec3T<T> product(const Vec3T<T>& v, const Mat3& m) {
+    return {m[0].x * v.x + m[0].y * v.y + m[0].z * v.z, m[1].x * v.x + m[1].y * v.y + m[1].z * v.z,
+            m[2].x * v.x + m[2].y * v.y + m[2].z * v.z};
+}
+
+// Whether a sum of squares has lost no digits by under- or overflow, nor will products of it.
+template <class T>
+Truth<T> isSafeSquare(const T& squared) {
+    constexpr Real small = std::numeric_limits<Real>::min() / (unitRoundoff * unitRoundoff);
+    return (squared > T(small)) & (squared < T(1 / small));
+}
+
+// v / |v|, at any magnitude: where the squared length is not safe, v is first brought to the order of 1 by a power of two.
+// The zero vector stays zero.
+Vec3 normalizedOfAnySize(const Vec3& v);
+template <class T>
+Vec3T<T> normalized(const Vec3T<T>& v) {
+    const T squared = glm::dot(v, v);
+    if (all(isSafeSquare(squared))) return v * (1 / sqrt(squared));
+    return laneByLane<Vec3T<T>>([](const Vec3& one) { return normalizedOfAnySize(one); }, v);
+}
+inline Vec3 normalizedOfAnySize(const Vec3& v) {
+    const Real squared = glm::dot(v, v);
+    if (isSafeSquare(squared)) return v * (1 / std::sqrt(squared));
+    const Real largest = maxComponent(abs(v));
+    if (!(largest > 0) || !(largest < infinity)) return Vec3(0);
+    const int exponent = std::ilogb(largest);
+    const Vec3 scaled(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent));
+    return scaled * (1 / std::sqrt(glm::dot(scaled, scaled)));
+}
+
+// x^n for x in [0, 1]. Integers by repeated squaring, the same bits on every machine (libm's pow is not), others by pow.
+template <class T>
+T power(T x, Real n) {
+    constexpr Real largestCounted = 16777216;  // 2^24: every such integer is exact in every Real
+    if (n != std::floor(n) || n > largestCounted)
+        return laneByLane<T>([n](Real one) { return std::pow(one, n); }, x);
+    T result(1);
+    for (auto bits = static_cast<unsigned>(n); bits != 0; bits >>= 1) {
+        if (bits & 1u) result *= x;
+        x *= x;
+    }
+    return result;
+}
+
+// a * b - c * d with the exact sign, unless a product underflows: rounding is monotone, so unequal rounded products are in the
+// order of the exact ones; where they are equal, their rounding errors, exact by fma, are all of the difference. The exact
+// fallback is Woop, Benthin and Wald's (section 3.3), who have the next larger type for it: there is none for every Real.
+inline Real differenceOfProducts(Real a, Real b, Real c, Real d) {
+    const Real ab = a * b, cd = c * d;
+    if (ab != cd) return ab - cd;
+    return std::fma(a, b, -ab) - std::fma(c, d, -cd);
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

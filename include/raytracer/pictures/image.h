@@ -1,0 +1,49 @@
+// Pictures in files: PNG (8-bit RGB) and PFM (32-bit float RGB, linear, unclamped).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "raytracer/pictures/texture.h"
+
+namespace raytracer {
+
+// The file is missing, unreadable, unwritable or not a picture; what() is one line without the file's name.
+struct ImageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// 8-bit RGB, row-major from the top left.
+struct ByteImage {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> pixels;  // width * height * 3
+};
+
+// Linear light, unclamped RGB, row-major from the top left.
+struct FloatImage {
+    int width = 0, height = 0;
+    std::vector<float> pixels;  // width * height * 3
+};
+
+// A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0.
+inline std::uint8_t toByte(double channel) {
+    const double scaled = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0);
+    const int whole = static_cast<int>(scaled);
+    return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5));
+}
+
+// PNG or JPEG, decoded to 8-bit RGB (alpha dropped, grey spread). Throws ImageError.
+ByteImage readImage(const std::string& path);
+FloatImage readPfm(const std::string& path);
+
+// A PNG file's bytes. Throws ImageError.
+std::vector<char> encodePng(const ByteImage& image);
+
+// Written beside `path` and renamed onto it, so that a picture is whole or absent. Throws ImageError.
+void writePng(const std::string& path, const ByteImage& image);
+void writePfm(const std::string& path, const FloatImage& image);
+
+}  // namespace raytracer

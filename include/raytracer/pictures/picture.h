@@ -1,0 +1,33 @@
+// Sinks that keep the picture in memory.
+#pragma once
+
+#include "raytracer/pictures/image.h"
+#include "raytracer/tracer/render_options.h"
+
+namespace raytracer {
+
+// Clamped and quantised, for PNG.
+class ByteSink final : public PixelSink {
+  public:
+    explicit ByteSink(const PixelRectangle& crop);
+    void write(int x, int y, std::span<const glm::dvec3> colors) override;
+    const ByteImage& image() const { return image_; }
+
+  private:
+    PixelRectangle crop_;
+    ByteImage image_;
+};
+
+// Linear light, unclamped, for PFM.
+class FloatSink final : public PixelSink {
+  public:
+    explicit FloatSink(const PixelRectangle& crop);
+    void write(int x, int y, std::span<const glm::dvec3> colors) override;
+    const FloatImage& image() const { return image_; }
+
+  private:
+    PixelRectangle crop_;
+    FloatImage image_;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,49 @@
+// The core's interface: a scene, built in one of the precisions, that can be rendered.
+#pragma once
+
+#include <memory>
+
+#include "raytracer/tracer/explanation.h"
+#include "raytracer/tracer/followed_rays.h"
+#include "raytracer/tracer/render_options.h"
+#include "raytracer/scene/scene_description.h"
+
+namespace raytracer {
+
+// Thread-safe: a Renderer does not change once it is made.
+class Renderer {
+  public:
+    virtual ~Renderer() = default;
+
+    // Every pixel of options.crop goes to the sink exactly once; it depends on the scene, options and its place alone.
+    virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
+                                ProgressListener* progress = nullptr) const = 0;
+
+    // The same colours for some pixels only, which may be any of the whole picture: colors[i] is pixels[i]'s.
+    virtual RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                                      std::span<glm::dvec3> colors) const = 0;
+
+    // The rays behind the centres of some pixels, those of pixels[i] as FollowedRays::of(i): when options.samples is 1 and
+    // options.pass is Color, the ones that renderPixels follows.
+    virtual RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                                FollowedRays& followed) const = 0;
+
+    // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for it when
+    // options.samples is 1 and options.pass is Color.
+    virtual RayExplanation explain(const RenderOptions& options, int x, int y) const = 0;
+};
+
+// Builds the scene's shapes and trees. The description may be dropped afterwards.
+std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision,
+                                       const BuildOptions& options = {});
+
+// The longer side of the film gets longEdge pixels, the other lround(longEdge * short / long), at least 1.
+ImageSize imageSize(const CameraDescription& camera, int longEdge);
+
+// Takes the terms that are a matter of the materials' colours out of the scene: what is left is rendered as it is.
+void keepTerms(SceneDescription& scene, const Terms& terms);
+
+// Reads every material as not refractive.
+void makeOpaque(SceneDescription& scene);
+
+}  // namespace raytracer

@@ -1,0 +1,14 @@
+// SceneDescription to Scene.
+#pragma once
+
+#include "raytracer/tracer/scene.h"
+#include "raytracer/scene/scene_description.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// Composes the transforms in long double, chooses the scene's frame, and rounds to Real once, at the end.
+std::unique_ptr<Scene> buildScene(const SceneDescription& description, const BuildOptions& options = {});
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

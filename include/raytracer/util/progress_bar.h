@@ -1,0 +1,42 @@
+// What long work says on a terminal while it lasts.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "raytracer/tracer/render_options.h"
+
+namespace raytracer {
+
+// A line on stderr that is written over. Shows nothing in the first second, and nothing at all where stderr is not a terminal.
+class TerminalLine {
+  public:
+    TerminalLine();
+    ~TerminalLine();  // clears the line
+    TerminalLine(const TerminalLine&) = delete;
+    TerminalLine& operator=(const TerminalLine&) = delete;
+
+    bool isDue() const;  // not too soon after what was shown last
+    void show(const std::string& text);
+    double elapsedSeconds() const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    bool terminal_;
+    bool drawn_ = false;
+    Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+// With the remaining time.
+class ProgressBar final : public ProgressListener {
+  public:
+    void progress(double fraction) override;
+
+    // One line, without the carriage return: "[#####     ]  50 %  0:07 left".
+    static std::string line(double fraction, double elapsedSeconds);
+
+  private:
+    TerminalLine line_;
+};
+
+}  // namespace raytracer

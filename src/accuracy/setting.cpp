@@ -1,0 +1,68 @@
+#include "raytracer/accuracy/setting.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+namespace raytracer {
+
+RenderOptions withSetting(RenderOptions options, const Setting& setting) {
+    options.samples = setting.samples;
+    options.adaptive = setting.adaptive;
+    options.max_recursion = setting.max_recursion;
+    options.cutoff = setting.cutoff;
+    options.bilinear = setting.bilinear;
+    return options;
+}
+
+std::string shortNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+const char* precisionName(Precision precision) {
+    switch (precision) {
+        case Precision::Float: return "float";
+        case Precision::Extended: return "extended";
+        case Precision::Double: break;
+    }
+    return "double";
+}
+
+std::string commandLine(const Setting& setting) {
+    const Setting usual;
+    std::string text;
+    const auto add = [&](bool isUsual, const char* option, const std::string& value) {
+        if (!isUsual) text += std::string(text.empty() ? "" : " ") + option + " " + value;
+    };
+    add(setting.precision == usual.precision, "--precision", precisionName(setting.precision));
+    add(setting.samples == usual.samples, "--samples", std::to_string(setting.samples));
+    add(setting.adaptive == usual.adaptive, "--adaptive", shortNumber(setting.adaptive));
+    add(setting.max_recursion == usual.max_recursion, "--max-recursion", std::to_string(setting.max_recursion));
+    add(setting.cutoff == usual.cutoff, "--cutoff", shortNumber(setting.cutoff));
+    add(setting.bilinear == usual.bilinear, "--texture-filter", "bilinear");
+    return text.empty() ? "the defaults" : text;
+}
+
+double rayCount(const RenderCounts& counts) {
+    return static_cast<double>(counts.primary + counts.shadow + counts.reflection + counts.refraction);
+}
+
+std::vector<std::size_t> paretoFront(std::span<const CostAndError> points) {
+    std::vector<std::size_t> order(points.size()), front;
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        return points[a].cost != points[b].cost ? points[a].cost < points[b].cost : points[a].error < points[b].error;
+    });
+    double best = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : order) {
+        if (!(points[i].error < best)) continue;
+        best = points[i].error;
+        front.push_back(i);
+    }
+    return front;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,192 @@
+#include "raytracer/accuracy/tradeoff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include <glm/common.hpp>
+
+#include "raytracer/pictures/picture.h"
+
+namespace raytracer {
+
+namespace {
+
+// Processor time, of all threads: what else the machine does meanwhile hardly changes it.
+double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Renders, and adds the time to the trial's.
+std::vector<glm::dvec3> perform(const Renderer& renderer, const RenderOptions& options, Trial& trial) {
+    ColorSink sink(options.crop);
+    const double start = processorSeconds();
+    trial.counts = renderer.render(withSetting(options, trial.setting), sink);
+    trial.timings.push_back(processorSeconds() - start);
+    return sink.colors();
+}
+
+std::vector<CostAndError> costsAndErrors(std::span<const Trial> trials) {
+    std::vector<CostAndError> points;
+    for (const Trial& trial : trials) points.push_back({trial.seconds(), trial.error.rmse});
+    return points;
+}
+
+// Might be on the front if its time were measured again.
+std::vector<bool> contenders(std::span<const Trial> trials) {
+    std::vector<bool> contender;
+    for (const Trial& trial : trials)
+        contender.push_back(std::ranges::none_of(trials, [&](const Trial& other) {
+            return other.error.rmse <= trial.error.rmse && 1.4 * other.seconds() < trial.seconds();
+        }));
+    return contender;
+}
+
+// Until all that might be on the front have so many timings. All of them in turn, so that what disturbs the machine for a while
+// disturbs all alike.
+void repeatTimings(const Renderer& renderer, const RenderOptions& options, int repeats, std::vector<Trial>& trials) {
+    for (bool isDone = false; !isDone;) {
+        isDone = true;
+        const std::vector<bool> again = contenders(trials);
+        for (std::size_t k = 0; k < trials.size(); ++k) {
+            if (!again[k] || std::ssize(trials[k].timings) >= repeats) continue;
+            perform(renderer, options, trials[k]);
+            isDone = false;
+        }
+    }
+}
+
+void markFront(std::vector<Trial>& trials) {
+    std::ranges::stable_sort(trials, {}, &Trial::seconds);
+    for (const std::size_t i : paretoFront(costsAndErrors(trials))) trials[i].onFront = true;
+}
+
+// Of the settings that are as deep as the deepest of them.
+std::optional<double> measuredRate(std::span<const Trial> trials, const Reference& reference) {
+    std::vector<CostAndError> points;
+    for (const int samples : gridSamples) {
+        const CostAndError none{static_cast<double>(samples) * samples, 1};
+        CostAndError best = none;
+        for (const Trial& trial : trials)
+            if (trial.setting.samples == samples && trial.setting.adaptive == 0 && !trial.setting.bilinear)
+                best.error = std::min(best.error, trial.error.rmse);
+        if (best.error < 1 && best.error > 1.5 * reference.doublingError) points.push_back(best);
+    }
+    if (points.size() < 2) return std::nullopt;
+    return fallRate(points);
+}
+
+struct Arithmetic {
+    Precision precision;
+    std::unique_ptr<Renderer> renderer;
+};
+
+// The defaults and sixteen samples, in each precision.
+std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderOptions& options, int repeats) {
+    std::vector<Arithmetic> kinds;
+    for (const Precision precision : {Precision::Extended, Precision::Double, Precision::Float})
+        kinds.push_back({precision, makeRenderer(scene, precision)});
+    std::vector<Trial> trials;
+    for (const int samples : {1, 4}) {
+        std::vector<glm::dvec3> truth;
+        const std::size_t first = trials.size();
+        for (const Arithmetic& kind : kinds) {
+            Trial trial{{.samples = samples, .precision = kind.precision}, {}, {}, {}};
+            const auto colors = perform(*kind.renderer, options, trial);
+            if (truth.empty()) truth = colors;
+            trial.error = pictureError(colors, truth);
+            trials.push_back(trial);
+        }
+        for (int i = 1; i < repeats; ++i)
+            for (std::size_t k = 0; k < kinds.size(); ++k) perform(*kinds[k].renderer, options, trials[first + k]);
+    }
+    return trials;
+}
+
+ByteImage picture(const ImageSize& size, std::span<const glm::dvec3> colors) {
+    const PixelRectangle whole{0, 0, size.width, size.height};
+    ByteSink sink(whole);
+    copyTo(sink, whole, colors);
+    return sink.image();
+}
+
+Exhibit exhibit(const Renderer& renderer, const RenderOptions& options, const Trial& trial, const Reference& reference) {
+    ColorSink sink(options.crop);
+    renderer.render(withSetting(options, trial.setting), sink);
+    std::vector<glm::dvec3> difference;
+    for (std::size_t i = 0; i < reference.colors.size(); ++i)
+        difference.push_back(exhibitMagnification * glm::abs(glm::clamp(sink.colors()[i], 0.0, 1.0) -
+                                                             glm::clamp(reference.colors[i], 0.0, 1.0)));
+    return {trial.setting, trial.error, picture(options.size, sink.colors()), picture(options.size, difference)};
+}
+
+// The front's points nearest to every half power of ten.
+std::vector<Exhibit> exhibits(const Renderer& renderer, const RenderOptions& options, const SceneTradeoff& measured) {
+    std::vector<const Trial*> chosen;
+    for (const double error : {0.1, 0.03, 0.01, 0.003, 0.001}) {
+        const Trial* nearest = nullptr;
+        const auto distance = [&](const Trial& trial) { return std::abs(std::log(trial.error.rmse / error)); };
+        for (const Trial& trial : measured.truncation)
+            if (trial.onFront && (!nearest || distance(trial) < distance(*nearest))) nearest = &trial;
+        if (nearest && (chosen.empty() || chosen.back() != nearest)) chosen.push_back(nearest);
+    }
+    std::vector<Exhibit> shown;
+    for (const Trial* trial : chosen) shown.push_back(exhibit(renderer, options, *trial, measured.reference));
+    return shown;
+}
+
+bool hasTextures(const SceneDescription& scene) {
+    return std::ranges::any_of(scene.shapes, [&](const auto& s) { return scene.materials[s.material].use_diffuse_texture; });
+}
+
+}  // namespace
+
+double Trial::seconds() const {
+    std::vector<double> sorted = timings;
+    std::ranges::sort(sorted);
+    return sorted[sorted.size() / 2];
+}
+
+double fallRate(std::span<const CostAndError> points) {
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (const CostAndError& point : points) {
+        const double cost = std::log(point.cost), error = std::log(point.error);
+        x += cost, y += error, xx += cost * cost, xy += cost * error;
+    }
+    const auto n = static_cast<double>(points.size());
+    return -(n * xy - x * y) / (n * xx - x * x);
+}
+
+SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& scene, const TradeoffOptions& wanted) {
+    const auto tell = [&](const std::string& what) {
+        if (wanted.tell) wanted.tell(name + ": " + what);
+    };
+    SceneTradeoff result;
+    result.name = name;
+    result.size = imageSize(scene.camera, wanted.size);
+    RenderOptions options;
+    options.size = result.size;
+    options.crop = {0, 0, options.size.width, options.size.height};
+    options.threads = wanted.threads;
+
+    tell("the reference");
+    result.reference = makeReference(*makeRenderer(scene, wanted.referencePrecision), options, wanted.samples);
+    result.reference.setting.precision = result.reference.half.precision = wanted.referencePrecision;
+    result.referencePicture = picture(options.size, result.reference.colors);
+
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    for (const Setting& setting :
+         settingsToTry(*renderer, options, result.reference, hasTextures(scene), wanted.samples))
+        result.truncation.push_back({setting, {}, {}, {}});
+    tell(std::to_string(result.truncation.size()) + " settings");
+    for (Trial& trial : result.truncation)
+        trial.error = pictureError(perform(*renderer, options, trial), result.reference.colors);
+    tell("those near the front again");
+    repeatTimings(*renderer, options, wanted.repeats, result.truncation);
+    markFront(result.truncation);
+    result.sampleRate = measuredRate(result.truncation, result.reference);
+    tell("the arithmetic");
+    result.arithmetic = arithmeticTrials(scene, options, wanted.repeats);
+    result.exhibits = exhibits(*renderer, options, result);
+    return result;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,155 @@
+#include "raytracer/explain/black_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace raytracer {
+
+namespace {
+
+bool isBlack(const glm::dvec3& color) { return color == glm::dvec3(0); }
+
+double brightest(const glm::dvec3& color) { return std::max({color.x, color.y, color.z}); }
+
+struct Pixel {
+    int x = 0, y = 0;
+};
+
+// Takes a Pass::Normals picture and keeps, of each cell of a grid, the first pixel that hit something: the same ones for
+// any number of threads.
+class HitFinder final : public PixelSink {
+  public:
+    explicit HitFinder(const ImageSize& size) : size_(size) {}
+
+    void write(int x, int y, std::span<const glm::dvec3> colors) override {
+        const std::lock_guard lock(mutex_);
+        for (std::size_t i = 0; i < colors.size(); ++i)
+            if (!isMiss(colors[i])) keep({x + static_cast<int>(i), y});
+    }
+
+    std::vector<Pixel> found() const {
+        std::vector<Pixel> pixels;
+        for (const auto& pixel : cells_)
+            if (pixel) pixels.push_back(*pixel);
+        return pixels;
+    }
+
+  private:
+    static constexpr int cellsAcross = 24;  // 576 explanations take milliseconds
+
+    // Pass::Normals has 54/255 for a miss, in the core's precision. The only unit normal with three components alike is
+    // 4e-4 from it.
+    static bool isMiss(const glm::dvec3& color) {
+        return glm::all(glm::lessThan(glm::abs(color - 54.0 / 255), glm::dvec3(1e-4)));
+    }
+
+    void keep(const Pixel& pixel) {
+        const auto cell = [](int place, int count) { return static_cast<std::size_t>(std::int64_t{place} * cellsAcross / count); };
+        auto& kept = cells_[cell(pixel.y, size_.height) * cellsAcross + cell(pixel.x, size_.width)];
+        if (!kept || std::pair(pixel.y, pixel.x) < std::pair(kept->y, kept->x)) kept = pixel;
+    }
+
+    ImageSize size_;
+    std::mutex mutex_;
+    std::array<std::optional<Pixel>, cellsAcross * cellsAcross> cells_;
+};
+
+// What kept the lights from the points that were looked at: one count for each point and light.
+struct Tally {
+    std::size_t behind = 0, shadowed = 0, black = 0;
+    std::set<std::size_t> shadowedBy;
+    double brightest = 0;  // of the pixels
+
+    void add(const LightExplanation& light) {
+        if (!(light.N_L > 0)) {
+            ++behind;
+        } else if (!light.asked) {
+            ++black;
+        } else if (isBlack(light.S_L) && light.shadowedBy) {
+            ++shadowed;
+            shadowedBy.insert(*light.shadowedBy);
+        }
+    }
+
+    void add(const RayExplanation& ray) {
+        for (const LightExplanation& light : ray.lights) add(light);
+        for (const RayExplanation& next : ray.rays) add(next);
+    }
+};
+
+std::string inShadow(const Tally& tally, const SceneDescription& scene) {
+    if (tally.shadowedBy.size() != 1) return "all that is seen is in shadow";
+    const std::size_t by = *tally.shadowedBy.begin();
+    return "all that is seen is in the shadow of /shapes/" + std::to_string(by) + ", a " + typeName(scene.shapes[by].type);
+}
+
+std::string mixed(const Tally& tally) {
+    std::string causes;
+    const auto add = [&](std::size_t count, const char* cause) {
+        if (count > 0) causes += (causes.empty() ? "" : ", ") + std::to_string(count) + " times " + cause;
+    };
+    add(tally.behind, "the light is behind the surface");
+    add(tally.shadowed, "it is in shadow");
+    add(tally.black, "its color or the material is black");
+    return "no light reaches what is seen (of the points looked at, " + causes + ")";
+}
+
+std::string unlit(const Tally& tally, const SceneDescription& scene) {
+    const bool noLight = std::ranges::all_of(scene.lights, [](const LightDescription& light) { return isBlack(light.color); });
+    if (noLight) return "the color of every light is black";
+    if (tally.behind + tally.shadowed == 0) return "the materials that are seen have black color_diffuse and color_specular";
+    if (tally.behind + tally.black == 0) return inShadow(tally, scene);
+    if (tally.shadowed + tally.black == 0) return "the lights are behind all surfaces that are seen";
+    return mixed(tally);
+}
+
+std::string reason(const Tally& tally, const SceneDescription& scene) {
+    if (tally.brightest <= 0) return unlit(tally, scene) + "; and there is no ambient light on it";
+    char text[100];
+    std::snprintf(text, sizeof text, "it is too dark to be seen: the largest channel that was found is %.3g of 1", tally.brightest);
+    return text;
+}
+
+std::vector<Pixel> pixelsThatHit(const Renderer& renderer, RenderOptions options) {
+    options.pass = Pass::Normals;
+    HitFinder hits(options.size);
+    renderer.render(options, hits);
+    return hits.found();
+}
+
+}  // namespace
+
+bool isAllBlack(const ByteImage& image) {
+    return std::ranges::all_of(image.pixels, [](std::uint8_t byte) { return byte == 0; });
+}
+
+bool isAllBlack(const FloatImage& image) {
+    return std::ranges::all_of(image.pixels, [](float value) { return value <= 0; });
+}
+
+std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, const RenderOptions& options) {
+    const std::string black = "the picture is all black: ";
+    if (scene.shapes.empty()) return black + "the scene has no shapes";
+    if (scene.lights.empty()) return black + "the scene has no lights";
+    RenderOptions centres = options;
+    centres.samples = 1;
+    const std::vector<Pixel> pixels = pixelsThatHit(renderer, centres);
+    if (pixels.empty()) return black + "no shape is met by the ray through the centre of any pixel";
+    Tally tally;
+    for (const Pixel& pixel : pixels) {
+        const RayExplanation explanation = renderer.explain(centres, pixel.x, pixel.y);
+        tally.add(explanation);
+        tally.brightest = std::max(tally.brightest, brightest(explanation.color));
+    }
+    return black + reason(tally, scene);
+}
+
+}  // namespace raytracer

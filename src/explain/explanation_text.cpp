@@ -1,0 +1,171 @@
+#include "raytracer/explain/explanation_text.h"
+
+#include <cstdio>
+
+#include "raytracer/pictures/image.h"
+
+namespace raytracer {
+
+namespace {
+
+std::string number(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.9g", value + 0.0);  // no "-0"
+    return text;
+}
+
+std::string triple(const glm::dvec3& v) {
+    char text[120];
+    std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g)", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+    return text;
+}
+
+std::string bytes(const glm::dvec3& color) {
+    char text[40];
+    std::snprintf(text, sizeof text, "(%d, %d, %d)", toByte(color.x), toByte(color.y), toByte(color.z));
+    return text;
+}
+
+const char* reasonText(NotCast reason) {
+    switch (reason) {
+        case NotCast::MaxRecursion: return "no further ray: max_recursion is used up";
+        case NotCast::Black: return "no further ray: its factor is black";
+        case NotCast::Cutoff: return "no further ray: it could change the pixel by less than the cutoff";
+        case NotCast::TotalInternalReflection: return "total internal reflection: adds nothing";
+        case NotCast::Nothing: break;
+    }
+    return "left out";
+}
+
+// Lines that are indented by the depth of the ray.
+class Writer {
+  public:
+    explicit Writer(const SceneDescription& scene) : scene_(&scene) {}
+
+    void ray(const RayExplanation& ray, int depth) {
+        line(depth, heading(ray));
+        line(depth, "  origin " + triple(ray.origin) + ", direction " + triple(ray.direction));
+        if (!ray.hit) return line(depth, "  hits nothing: I = " + triple(ray.color));
+        place(ray, depth);
+        for (std::size_t i = 0; i < ray.lights.size(); ++i) light(ray, i, depth);
+        const MaterialDescription& material = materialOf(ray.shape);
+        std::string sum = "sum over lights";
+        if (material.reflective) sum += onwards(ray, RayKind::Reflection, ray.reflection, depth);
+        if (material.refractive) sum += onwards(ray, RayKind::Refraction, ray.refraction, depth);
+        line(depth, "  I = " + sum + " = " + triple(ray.color));
+    }
+
+    void line(int depth, const std::string& text) {
+        text_.append(static_cast<std::size_t>(4 * depth), ' ').append(text).append("\n");
+    }
+
+    const std::string& text() const { return text_; }
+
+  private:
+    const MaterialDescription& materialOf(std::size_t shape) const { return scene_->materials[scene_->shapes[shape].material]; }
+
+    std::string shapeName(std::size_t index) const {
+        const ShapeDescription& shape = scene_->shapes[index];
+        return "/shapes/" + std::to_string(index) + " (" + typeName(shape.type) + ", transform \"" +
+               scene_->transforms[shape.transform].name + "\", material \"" + scene_->materials[shape.material].name + "\")";
+    }
+
+    static std::string heading(const RayExplanation& ray) {
+        const std::string depth = " ray, max_recursion " + std::to_string(ray.max_recursion);
+        if (ray.kind == RayKind::Primary) return "primary" + depth;
+        return (ray.kind == RayKind::Reflection ? "reflected" : "refracted") + depth + ", counts in the pixel " +
+               triple(ray.weight) + " times";
+    }
+
+    void place(const RayExplanation& ray, int depth) {
+        const std::string face = faceName(scene_->shapes[ray.shape].type, ray.primitive);
+        line(depth, "  hits " + shapeName(ray.shape) + (face.empty() ? face : ", " + face) +
+                        (ray.entering ? ", from outside" : ", from inside"));
+        line(depth, "  t = " + number(ray.t) + ", position " + triple(ray.position));
+        if (ray.entering)
+            line(depth, "  N = " + triple(ray.normal));
+        else
+            line(depth, "  N = " + triple(-ray.normal) + ", turned to face the ray");
+        if (ray.texCoord)
+            line(depth, "  K_D = " + triple(ray.K_D) + ", the texture's at texCoord (" + number(ray.texCoord->x) + ", " +
+                            number(ray.texCoord->y) + ") with color_diffuse " + triple(materialOf(ray.shape).color_diffuse));
+    }
+
+    // A line "name = left right ... = result", the equals signs one below the other.
+    void term(int depth, const std::string& name, const std::string& factors, const glm::dvec3& result) {
+        constexpr std::size_t widest = 18;  // of names: K_S I_L (V.R)^1000
+        const std::size_t padding = name.size() < widest ? widest - name.size() : 0;
+        line(depth, "    " + name + std::string(padding, ' ') + " = " + factors + triple(result));
+    }
+
+    void light(const RayExplanation& ray, std::size_t index, int depth) {
+        const LightExplanation& light = ray.lights[index];
+        const LightDescription& given = scene_->lights[index];
+        const MaterialDescription& material = materialOf(ray.shape);
+        line(depth, "  light " + std::to_string(index) + ": " + verdict(light));
+        term(depth, "K_A I_AL", triple(material.color_ambient) + " " + triple(given.color_ambient) + " = ", light.ambient);
+        if (light.N_L > 0) {
+            const std::string shininess = number(material.shininess);
+            term(depth, "K_D I_L (N.L)", triple(ray.K_D) + " " + triple(given.color) + " " + number(light.N_L) + " = ", light.diffuse);
+            term(depth, "K_S I_L (V.R)^" + shininess,
+                 triple(material.color_specular) + " " + triple(given.color) + " " + number(light.V_R) + "^" + shininess + " = ",
+                 light.specular);
+            term(depth, "S_L", "", light.S_L);
+        }
+        term(depth, "the light's sum", "", light.sum);
+    }
+
+    std::string verdict(const LightExplanation& light) const {
+        if (!(light.N_L > 0)) return "behind the surface (N.L <= 0), so only ambient";
+        const std::string angles = "N.L = " + number(light.N_L) + ", V.R = " + number(light.V_R) + ", ";
+        if (!light.asked) return angles + (light.diffuse + light.specular == glm::dvec3(0) ? "nothing to be shadowed" : "shadows are off");
+        if (!light.shadowedBy) return angles + "nothing in between";
+        const bool clear = materialOf(*light.shadowedBy).refractive;
+        return angles + (clear ? "coloured by " : "in the shadow of ") + shapeName(*light.shadowedBy);
+    }
+
+    // The reflected or refracted ray; what it adds to the formula of the sum.
+    std::string onwards(const RayExplanation& ray, RayKind kind, NotCast reason, int depth) {
+        const bool mirror = kind == RayKind::Reflection;
+        const std::string term = mirror ? "K_R I_R" : "K_T I_T";
+        const glm::dvec3& factor = mirror ? materialOf(ray.shape).color_reflect : materialOf(ray.shape).color_refract;
+        for (const RayExplanation& next : ray.rays) {
+            if (next.kind != kind) continue;
+            line(depth, "  " + term + " = " + triple(factor) + " " + triple(next.color) + " = " + triple(factor * next.color));
+            this->ray(next, depth + 1);
+            return " + " + term;
+        }
+        line(depth, "  " + term + ": " + reasonText(reason));
+        return "";
+    }
+
+    const SceneDescription* scene_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string faceName(ShapeDescription::Type type, std::size_t primitive) {
+    using Type = ShapeDescription::Type;
+    constexpr const char* cylinder[] = {"body", "top", "bottom"};
+    constexpr const char* cone[] = {"body", "bottom"};
+    constexpr const char* cube[] = {"x = 1", "x = -1", "y = 1", "y = -1", "z = 1", "z = -1"};
+    switch (type) {
+        case Type::Cylinder: return cylinder[primitive];
+        case Type::Cone: return cone[primitive];
+        case Type::Cube: return cube[primitive];
+        case Type::Mesh: return "triangle " + std::to_string(primitive);
+        case Type::Sphere:
+        case Type::Plane: break;
+    }
+    return "";
+}
+
+std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene) {
+    Writer writer(scene);
+    writer.ray(explanation, 0);
+    writer.line(0, "clamped " + triple(glm::clamp(explanation.color, 0.0, 1.0)) + ", bytes " + bytes(explanation.color));
+    return writer.text();
+}
+
+}  // namespace raytracer

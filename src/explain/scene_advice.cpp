@@ -1,0 +1,267 @@
+#include "raytracer/explain/scene_advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "raytracer/scene/affine.h"
+#include "raytracer/scene/mesh_file.h"
+
+namespace raytracer {
+
+namespace {
+
+// The products of up to four numbers of the file neither overflow nor underflow, whatever the unit of length.
+using Real = long double;
+using Vec = glm::vec<3, Real, glm::defaultp>;
+using Type = ShapeDescription::Type;
+
+// A unit vector written with three decimals is off by at most sqrt(3) * 0.0005 in length; the cosine between two, by
+// at most twice that.
+constexpr Real lengthTolerance = 1e-3L, cosineTolerance = 2e-3L;
+
+// Far above what rounding does here, in units of the numbers that were added; far below what anyone sees.
+constexpr Real margin = 1e-9L;
+
+constexpr std::size_t mostLines = 20;  // what fits a terminal
+
+class Lines {
+  public:
+    void add(const std::string& line) {
+        if (lines_.size() < mostLines) lines_.push_back(line);
+        else ++notShown_;
+    }
+
+    std::vector<std::string> take() {
+        if (notShown_ > 0) lines_.push_back(std::to_string(notShown_) + " more warnings");
+        return std::move(lines_);
+    }
+
+  private:
+    std::vector<std::string> lines_;
+    std::size_t notShown_ = 0;
+};
+
+std::string number(Real value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6Lg", value);
+    return text;
+}
+
+// The camera's frame, and what it sees: the points p + s d, s >= 0, for all p between `starts` and d between
+// `directions`, taken from the eye. A convex region; its bounds are planes, normal . p >= least.
+struct Bound {
+    Vec normal;
+    Real least;
+    const char* beyond;  // where a shape is that lies on the other side
+};
+
+struct View {
+    Vec eye;
+    std::array<Vec, 4> starts, directions;
+    std::array<Bound, 5> bounds;
+};
+
+// The plane through the film's edge at `edge` along `axis`, that runs along `other`.
+Bound sideOf(bool perspective, const Vec& axis, const Vec& other, const Vec& forward, Real edge, Real opposite,
+             const char* beyond) {
+    Vec normal = glm::cross(other, perspective ? edge * axis + forward : forward);
+    if (glm::dot(normal, axis) * (opposite - edge) < 0) normal = -normal;
+    return {normal, perspective ? 0 : glm::dot(normal, edge * axis), beyond};
+}
+
+View viewOf(const CameraDescription& camera) {
+    const bool perspective = camera.type == CameraDescription::Type::Perspective;
+    const Vec v = camera.up, look = camera.look, u = glm::cross(v, -look);
+    const Vec forward = perspective ? static_cast<Real>(camera.focal_length) * look : look;
+    const Real left = camera.film_left, right = camera.film_right, bottom = camera.film_bottom, top = camera.film_top;
+    View view{camera.eye, {}, {}, {}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec corner = (i % 2 ? right : left) * u + (i / 2 ? top : bottom) * v;
+        view.starts[i] = perspective ? Vec(0) : corner;
+        view.directions[i] = perspective ? corner + forward : forward;
+    }
+    Vec ahead = glm::cross(u, v);  // across the film
+    if (glm::dot(ahead, look) < 0) ahead = -ahead;
+    view.bounds = {Bound{ahead, 0, "behind the camera"},
+                   sideOf(perspective, u, v, forward, left, right, "outside of the view, to its left"),
+                   sideOf(perspective, u, v, forward, right, left, "outside of the view, to its right"),
+                   sideOf(perspective, v, u, forward, bottom, top, "outside of the view, below it"),
+                   sideOf(perspective, v, u, forward, top, bottom, "outside of the view, above it")};
+    return view;
+}
+
+struct Box {
+    Vec low, high;
+};
+
+// Around a mesh's vertices in object space, found once for all its shapes.
+class MeshBoxes {
+  public:
+    const Box& of(const MeshData& mesh) {
+        const auto [place, isNew] = boxes_.try_emplace(&mesh, Box{Vec(0), Vec(0)});
+        if (!isNew || mesh.positions.empty()) return place->second;
+        glm::dvec3 low = mesh.positions.front(), high = low;
+        for (const glm::dvec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
+        return place->second = {low, high};
+    }
+
+  private:
+    std::map<const MeshData*, Box> boxes_;
+};
+
+// A shape with its place in the world, relative to the eye.
+struct PlacedShape {
+    const ShapeDescription* shape;
+    Affine affine;
+    Vec center;  // object space's origin
+    Real place;  // the largest coordinate that went into it
+
+    Vec row(int i) const { return {affine.linear[i][0], affine.linear[i][1], affine.linear[i][2]}; }
+};
+
+Real largest(const Vec& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+PlacedShape placed(const SceneDescription& scene, const ShapeDescription& shape) {
+    const Affine affine = compose(scene.transforms[shape.transform]);
+    const Vec translation(affine.translation[0], affine.translation[1], affine.translation[2]), eye = scene.camera.eye;
+    return {&shape, affine, translation - eye, std::max(largest(translation), largest(eye))};
+}
+
+// How far the shape reaches in direction n, from its centre and in object space: the largest n . p of its points.
+Real reach(const ShapeDescription& shape, const Vec& n, MeshBoxes& boxes) {
+    const Real around = std::sqrt(n.x * n.x + n.y * n.y);
+    switch (shape.type) {
+        case Type::Sphere: return glm::length(n);
+        case Type::Cylinder: return around + std::max(n.z, Real(0));
+        case Type::Cone: return std::max(around, n.z);
+        case Type::Cube: return std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+        case Type::Mesh: {
+            const Box& box = boxes.of(*shape.mesh);
+            const Vec corner(n.x > 0 ? box.high.x : box.low.x, n.y > 0 ? box.high.y : box.low.y,
+                             n.z > 0 ? box.high.z : box.low.z);
+            return glm::dot(n, corner);
+        }
+        case Type::Plane: break;
+    }
+    return std::numeric_limits<Real>::infinity();
+}
+
+const char* whereBeyond(const PlacedShape& placed, const View& view, MeshBoxes& boxes) {
+    for (const Bound& bound : view.bounds) {
+        const Vec& n = bound.normal;
+        const Real radius = reach(*placed.shape, n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2), boxes);
+        const Real doubt = margin * (glm::length(n) * placed.place + std::abs(radius) + std::abs(bound.least));
+        if (glm::dot(n, placed.center) + radius < bound.least - doubt) return bound.beyond;
+    }
+    return nullptr;
+}
+
+// Each ray of the view starts on the same side of the plane and runs away from it, or along it.
+bool isBehind(const PlacedShape& plane, const View& view) {
+    const auto inverse = inverseLinear(plane.affine);
+    const Vec normal(inverse->entry[2][0], inverse->entry[2][1], inverse->entry[2][2]);
+    Real away = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Real height = glm::dot(normal, view.starts[i] - plane.center), climb = glm::dot(normal, view.directions[i]);
+        const Real doubt = margin * glm::length(normal) * (largest(view.starts[i]) + plane.place);
+        if (std::abs(height) <= doubt || height * climb < 0 || height * away < 0) return false;
+        if (std::abs(climb) > margin * glm::length(normal) * largest(view.directions[i])) away = climb;
+    }
+    return away != 0;
+}
+
+// Where the shape is, if no ray of the view meets it; null if one may.
+const char* whereUnseen(const PlacedShape& placed, const View& view, MeshBoxes& boxes) {
+    if (placed.shape->type != Type::Plane) return whereBeyond(placed, view, boxes);
+    return isBehind(placed, view) ? "behind the camera" : nullptr;
+}
+
+// Sees round corners: what lies outside of the view may be seen in it.
+bool showsOthers(const MaterialDescription& material) { return material.reflective || material.refractive; }
+
+bool anyShowsOthers(const SceneDescription& scene, const View& view, MeshBoxes& boxes) {
+    return std::ranges::any_of(scene.shapes, [&](const ShapeDescription& shape) {
+        return showsOthers(scene.materials[shape.material]) && !whereUnseen(placed(scene, shape), view, boxes);
+    });
+}
+
+// How deep inside of the solid the point is, in object units; not above 0 on it or outside.
+Real depth(Type type, const Vec& p) {
+    const Real radius = std::sqrt(p.x * p.x + p.y * p.y);
+    switch (type) {
+        case Type::Sphere: return 1 - glm::length(p);
+        case Type::Cylinder: return std::min({1 - radius, p.z, 1 - p.z});
+        case Type::Cone: return std::min(1 - p.z - radius, p.z);
+        case Type::Cube: return 1 - largest(p);
+        case Type::Plane:
+        case Type::Mesh: break;
+    }
+    return 0;
+}
+
+// `point` relative to the eye. Most are outside of the world box of the object space's cube, for which no inverse is needed.
+bool isInside(const PlacedShape& solid, const Vec& point) {
+    const Vec from = point - solid.center;
+    for (int i = 0; i < 3; ++i) {
+        const Vec row = glm::abs(solid.row(i));
+        if (std::abs(from[i]) >= row.x + row.y + row.z) return false;
+    }
+    const auto inverse = inverseLinear(solid.affine);
+    Vec object;
+    for (int i = 0; i < 3; ++i)
+        object[i] = inverse->entry[i][0] * from.x + inverse->entry[i][1] * from.y + inverse->entry[i][2] * from.z;
+    return depth(solid.shape->type, object) > margin;
+}
+
+void adviseOnCamera(const CameraDescription& camera, Lines& lines) {
+    const Vec look = camera.look, up = camera.up;
+    const Real lookLength = glm::length(look), upLength = glm::length(up), cosine = glm::dot(look, up) / lookLength / upLength;
+    if (std::abs(lookLength - 1) <= lengthTolerance && std::abs(upLength - 1) <= lengthTolerance &&
+        std::abs(cosine) <= cosineTolerance)
+        return;
+    const Real degrees = std::atan2(glm::length(glm::cross(look, up)), glm::dot(look, up)) * 180 / std::numbers::pi_v<Real>;
+    lines.add("/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at 90 "
+              "degrees, found lengths " + number(lookLength) + " and " + number(upLength) + " at " + number(degrees) + " degrees");
+}
+
+std::string pointer(const char* list, std::size_t index) { return list + std::to_string(index); }
+
+void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std::size_t index, const View& view, Lines& lines) {
+    if (scene.materials[solid.shape->material].refractive) return;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const LightDescription& light = scene.lights[i];
+        if (light.color == glm::dvec3(0) || !isInside(solid, Vec(light.position) - view.eye)) continue;
+        if (std::ranges::any_of(view.starts, [&](const Vec& start) { return isInside(solid, start); })) continue;  // a room
+        lines.add(pointer("/lights/", i) + ": the light is inside of " + pointer("/shapes/", index) + ", an opaque " +
+                  typeName(solid.shape->type) + ", and the camera is not: it lights nothing outside but by color_ambient");
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> sceneAdvice(const SceneDescription& scene) {
+    Lines lines;
+    adviseOnCamera(scene.camera, lines);
+    const View view = viewOf(scene.camera);
+    MeshBoxes boxes;
+    const bool mirrored = anyShowsOthers(scene, view, boxes);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const PlacedShape shape = placed(scene, scene.shapes[i]);
+        const char* where = mirrored ? nullptr : whereUnseen(shape, view, boxes);
+        if (where)
+            lines.add(pointer("/shapes/", i) + ": the " + typeName(shape.shape->type) + " is " + where +
+                      "; it is not seen, but it may cast a shadow");
+        adviseOnLights(scene, shape, i, view, lines);
+    }
+    return lines.take();
+}
+
+}  // namespace raytracer

@@ -1,0 +1,154 @@
+#include "raytracer/grading/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace raytracer {
+
+namespace {
+
+template <class Image>
+void requireSameSize(const Image& a, const Image& b) {
+    const auto size = [](const Image& image) {
+        return std::to_string(image.width) + " x " + std::to_string(image.height);
+    };
+    if (a.width != b.width || a.height != b.height)
+        throw ImageError("the pictures' sizes differ: " + size(a) + " and " + size(b));
+}
+
+double sampleDifference(std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); }
+
+double sampleDifference(float a, float b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
+    const double difference = std::abs(static_cast<double>(a) - static_cast<double>(b));
+    return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+}
+
+// The sums over all samples, and the place of the worst pixel.
+struct Totals {
+    double sum = 0, sumOfSquares = 0;  // of bytes: whole numbers, exact up to 2^53
+    double worstMaximum = 0, worstSum = 0;
+    std::size_t worstPixel = 0;
+
+    void add(const double (&difference)[3], std::size_t pixel) {
+        const double pixelSum = difference[0] + difference[1] + difference[2];
+        const double pixelMaximum = std::max({difference[0], difference[1], difference[2]});
+        sum += pixelSum;
+        for (const double d : difference) sumOfSquares += d * d;
+        if (std::tie(pixelMaximum, pixelSum) <= std::tie(worstMaximum, worstSum)) return;
+        worstMaximum = pixelMaximum;
+        worstSum = pixelSum;
+        worstPixel = pixel;
+    }
+};
+
+template <class Image>
+Totals totalsOf(const Image& a, const Image& b) {
+    Totals totals;
+    for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
+        double difference[3];
+        for (std::size_t c = 0; c < 3; ++c) difference[c] = sampleDifference(a.pixels[i + c], b.pixels[i + c]);
+        totals.add(difference, i / 3);
+    }
+    return totals;
+}
+
+void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImage& b) {
+    for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
+        int largest = 0;
+        for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a.pixels[i + c] - b.pixels[i + c]));
+        ++comparison.pixelsByDifference[static_cast<std::size_t>(largest)];
+    }
+}
+
+// `samples` are the pictures as they are, `a` and `b` the same as bytes.
+template <class Image>
+Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteImage& a, const ByteImage& b,
+                     double peak) {
+    const Totals totals = totalsOf(samplesA, samplesB);
+    const double samples = static_cast<double>(samplesA.pixels.size());
+    Comparison result;
+    result.width = a.width;
+    result.height = a.height;
+    result.peak = peak;
+    result.mean = totals.sum / samples;
+    result.rmse = std::sqrt(totals.sumOfSquares / samples);
+    result.psnr = 20 * std::log10(peak / result.rmse);
+    result.maximum = totals.worstMaximum;
+    result.worstX = static_cast<int>(totals.worstPixel % static_cast<std::size_t>(a.width));
+    result.worstY = static_cast<int>(totals.worstPixel / static_cast<std::size_t>(a.width));
+    countDifferences(result, a, b);
+    result.score = neighbourhoodScore(a, b);
+    result.speckle = speckleCount(a, b);
+    return result;
+}
+
+ByteImage quantised(const FloatImage& image) {
+    ByteImage bytes{image.width, image.height, {}};
+    bytes.pixels.reserve(image.pixels.size());
+    for (const float channel : image.pixels) bytes.pixels.push_back(toByte(static_cast<double>(channel)));
+    return bytes;
+}
+
+}  // namespace
+
+std::uint64_t Comparison::pixelsOver(int tolerance) const {
+    const auto first = pixelsByDifference.begin() + std::clamp(tolerance + 1, 0, 256);
+    return std::accumulate(first, pixelsByDifference.end(), std::uint64_t{0});
+}
+
+Picture readPicture(const std::string& path) {
+    try {
+        if (path.ends_with(".pfm")) return readPfm(path);
+        return readImage(path);
+    } catch (const ImageError& error) {
+        throw ImageError(path + ": " + error.what());
+    }
+}
+
+ByteImage toBytes(const Picture& picture) {
+    if (const auto* floats = std::get_if<FloatImage>(&picture)) return quantised(*floats);
+    return std::get<ByteImage>(picture);
+}
+
+Comparison compareImages(const ByteImage& a, const ByteImage& b) {
+    requireSameSize(a, b);
+    return compareAs(a, b, a, b, 255);
+}
+
+Comparison compareImages(const FloatImage& a, const FloatImage& b) {
+    requireSameSize(a, b);
+    return compareAs(a, b, quantised(a), quantised(b), 1);
+}
+
+Comparison compareImages(const Picture& a, const Picture& b) {
+    const auto* floatsA = std::get_if<FloatImage>(&a);
+    const auto* floatsB = std::get_if<FloatImage>(&b);
+    if (floatsA && floatsB) return compareImages(*floatsA, *floatsB);
+    return compareImages(toBytes(a), toBytes(b));
+}
+
+ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
+    requireSameSize(a, b);
+    // 64 is plainly not black on any screen, and 8 a level leaves 24 levels to tell a little from a lot.
+    constexpr int base = 64, gain = 8;
+    ByteImage result{a.width, a.height, {}};
+    result.pixels.reserve(a.pixels.size());
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const int difference = std::abs(a.pixels[i] - b.pixels[i]);
+        result.pixels.push_back(static_cast<std::uint8_t>(difference ? std::min(255, base + gain * difference) : 0));
+    }
+    return result;
+}
+
+bool within(const Comparison& comparison, const Thresholds& thresholds) {
+    if (thresholds.minScore && comparison.score < *thresholds.minScore) return false;
+    const bool scoreAlone = thresholds.minScore && !thresholds.maxPixels && !thresholds.tolerance;
+    return scoreAlone || comparison.pixelsOver(thresholds.tolerance.value_or(0)) <= thresholds.maxPixels.value_or(0);
+}
+
+}  // namespace raytracer

@@ -1,0 +1,119 @@
+#include "raytracer/json/json_view.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "raytracer/json/nearest_name.h"
+
+namespace raytracer {
+namespace {
+
+using Kind = JsonDocument::Kind;
+
+std::string shortest(double number) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
+}
+
+std::string listed(std::span<const std::string_view> choices) {
+    std::string list;
+    for (const std::string_view choice : choices) {
+        if (!list.empty()) list += choice == choices.back() ? " or " : ", ";
+        list += inQuotes(choice);
+    }
+    return list;
+}
+
+}  // namespace
+
+bool JsonView::boolean() const {
+    require(Kind::Boolean, "true or false");
+    return node().number != 0;
+}
+
+double JsonView::number() const {
+    require(Kind::Number, "a number");
+    return node().number;
+}
+
+std::string_view JsonView::string() const {
+    require(Kind::String, "a string");
+    return document_->string(node_);
+}
+
+void JsonView::numbers(std::span<double> out) const {
+    if (node().kind != Kind::Array || size() != out.size()) failExpected(std::to_string(out.size()) + " numbers");
+    std::size_t i = 0;
+    for (const JsonView element : elements()) out[i++] = element.number();
+}
+
+glm::dvec3 JsonView::vec3() const {
+    double xyz[3];
+    numbers(xyz);
+    return {xyz[0], xyz[1], xyz[2]};
+}
+
+std::size_t JsonView::choice(std::span<const std::string_view> choices) const {
+    const std::string_view chosen = string();
+    const auto found = std::ranges::find(choices, chosen);
+    if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
+    NearestName nearest(chosen);
+    for (const std::string_view choice : choices) nearest.consider(choice);
+    fail("expected " + listed(choices) + ", found " + inQuotes(chosen) + nearest.question());
+}
+
+JsonView::Children JsonView::elements() const {
+    require(Kind::Array, "an array");
+    return {{*document_, node_ + 1, 0}, {*document_, node().end, 0}};
+}
+
+JsonView::Children JsonView::members() const {
+    require(Kind::Object, "an object");
+    return {{*document_, node_ + 1, 1}, {*document_, node().end, 1}};
+}
+
+std::size_t JsonView::size() const {
+    if (node().kind != Kind::Array && node().kind != Kind::Object) return 0;
+    std::size_t count = 0;
+    for (const JsonView child : node().kind == Kind::Array ? elements() : members()) static_cast<void>(child), ++count;
+    return count;
+}
+
+void JsonView::requireElements(std::size_t count, const char* expected) const {
+    if (node().kind != Kind::Array || size() != count) failExpected(expected);
+}
+
+JsonView JsonView::element(std::size_t index) const {
+    Iterator element = elements().begin();
+    while (index-- > 0) ++element;
+    return *element;
+}
+
+std::string_view JsonView::key() const {
+    return document_->string(node_ - 1);
+}
+
+std::optional<JsonView> JsonView::find(std::string_view key) const {
+    for (const JsonView member : members())
+        if (member.key() == key) return member;
+    return std::nullopt;
+}
+
+void JsonView::failExpected(const std::string& expected) const {
+    fail("expected " + expected + ", found " + inWords());
+}
+
+std::string JsonView::inWords() const {
+    switch (node().kind) {
+        case Kind::Null: return "null";
+        case Kind::Boolean: return node().number != 0 ? "true" : "false";
+        case Kind::Number: return shortest(node().number);
+        case Kind::String: return inQuotes(document_->string(node_));
+        case Kind::Array: return "an array of " + std::to_string(size());
+        case Kind::Object: return "an object";
+        case Kind::Key: break;  // no value
+    }
+    return {};
+}
+
+}  // namespace raytracer

@@ -1,0 +1,90 @@
+#include "raytracer/json/json_writer.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace raytracer {
+
+namespace {
+
+std::string unicodeEscape(char c) {
+    char escape[7];
+    std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    return escape;
+}
+
+}  // namespace
+
+std::string jsonString(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            quoted += {'\\', c};
+        else if (c == '\n')
+            quoted += "\\n";
+        else if (static_cast<unsigned char>(c) < 0x20 || c == '<')
+            quoted += unicodeEscape(c);
+        else
+            quoted += c;
+    }
+    return quoted + '"';
+}
+
+JsonWriter& JsonWriter::key(std::string_view name) {
+    separate(true);
+    text_ += jsonString(name) + ": ";
+    afterKey_ = true;
+    return *this;
+}
+
+JsonWriter& JsonWriter::value(std::string_view text) { return plain(jsonString(text)); }
+
+JsonWriter& JsonWriter::value(double number) {
+    if (!std::isfinite(number)) return null();
+    // The shortest text that reads back as this double (0.1, where %.17g has 0.10000000000000001), in every locale.
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+    return plain({digits, end});
+}
+
+JsonWriter& JsonWriter::begin(char bracket) {
+    separate(true);
+    text_ += bracket;
+    open_.emplace_back();
+    return *this;
+}
+
+JsonWriter& JsonWriter::end(char bracket) {
+    const bool lines = open_.back().lines;
+    open_.pop_back();
+    if (lines) newLine();
+    text_ += bracket;
+    return *this;
+}
+
+JsonWriter& JsonWriter::plain(std::string_view token) {
+    separate(false);
+    text_ += token;
+    return *this;
+}
+
+void JsonWriter::separate(bool onItsOwnLine) {
+    if (afterKey_ || open_.empty()) {
+        afterKey_ = false;
+        return;
+    }
+    Container& container = open_.back();
+    if (!container.empty) text_ += onItsOwnLine ? "," : ", ";
+    container.empty = false;
+    if (!onItsOwnLine) return;
+    container.lines = true;
+    newLine();
+}
+
+void JsonWriter::newLine() {
+    text_ += '\n';
+    text_.append(2 * open_.size(), ' ');
+}
+
+}  // namespace raytracer

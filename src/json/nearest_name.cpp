@@ -1,0 +1,62 @@
+#include "raytracer/json/nearest_name.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "raytracer/json/json_document.h"
+
+namespace raytracer {
+namespace {
+
+// Text that is longer is no misspelled name, and comparing takes the product of the lengths.
+constexpr std::size_t longestName = 100;
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool areSwapped(std::string_view a, std::string_view b, std::size_t i, std::size_t j) {
+    return i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+}
+
+// distance(i, j) of the first i and j letters, row by row: the least of one less in a, one less in b, one less in both.
+std::size_t distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before.swap(above);
+        above.swap(row);
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = above[j - 1] + (lower(a[i - 1]) != lower(b[j - 1]));
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+            if (areSwapped(a, b, i, j)) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+std::size_t lengthDifference(std::string_view a, std::string_view b) {
+    return std::max(a.size(), b.size()) - std::min(a.size(), b.size());
+}
+
+}  // namespace
+
+NearestName::NearestName(std::string_view name) : name_(name), limit_(std::max<std::size_t>(1, name.size() / 3) + 1) {
+    if (name.size() > longestName) limit_ = 0;
+}
+
+void NearestName::consider(std::string_view candidate) {
+    if (lengthDifference(name_, candidate) >= limit_) return;
+    const std::size_t errors = distance(name_, candidate);
+    if (errors >= limit_) return;
+    limit_ = errors;
+    nearest_ = candidate;
+    found_ = true;
+}
+
+std::string NearestName::question() const {
+    return found_ ? "; did you mean " + inQuotes(nearest_) + "?" : "";
+}
+
+}  // namespace raytracer

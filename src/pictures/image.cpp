@@ -1,0 +1,245 @@
+#include "raytracer/pictures/image.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string_view>
+
+#include <libdeflate.h>
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include "raytracer/util/file_bytes.h"
+
+namespace raytracer {
+namespace {
+
+// Measured by bench/png_levels.cpp (Notes.txt).
+constexpr int pngFilter = 2;
+constexpr int deflateLevel = 1;
+
+constexpr std::size_t channels = 3;
+constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
+
+// stb 2.27 refuses a JPEG that stops in the middle, 2.29 reads it as if it were whole (its issue 1608). In a picture's
+// data 0xff is never followed by 0xd9, so those two are its end marker.
+bool isTruncatedJpeg(std::string_view file) {
+    return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
+}
+
+std::uint32_t bigEndian(std::string_view bytes) {
+    std::uint32_t number = 0;
+    for (const char byte : bytes.substr(0, 4)) number = number << 8 | static_cast<unsigned char>(byte);
+    return number;
+}
+
+// A chunk of a PNG: length, type, as many bytes, and a CRC of type and bytes.
+constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
+constexpr std::size_t chunkFrame = 12;
+
+// The chunk, whole, that the text begins with; empty where it is cut short or its checksum is wrong, which stb does not look
+// at: a flipped bit would pass for another colour.
+std::string_view firstChunk(std::string_view text) {
+    if (text.size() < chunkFrame) return {};
+    const std::size_t length = bigEndian(text);
+    if (length > text.size() - chunkFrame) return {};
+    const std::uint32_t crc = libdeflate_crc32(0, text.data() + 4, 4 + length);
+    return crc == bigEndian(text.substr(8 + length)) ? text.substr(0, chunkFrame + length) : std::string_view{};
+}
+
+std::vector<std::string_view> readChunks(std::string_view png) {
+    std::vector<std::string_view> chunks;
+    do {
+        png.remove_prefix(chunks.empty() ? pngSignature.size() : chunks.back().size());
+        chunks.push_back(firstChunk(png));
+        if (chunks.back().empty()) throw ImageError("broken PNG picture: it is cut short, or a checksum in it is wrong");
+    } while (chunks.back().substr(4, 4) != "IEND");
+    return chunks;
+}
+
+// A texel beyond the palette is for stb whatever its memory holds. So before the file's own palette comes one of 256 colours that
+// are transparent; what the file says of transparency is left out, for the colours that it has are not to be so.
+std::string withWholePalette(const std::vector<std::string_view>& chunks) {
+    const auto chunk = [](std::string_view head, std::size_t size) {
+        return std::string(head) + std::string(size + 4, '\0');  // black, or transparent; and a checksum that is not looked at
+    };
+    std::string png(pngSignature);
+    for (const std::string_view& own : chunks) {
+        if (own.substr(4, 4) != "tRNS") png += own;
+        if (&own == &chunks.front()) png += chunk({"\0\0\3\0PLTE", 8}, 768) + chunk({"\0\0\1\0tRNS", 8}, 256);
+    }
+    return png;
+}
+
+bool hasPalette(std::string_view header) {
+    constexpr std::size_t colorType = 17;
+    return header.size() > colorType && (header[colorType] & 3) == 3;
+}
+
+using Decoded = std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>;
+
+Decoded decode(std::string_view file, int wanted, int& width, int& height) {
+    int channelsInFile = 0;
+    stbi_uc* const pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()),
+                                                  &width, &height, &channelsInFile, wanted);
+    if (!pixels) throw ImageError(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
+    return {pixels, &stbi_image_free};
+}
+
+ByteImage decodePaletted(const std::vector<std::string_view>& chunks) {
+    ByteImage image;
+    const Decoded pixels = decode(withWholePalette(chunks), 4, image.width, image.height);
+    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    for (const stbi_uc* p = pixels.get(); p != pixels.get() + 4 * count; p += 4) {
+        if (p[3] == 0) throw ImageError("broken PNG picture: a texel has a colour beyond its palette");
+        image.pixels.insert(image.pixels.end(), p, p + channels);
+    }
+    return image;
+}
+
+ByteImage decode(std::string_view file) {
+    if (file.size() > largestStbSize / 2) throw ImageError("cannot decode: the file is over 1 GiB");
+    if (isTruncatedJpeg(file)) throw ImageError("broken JPEG picture: it has no end marker");
+    if (file.starts_with(pngSignature)) {
+        const auto chunks = readChunks(file);
+        if (hasPalette(chunks.front())) return decodePaletted(chunks);
+    }
+    ByteImage image;
+    const Decoded pixels = decode(file, static_cast<int>(channels), image.width, image.height);
+    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
+    image.pixels.assign(pixels.get(), pixels.get() + count);
+    return image;
+}
+
+// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a little
+// larger than both, so half of what int holds is surely enough.
+void requireEncodable(const ByteImage& image) {
+    const std::size_t rowBytes = static_cast<std::size_t>(image.width) * channels + 1;
+    if (rowBytes * static_cast<std::size_t>(image.height) > largestStbSize / 2)
+        throw ImageError("cannot write: the picture is too large for PNG");
+}
+
+void write(const std::string& path, std::span<const std::span<const char>> parts) try {
+    writeFile(path, parts);
+} catch (const FileError& error) {
+    throw ImageError(error.what());
+}
+
+// The header of a PFM: "PF", width, height, scale, whose sign tells the byte order (negative: little endian) and whose
+// size is a unit that no program agrees on, so it is read past; one blank; then the rows, bottom row first.
+struct PfmHeader {
+    int width = 0, height = 0;
+    std::endian order = std::endian::little;
+    const char* rows = nullptr;
+};
+
+std::string_view nextWord(const char*& p, const char* end) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const auto isBlank = [&](char c) { return blanks.find(c) != blanks.npos; };
+    const char* const begin = std::find_if_not(p, end, isBlank);
+    p = std::find_if(begin, end, isBlank);
+    return {begin, p};
+}
+
+template <class Number>
+Number parseWhole(std::string_view word, const char* what) {
+    Number number{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size())
+        throw ImageError(std::string("not a PFM picture: its ") + what + " is no number");
+    return number;
+}
+
+PfmHeader readPfmHeader(const FileBytes& file) {
+    const char* p = file.begin();
+    if (nextWord(p, file.end()) != "PF") throw ImageError("not a colour PFM picture: it does not begin with \"PF\"");
+    PfmHeader header;
+    header.width = parseWhole<int>(nextWord(p, file.end()), "width");
+    header.height = parseWhole<int>(nextWord(p, file.end()), "height");
+    const double scale = parseWhole<double>(nextWord(p, file.end()), "scale");
+    if (header.width < 1 || header.height < 1) throw ImageError("not a PFM picture: it has no pixels");
+    header.order = scale < 0 ? std::endian::little : std::endian::big;
+    header.rows = std::min(p + 1, file.end());
+    return header;
+}
+
+std::size_t pixelBytes(const PfmHeader& header) {
+    return static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) * channels * sizeof(float);
+}
+
+// GCC and Clang see the byte swap in this.
+float swapBytes(float value) {
+    auto bytes = std::bit_cast<std::array<char, sizeof value>>(value);
+    std::ranges::reverse(bytes);
+    return std::bit_cast<float>(bytes);
+}
+
+FloatImage decodePfm(const FileBytes& file) {
+    const PfmHeader header = readPfmHeader(file);
+    const auto left = static_cast<std::size_t>(file.end() - header.rows);
+    if (left < pixelBytes(header)) throw ImageError("broken PFM picture: it ends before its last pixel");
+    FloatImage image{header.width, header.height, std::vector<float>(pixelBytes(header) / sizeof(float))};
+    const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
+    const char* row = header.rows + pixelBytes(header);
+    for (float* to = image.pixels.data(); row != header.rows; to += rowBytes / sizeof(float))
+        std::memcpy(to, row -= rowBytes, rowBytes);
+    if (header.order != std::endian::native)
+        std::ranges::transform(image.pixels, image.pixels.begin(), swapBytes);
+    return image;
+}
+
+}  // namespace
+
+// Equal to lround, whose call costs more than all of this: the subtraction is exact (Sterbenz).
+ByteImage readImage(const std::string& path) try {
+    const FileBytes file(path);
+    return decode({file.begin(), file.end()});
+} catch (const FileError& error) {
+    throw ImageError(error.what());
+}
+
+FloatImage readPfm(const std::string& path) try {
+    return decodePfm(FileBytes(path));
+} catch (const FileError& error) {
+    throw ImageError(error.what());
+}
+
+std::vector<char> encodePng(const ByteImage& image) {
+    requireEncodable(image);
+    stbi_write_force_png_filter = pngFilter;
+    stbi_write_png_compression_level = deflateLevel;
+    std::vector<char> png;
+    const auto append = [](void* to, void* bytes, int count) {
+        const auto* const begin = static_cast<const char*>(bytes);
+        static_cast<std::vector<char>*>(to)->assign(begin, begin + count);
+    };
+    if (!stbi_write_png_to_func(append, &png, image.width, image.height, static_cast<int>(channels),
+                                image.pixels.data(), 0))
+        throw ImageError("cannot write: not enough memory");
+    return png;
+}
+
+void writePng(const std::string& path, const ByteImage& image) {
+    const std::vector<char> png = encodePng(image);
+    const std::span<const char> whole = png;
+    write(path, {&whole, 1});
+}
+
+void writePfm(const std::string& path, const FloatImage& image) {
+    const char* const scale = std::endian::native == std::endian::little ? "-1.0" : "1.0";
+    const std::string header =
+        "PF\n" + std::to_string(image.width) + ' ' + std::to_string(image.height) + '\n' + scale + '\n';
+    const std::size_t rowFloats = static_cast<std::size_t>(image.width) * channels;
+    std::vector<std::span<const char>> parts{header};
+    for (auto y = static_cast<std::size_t>(image.height); y-- > 0;)
+        parts.emplace_back(reinterpret_cast<const char*>(image.pixels.data() + y * rowFloats),
+                           rowFloats * sizeof(float));
+    write(path, parts);
+}
+
+}  // namespace raytracer

@@ -1,0 +1,39 @@
+#include "raytracer/pictures/picture.h"
+
+namespace raytracer {
+
+namespace {
+
+template <class Image>
+Image blank(const PixelRectangle& crop) {
+    Image image;
+    image.width = crop.width();
+    image.height = crop.height();
+    image.pixels.resize(std::size_t{3} * static_cast<std::size_t>(crop.width()) * static_cast<std::size_t>(crop.height()));
+    return image;
+}
+
+std::size_t offsetOf(const PixelRectangle& crop, int x, int y) {
+    return 3 * (static_cast<std::size_t>(y - crop.y0) * static_cast<std::size_t>(crop.width()) +
+                static_cast<std::size_t>(x - crop.x0));
+}
+
+}  // namespace
+
+ByteSink::ByteSink(const PixelRectangle& crop) : crop_(crop), image_(blank<ByteImage>(crop)) {}
+
+void ByteSink::write(int x, int y, std::span<const glm::dvec3> colors) {
+    std::uint8_t* out = &image_.pixels[offsetOf(crop_, x, y)];
+    for (const glm::dvec3& color : colors)
+        for (int channel = 0; channel < 3; ++channel) *out++ = toByte(color[channel]);
+}
+
+FloatSink::FloatSink(const PixelRectangle& crop) : crop_(crop), image_(blank<FloatImage>(crop)) {}
+
+void FloatSink::write(int x, int y, std::span<const glm::dvec3> colors) {
+    float* out = &image_.pixels[offsetOf(crop_, x, y)];
+    for (const glm::dvec3& color : colors)
+        for (int channel = 0; channel < 3; ++channel) *out++ = static_cast<float>(color[channel]);
+}
+
+}  // namespace raytracer

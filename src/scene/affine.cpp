@@ -1,0 +1,182 @@
+#include "raytracer/scene/affine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <glm/trigonometric.hpp>
+
+namespace raytracer {
+namespace {
+
+using Real = long double;
+using Rows = Real[3][3];
+
+struct SineCosine {
+    Real sine, cosine;
+};
+
+// Quarter turns are exact. Any other angle is brought to radians in double, as the course framework's glm::radians does:
+// its rounding is part of what references were made with (a cylinder turned by 45 degrees shows it in its normals).
+SineCosine sineCosine(double degrees) {
+    int quarters = 0;
+    if (std::remquo(degrees, 90.0, &quarters) == 0) {
+        constexpr Real sines[] = {0, 1, 0, -1};
+        return {sines[quarters & 3], sines[(quarters + 1) & 3]};
+    }
+    const Real radians = glm::radians(degrees);
+    return {std::sin(radians), std::cos(radians)};
+}
+
+// No double is so large or small that its square leaves the exponent range of long double.
+void normalise(const glm::dvec3& vector, Real (&unit)[3]) {
+    for (int i = 0; i < 3; ++i) unit[i] = vector[i];
+    const Real length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
+    for (Real& component : unit) component /= length;
+}
+
+// Rodrigues' formula: R = cos I + sin [a]x + (1 - cos) a aT.
+void rotationMatrix(const TransformDescription::Rotation& rotation, Rows& matrix) {
+    Real a[3];
+    normalise(rotation.axis, a);
+    const auto [sine, cosine] = sineCosine(rotation.degrees);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) matrix[row][column] = (1 - cosine) * a[row] * a[column];
+    for (int i = 0; i < 3; ++i) {
+        const int next = (i + 1) % 3, last = (i + 2) % 3;
+        matrix[i][i] += cosine;
+        matrix[last][next] += sine * a[i];
+        matrix[next][last] -= sine * a[i];
+    }
+}
+
+// left := left * right
+void multiply(Rows& left, const Rows& right) {
+    for (Real(&row)[3] : left) {
+        const Real old[3] = {row[0], row[1], row[2]};
+        for (int column = 0; column < 3; ++column)
+            row[column] = old[0] * right[0][column] + old[1] * right[1][column] + old[2] * right[2][column];
+    }
+}
+
+void appendMatrix(Affine& affine, const glm::dmat4& matrix) {
+    for (int row = 0; row < 3; ++row)
+        for (int i = 0; i < 3; ++i) affine.translation[row] += affine.linear[row][i] * matrix[3][i];
+    Rows linear;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) linear[row][column] = matrix[column][row];
+    multiply(affine.linear, linear);
+}
+
+// The power of two that brings the largest of the three into [1/2, 1); 1 if all are zero.
+Real balance(Real a, Real b, Real c) {
+    int exponent = 0;
+    std::frexp(std::max({std::abs(a), std::abs(b), std::abs(c)}), &exponent);
+    return std::ldexp(Real(1), -exponent);
+}
+
+// B = diag(row) A diag(column), every row and column of which has its largest entry near 1.
+struct Balanced {
+    Real entry[3][3], row[3], column[3];
+};
+
+Balanced balanced(const Rows& a) {
+    Balanced b;
+    for (int i = 0; i < 3; ++i) {
+        b.row[i] = balance(a[i][0], a[i][1], a[i][2]);
+        for (int j = 0; j < 3; ++j) b.entry[i][j] = a[i][j] * b.row[i];
+    }
+    for (int j = 0; j < 3; ++j) {
+        b.column[j] = balance(b.entry[0][j], b.entry[1][j], b.entry[2][j]);
+        for (Real(&row)[3] : b.entry) row[j] *= b.column[j];
+    }
+    return b;
+}
+
+// Gauss-Jordan on [B | I] with full pivoting. Rows are swapped, columns only remembered.
+struct Elimination {
+    Rows& left;
+    Rows right = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    int pivotColumn[3] = {0, 1, 2};  // of each finished row; then those still without a pivot
+    Real largestPivot = 0;
+
+    void choosePivot(int step);
+    bool isRoundingError(Real pivot) const;
+    void eliminate(int step);
+};
+
+void Elimination::choosePivot(int step) {
+    const auto size = [&](int row, int i) { return std::abs(left[row][pivotColumn[i]]); };
+    int bestRow = step, best = step;
+    for (int row = step; row < 3; ++row)
+        for (int i = step; i < 3; ++i)
+            if (size(row, i) > size(bestRow, best)) bestRow = row, best = i;
+    std::swap(left[step], left[bestRow]);
+    std::swap(right[step], right[bestRow]);
+    std::swap(pivotColumn[step], pivotColumn[best]);
+}
+
+// Higham, Theorem 9.3: elimination of 3 x 3 is backward stable to gamma_3 |L||U|, which full pivoting keeps below
+// 3 * 3 * 2.25 times the largest entry; another two for the roundings in compose().
+bool Elimination::isRoundingError(Real pivot) const {
+    constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
+    return std::abs(pivot) <= 2 * 3 * 3 * Real(2.25) * unitRoundoff * largestPivot;
+}
+
+void Elimination::eliminate(int step) {
+    const int column = pivotColumn[step];
+    const Real pivot = left[step][column];
+    for (int j = 0; j < 3; ++j) left[step][j] /= pivot, right[step][j] /= pivot;
+    for (int row = 0; row < 3; ++row) {
+        if (row == step) continue;
+        const Real factor = left[row][column];
+        for (int j = 0; j < 3; ++j) left[row][j] -= factor * left[step][j], right[row][j] -= factor * right[step][j];
+    }
+}
+
+// Only factors above 0: the commonest of matrices.
+bool isPositiveDiagonal(const Rows& a) {
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            if (row == column ? !(a[row][column] > 0) : a[row][column] != 0) return false;
+    return true;
+}
+
+}  // namespace
+
+Affine compose(const TransformDescription& transform) {
+    Affine affine;
+    if (transform.translate)
+        for (int i = 0; i < 3; ++i) affine.translation[i] = (*transform.translate)[i];
+    if (transform.rotate) rotationMatrix(*transform.rotate, affine.linear);
+    if (transform.scale)
+        for (Real(&row)[3] : affine.linear)
+            for (int column = 0; column < 3; ++column) row[column] *= (*transform.scale)[column];
+    if (transform.matrix) appendMatrix(affine, *transform.matrix);
+    return affine;
+}
+
+std::optional<Matrix3> inverseLinear(const Affine& affine) {
+    const Rows& a = affine.linear;
+    // What the elimination comes to, without its cost.
+    if (isPositiveDiagonal(a)) return Matrix3{{{1 / a[0][0], 0, 0}, {0, 1 / a[1][1], 0}, {0, 0, 1 / a[2][2]}}};
+    Balanced b = balanced(affine.linear);
+    Elimination elimination{b.entry};
+    for (int step = 0; step < 3; ++step) {
+        elimination.choosePivot(step);
+        const Real pivot = b.entry[step][elimination.pivotColumn[step]];
+        if (step == 0) elimination.largestPivot = std::abs(pivot);
+        if (elimination.isRoundingError(pivot)) return std::nullopt;
+        elimination.eliminate(step);
+    }
+    Matrix3 inverse;
+    for (int step = 0; step < 3; ++step) {
+        const int row = elimination.pivotColumn[step];
+        for (int j = 0; j < 3; ++j) inverse.entry[row][j] = b.column[row] * elimination.right[step][j] * b.row[j];
+    }
+    return inverse;
+}
+
+}  // namespace raytracer

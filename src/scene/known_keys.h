@@ -1,0 +1,52 @@
+// Objects whose keys the format knows. A key that it does not know is a warning with the nearest one that it knows, or
+// an error when strict; a required key that is missing is an error with the unknown one that may have been meant.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "raytracer/json/json_view.h"
+
+namespace raytracer {
+
+// An object with the keys that it may have.
+class JsonObject {
+  public:
+    JsonObject(JsonView json, std::span<const std::string_view> known) : json_(json), known_(known) {}
+
+    bool knows(std::string_view key) const;
+    JsonView operator[](std::string_view key) const;  // JsonError if it is missing
+    std::optional<JsonView> find(std::string_view key) const { return json_.find(key); }
+
+    JsonView json() const { return json_; }
+    std::span<const std::string_view> known() const { return known_; }
+
+  private:
+    JsonView json_;
+    std::span<const std::string_view> known_;
+};
+
+class KnownKeys {
+  public:
+    explicit KnownKeys(bool strict) : strict_(strict) {}
+
+    // `known` must outlive the result.
+    JsonObject check(JsonView json, std::span<const std::string_view> known);
+
+    // In the form of JsonError's what(). After the first few only how many more there are: a scene of a million shapes
+    // may have a comment in each.
+    std::vector<std::string> warnings() const;
+
+  private:
+    void report(const JsonObject& object, std::string_view key);
+
+    bool strict_;
+    std::vector<std::string> warnings_;
+    std::size_t notShown_ = 0;
+};
+
+}  // namespace raytracer

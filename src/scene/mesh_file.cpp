@@ -1,0 +1,125 @@
+#include "raytracer/scene/mesh_file.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "obj_chunk.h"
+#include "obj_line.h"
+#include "obj_text.h"
+#include "raytracer/util/file_bytes.h"
+
+namespace raytracer {
+namespace {
+
+// Some milliseconds of parsing: much longer than a thread takes to start, and small enough to be shared out evenly.
+constexpr std::size_t chunkBytes = std::size_t{1} << 20;
+
+// The first line that begins after `from` and is not the rest of one that a backslash continues.
+std::size_t nextLineBegin(std::string_view text, std::size_t from) {
+    std::size_t newline = text.find('\n', from);
+    while (newline != text.npos && endsInBackslash(text.substr(0, newline))) newline = text.find('\n', newline + 1);
+    return newline == text.npos ? text.size() : newline + 1;
+}
+
+// About equally long; some may be empty.
+std::vector<std::string_view> splitAtLines(std::string_view text, std::size_t chunkCount) {
+    std::vector<std::string_view> chunks;
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= chunkCount; ++i) {
+        const std::size_t share = text.size() / chunkCount * i;
+        const std::size_t end = i == chunkCount ? text.size() : nextLineBegin(text, std::max(begin, share));
+        chunks.push_back(text.substr(begin, end - begin));
+        begin = end;
+    }
+    return chunks;
+}
+
+// Calls work(0) ... work(count - 1) on all cores; then throws what the first of them, by number, has thrown.
+template <class Work>
+void forEachChunk(std::size_t count, const Work& work) {
+    std::vector<std::exception_ptr> errors(count);
+    std::atomic<std::size_t> next = 0;
+    const auto takeAll = [&] {
+        for (std::size_t i = next++; i < count; i = next++) try {
+            work(i);
+        } catch (...) {
+            errors[i] = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        const std::size_t threads = std::min<std::size_t>(std::thread::hardware_concurrency(), count);
+        while (others.size() + 1 < threads) others.emplace_back(takeAll);
+        takeAll();
+    }
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
+}
+
+// Each chunk's own counts become those of all that stands above it.
+ObjCounts sumAbove(std::vector<ObjCounts>& counts) {
+    ObjCounts whole;
+    for (ObjCounts& chunk : counts) whole += std::exchange(chunk, whole);
+    return whole;
+}
+
+void requireUsable(const ObjCounts& whole) {
+    if (whole.faces == 0) throw MeshError("no faces, so not an OBJ mesh");
+    // One less than all, for noTexCoord is no index.
+    if (std::max(whole.positions, whole.texCoords) >= MeshData::noTexCoord)
+        throw MeshError("too many vertices: indices have 32 bits");
+}
+
+// Chunks are freed as they are taken over, so that little is in memory twice.
+void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh) {
+    std::size_t corners = 0;
+    for (const ObjTriangles& chunk : chunks) corners += chunk.positionIndex.size();
+    const bool textured = std::ranges::any_of(chunks, [](const auto& chunk) { return !chunk.texCoordIndex.empty(); });
+    mesh.positionIndex.reserve(corners);
+    mesh.texCoordIndex.reserve(textured ? corners : 0);
+    for (ObjTriangles& taken : chunks) {
+        const ObjTriangles chunk = std::move(taken);
+        mesh.positionIndex.insert(mesh.positionIndex.end(), chunk.positionIndex.begin(), chunk.positionIndex.end());
+        mesh.texCoordIndex.insert(mesh.texCoordIndex.end(), chunk.texCoordIndex.begin(), chunk.texCoordIndex.end());
+        if (textured) mesh.texCoordIndex.resize(mesh.positionIndex.size(), MeshData::noTexCoord);
+    }
+    if (!textured) mesh.texCoords = {};
+}
+
+}  // namespace
+
+MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount) {
+    const std::vector<std::string_view> chunks = splitAtLines(text, chunkCount);
+    std::vector<ObjCounts> above(chunkCount);
+    forEachChunk(chunkCount, [&](std::size_t i) { above[i] = countObjChunk(chunks[i]); });
+    const ObjCounts whole = sumAbove(above);
+    requireUsable(whole);
+
+    MeshData mesh;
+    mesh.positions.resize(whole.positions);
+    mesh.texCoords.resize(whole.texCoords);
+    std::vector<ObjTriangles> triangles(chunkCount);
+    forEachChunk(chunkCount, [&](std::size_t i) { triangles[i] = parseObjChunk(chunks[i], above[i], whole, mesh); });
+    appendTriangles(triangles, mesh);
+    return mesh;
+}
+
+MeshData parseObj(const char* begin, const char* end) {
+    std::string_view text(begin, end);
+    if (constexpr std::string_view utf8Mark = "\xef\xbb\xbf"; text.starts_with(utf8Mark))
+        text.remove_prefix(utf8Mark.size());
+    return parseObjInChunks(text, text.size() / chunkBytes + 1);
+}
+
+MeshData loadObj(const std::string& path) try {
+    const FileBytes file(path);
+    return parseObj(file.begin(), file.end());
+} catch (const FileError& error) {
+    throw MeshError(error.what());
+}
+
+}  // namespace raytracer

@@ -1,0 +1,53 @@
+#include "name_table.h"
+
+#include <functional>
+#include <utility>
+
+#include "raytracer/json/nearest_name.h"
+
+namespace raytracer {
+
+void NameTable::add(std::string_view name, JsonView owner) {
+    if (slots_.size() <= 2 * entries_.size()) grow();
+    Slot& slot = slotOf(name);
+    if (slot.index != none)
+        owner.fail(std::string("expected a name that no other ") + kind_ + " has, found " + inQuotes(name) + " as in " +
+                   entries_[slot.index].owner.pointer());
+    slot.index = static_cast<std::uint32_t>(entries_.size());
+    entries_.push_back({name, owner});
+}
+
+std::size_t NameTable::find(JsonView name) {
+    const std::string_view wanted = name.string();
+    if (next_ == entries_.size() || entries_[next_].name != wanted) next_ = slotOf(wanted).index;
+    if (next_ != none) return next_++;
+    NearestName nearest(wanted);
+    for (const Entry& entry : entries_) nearest.consider(entry.name);
+    name.fail(std::string("no ") + kind_ + " named " + inQuotes(wanted) + nearest.question());
+}
+
+// The name's, or the one that it would get.
+NameTable::Slot& NameTable::slotOf(std::string_view name) {
+    const auto hash = static_cast<std::uint32_t>(std::hash<std::string_view>()(name));
+    const std::size_t last = slots_.size() - 1;
+    const auto isOther = [&](const Slot& slot) {
+        return slot.index != none && (slot.hash != hash || entries_[slot.index].name != name);
+    };
+    std::size_t place = hash & last;
+    while (isOther(slots_[place])) place = (place + 1) & last;
+    slots_[place].hash = hash;
+    return slots_[place];
+}
+
+void NameTable::grow() {
+    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(4 * slots_.size()));
+    const std::size_t last = slots_.size() - 1;
+    for (const Slot& slot : old) {
+        if (slot.index == none) continue;
+        std::size_t place = slot.hash & last;
+        while (slots_[place].index != none) place = (place + 1) & last;
+        slots_[place] = slot;
+    }
+}
+
+}  // namespace raytracer

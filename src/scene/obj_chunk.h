@@ -1,0 +1,32 @@
+// One chunk of an OBJ file: whole lines of its text. Every chunk is first counted, then parsed knowing what stands
+// above it and in the whole file, so that chunks can be parsed at the same time, in any order, with the errors of one
+// pass.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "raytracer/scene/mesh_file.h"
+
+namespace raytracer {
+
+struct ObjCounts {
+    std::size_t lines = 0, positions = 0, texCoords = 0, normals = 0, faces = 0;
+
+    ObjCounts& operator+=(const ObjCounts& other);
+};
+
+// As MeshData's, but texCoordIndex ends with the last triangle that has texture coordinates.
+struct ObjTriangles {
+    std::vector<std::uint32_t> positionIndex, texCoordIndex;
+};
+
+ObjCounts countObjChunk(std::string_view chunk);
+
+// Fills the chunk's own part of mesh.positions and mesh.texCoords, which have their final sizes, and returns its
+// triangles. Throws MeshError at the chunk's first line that is to blame.
+ObjTriangles parseObjChunk(std::string_view chunk, const ObjCounts& above, const ObjCounts& whole, MeshData& mesh);
+
+}  // namespace raytracer

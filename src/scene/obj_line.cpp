@@ -1,0 +1,97 @@
+#include "obj_line.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "raytracer/scene/mesh_file.h"
+
+namespace raytracer {
+
+bool endsInBackslash(std::string_view physicalLine) {
+    return physicalLine.ends_with('\\') || physicalLine.ends_with("\\\r");
+}
+
+std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines) {
+    std::size_t begin = 0, end = text.find('\n');
+    const auto goesOn = [&] {
+        const std::string_view line = text.substr(begin, end - begin);
+        return end != text.npos && endsInBackslash(line) && line.find('#') == line.npos;
+    };
+    for (physicalLines = 1; goesOn(); ++physicalLines) {
+        begin = end + 1;
+        end = text.find('\n', begin);
+    }
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == text.npos ? text.size() : end + 1);
+    return line;
+}
+
+ObjKeyword ObjLine::keyword() {
+    startWord();
+    while (!isAtWordEnd()) ++p_;
+    const std::string_view word(word_, p_);
+    if (word == "v") return ObjKeyword::position;
+    if (word == "f") return ObjKeyword::face;
+    if (word == "vt") return ObjKeyword::texCoord;
+    return word == "vn" ? ObjKeyword::normal : ObjKeyword::other;
+}
+
+double ObjLine::number() {
+    if (atEnd()) fail("expected a number, found the end of the line");
+    // std::from_chars knows no plus.
+    const char* const begin = p_ + (end_ - p_ > 1 && p_[0] == '+' && p_[1] != '-');
+    double value = 0;
+    const auto [stop, error] = std::from_chars(begin, end_, value);
+    p_ = stop;
+    if (error == std::errc::invalid_argument || !isAtWordEnd()) failWord("expected a number, found ");
+    // Too large or too near to 0, and it does not say which.
+    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(begin, stop).c_str(), nullptr);
+    if (!std::isfinite(value)) failWord("expected a finite number, found ");
+    return value;
+}
+
+ObjLine::Corner ObjLine::corner() {
+    startWord();
+    Corner corner{.position = index()};
+    if (takeSlash()) {
+        if (p_ == end_ || *p_ != '/') corner.texCoord = index();
+        if (takeSlash()) corner.normal = index();
+    }
+    if (!isAtWordEnd()) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
+    return corner;
+}
+
+std::int64_t ObjLine::index() {
+    std::int64_t value = 0;
+    const auto [stop, error] = std::from_chars(p_, end_, value);
+    p_ = stop;
+    if (error == std::errc::invalid_argument) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
+    if (error == std::errc::result_out_of_range || value == 0)
+        failWord("indices count from 1, or from -1 backwards; found ");
+    return value;
+}
+
+bool ObjLine::isAtContinuation() const {
+    const std::string_view rest(p_, end_);
+    return rest.starts_with("\\\n") || rest.starts_with("\\\r\n");
+}
+
+void ObjLine::fail(const std::string& message) const {
+    throw MeshError("line " + std::to_string(number_) + ": " + message);
+}
+
+// The word may be anything, if the file is no OBJ at all.
+void ObjLine::failWord(const char* message) const {
+    constexpr std::size_t longest = 40;
+    ObjLine rest(std::string_view(word_, end_), number_);
+    while (!rest.isAtWordEnd()) ++rest.p_;
+    std::string word(word_, rest.p_);
+    const bool isLong = word.size() > longest;
+    word.resize(std::min(word.size(), longest));
+    std::ranges::replace_if(word, [](char c) { return c < ' ' || c > '~'; }, '?');
+    fail(message + ('"' + word) + (isLong ? "\"..." : "\""));
+}
+
+}  // namespace raytracer

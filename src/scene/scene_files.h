@@ -1,0 +1,34 @@
+// The files that a scene names, each read at most once.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <unordered_map>
+
+#include "raytracer/json/json_view.h"
+#include "raytracer/scene/mesh_file.h"
+#include "raytracer/pictures/texture.h"
+
+namespace raytracer {
+
+// Paths are strings of the scene, relative to its own file. What is wrong with a file is a JsonError at its path.
+class SceneFiles {
+  public:
+    explicit SceneFiles(const std::string& scenePath);
+
+    std::shared_ptr<const MeshData> mesh(JsonView path);
+    std::shared_ptr<const Texture> texture(JsonView path);
+
+    // That a texture's file can be opened, without reading it.
+    void requireTexture(JsonView path) const;
+
+  private:
+    std::string resolve(JsonView path) const;
+
+    std::filesystem::path folder_;
+    std::unordered_map<std::string, std::shared_ptr<const MeshData>> meshes_;  // by resolved path
+    std::unordered_map<std::string, std::shared_ptr<const Texture>> textures_;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,138 @@
+#include "raytracer/scene/scene_loader.h"
+
+#include <array>
+
+#include "raytracer/json/json_document.h"
+#include "raytracer/json/json_view.h"
+#include "known_keys.h"
+#include "name_table.h"
+#include "raytracer/util/file_bytes.h"
+#include "scene_files.h"
+#include "scene_parts.h"
+
+namespace raytracer {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view defaultMaterialName = "default";  // as in MaterialDescription
+
+// The scene as a whole: what its parts call each other by. Strings and views are the document's.
+class SceneReader {
+  public:
+    SceneReader(const std::string& path, bool strict) : files_(path), keys_(strict) {}
+
+    void read(JsonView scene);
+
+    SceneDescription& description() { return description_; }
+    std::vector<std::string> warnings() const { return keys_.warnings(); }
+
+  private:
+    void readTextures(JsonView textures);
+    void readMaterials(JsonView materials);
+    void readTransforms(JsonView transforms);
+    void readShapes(JsonView shapes);
+    ShapeDescription readShape(JsonView shape);
+    void loadTextureOf(std::size_t material);
+
+    SceneFiles files_;
+    KnownKeys keys_;
+    NameTable textures_{"texture"}, materials_{"material"}, transforms_{"transform"};
+    std::vector<JsonView> texturePaths_;
+    std::vector<std::optional<std::size_t>> textureOfMaterial_;
+    SceneDescription description_;
+};
+
+void SceneReader::read(JsonView view) {
+    static constexpr std::array known = {"$schema"sv, "camera"sv,     "materials"sv, "lights"sv,
+                                         "shapes"sv,  "transforms"sv, "textures"sv};
+    const JsonObject scene = keys_.check(view, known);
+    if (const auto schema = scene.find("$schema")) schema->string();
+    description_.camera = readCamera(scene["camera"], keys_);
+    if (const auto textures = scene.find("textures")) readTextures(*textures);
+    readMaterials(scene["materials"]);
+    for (const JsonView light : scene["lights"].elements()) description_.lights.push_back(readLight(light, keys_));
+    readTransforms(scene["transforms"]);
+    readShapes(scene["shapes"]);
+}
+
+void SceneReader::readTextures(JsonView textures) {
+    for (const JsonView path : textures.members()) {
+        files_.requireTexture(path);
+        textures_.add(path.key(), path);
+        texturePaths_.push_back(path);
+        description_.textures.push_back({std::string(path.key()), nullptr});
+    }
+}
+
+void SceneReader::readMaterials(JsonView materials) {
+    for (const JsonView json : materials.elements()) {
+        const MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
+        const auto name = json.find("name");
+        materials_.add(name ? name->string() : defaultMaterialName, name.value_or(json));
+        // One that is not textured may name whatever it likes; readMaterial has seen that one that is names something.
+        auto& texture = textureOfMaterial_.emplace_back();
+        if (material.use_diffuse_texture) texture = textures_.find(*json.find("diffuse_texture"));
+    }
+}
+
+void SceneReader::readTransforms(JsonView transforms) {
+    for (const JsonView json : transforms.elements()) {
+        description_.transforms.push_back(readTransform(json, keys_));
+        const JsonView name = *json.find("name");
+        transforms_.add(name.string(), name);
+    }
+}
+
+void SceneReader::readShapes(JsonView shapes) {
+    for (const JsonView json : shapes.elements()) {
+        const ShapeDescription& shape = description_.shapes.emplace_back(readShape(json));
+        loadTextureOf(shape.material);
+    }
+}
+
+ShapeDescription SceneReader::readShape(JsonView view) {
+    static constexpr std::array types = {"sphere"sv, "plane"sv, "cylinder"sv, "cone"sv, "cube"sv, "mesh"sv};
+    static constexpr std::array known = {"type"sv, "transform"sv, "material"sv, "path"sv};
+    const auto type = view.find("type");
+    const bool isMesh = type && type->string() == "mesh";  // nothing else has a path
+    const JsonObject json = keys_.check(view, std::span(known).first(isMesh ? 4 : 3));
+    ShapeDescription shape;
+    shape.type = static_cast<ShapeDescription::Type>(json["type"].choice(types));
+    shape.transform = transforms_.find(json["transform"]);
+    shape.material = materials_.find(json["material"]);
+    if (isMesh) shape.mesh = files_.mesh(json["path"]);
+    return shape;
+}
+
+// Only now is it known that someone can see it (DESIGN.md, invariant 6).
+void SceneReader::loadTextureOf(std::size_t material) {
+    const auto index = textureOfMaterial_[material];
+    if (!index) return;
+    std::shared_ptr<const Texture>& texture = description_.textures[*index].texture;
+    if (!texture) texture = files_.texture(texturePaths_[*index]);
+}
+
+LoadedScene read(const std::string& path, bool strict) {
+    const FileBytes file(path);
+    const JsonDocument document(file.begin(), file.end());
+    SceneReader reader(path, strict);
+    reader.read(JsonView(document));
+    LoadedScene loaded{std::move(reader.description()), reader.warnings()};
+    for (std::string& warning : loaded.warnings) warning.insert(0, path);
+    return loaded;
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::string& path, bool strict) {
+    try {
+        return read(path, strict);
+    } catch (const JsonError& error) {
+        throw SceneError(path + error.what());
+    } catch (const FileError& error) {
+        throw SceneError(path + ": " + error.what());
+    }
+}
+
+}  // namespace raytracer

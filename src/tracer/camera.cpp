@@ -1,0 +1,51 @@
+#include "raytracer/tracer/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+namespace {
+
+using Wide = glm::vec<3, long double, glm::defaultp>;
+
+long double largest(const Wide& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+Wide scaled(const Wide& v, int exponent) {
+    return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
+
+int exponentOf(long double magnitude) { return magnitude > 0 ? std::ilogb(magnitude) : 0; }
+
+}  // namespace
+
+Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
+    : perspective_(camera.type == CameraDescription::Type::Perspective) {
+    const Wide v = camera.up, w = -Wide(camera.look), u = glm::cross(v, w);
+    const Wide forward = perspective_ ? -static_cast<long double>(camera.focal_length) * w : -w;
+
+    const double film = std::max({std::abs(camera.film_left), std::abs(camera.film_right),
+                                  std::abs(camera.film_bottom), std::abs(camera.film_top)});
+    const int filmExponent = exponentOf(film);
+    left_ = static_cast<Real>(std::scalbn(camera.film_left, -filmExponent));
+    right_ = static_cast<Real>(std::scalbn(camera.film_right, -filmExponent));
+    bottom_ = static_cast<Real>(std::scalbn(camera.film_bottom, -filmExponent));
+    top_ = static_cast<Real>(std::scalbn(camera.film_top, -filmExponent));
+
+    const Wide filmU = scaled(u, filmExponent), filmV = scaled(v, filmExponent);
+    const long double direction =
+        perspective_ ? std::max({largest(filmU), largest(filmV), largest(forward)}) : largest(forward);
+    directionExponent_ = exponentOf(direction);
+    const int filmScale = perspective_ ? -directionExponent_ : -frame.exponent;
+    u_ = Vec3(scaled(filmU, filmScale));
+    v_ = Vec3(scaled(filmV, filmScale));
+    forward_ = Vec3(scaled(forward, -directionExponent_));
+
+    long double eye[3];
+    frame.pointToFrame(camera.eye, eye);
+    eye_ = {static_cast<Real>(eye[0]), static_cast<Real>(eye[1]), static_cast<Real>(eye[2])};
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

@@ -1,0 +1,60 @@
+#include "raytracer/tracer/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytracer {
+
+// Each is defined by the core's scene_builder.cpp, compiled for that precision.
+namespace float_precision {
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
+}
+namespace double_precision {
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
+}
+namespace extended_precision {
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
+}
+
+std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision, const BuildOptions& options) {
+    switch (precision) {
+        case Precision::Float: return float_precision::makeCoreRenderer(scene, options);
+        case Precision::Extended: return extended_precision::makeCoreRenderer(scene, options);
+        case Precision::Double: break;
+    }
+    return double_precision::makeCoreRenderer(scene, options);
+}
+
+ImageSize imageSize(const CameraDescription& camera, int longEdge) {
+    const double width = std::abs(camera.film_right - camera.film_left);
+    const double height = std::abs(camera.film_top - camera.film_bottom);
+    const auto shortEdge = [&](double ratio) { return std::max(1, static_cast<int>(std::lround(longEdge * ratio))); };
+    if (width >= height) return {longEdge, shortEdge(height / width)};
+    return {shortEdge(width / height), longEdge};
+}
+
+void keepTerms(SceneDescription& scene, const Terms& terms) {
+    for (MaterialDescription& material : scene.materials) {
+        if (!terms.ambient) material.color_ambient = glm::dvec3(0);
+        if (!terms.diffuse) material.color_diffuse = glm::dvec3(0);
+        if (!terms.specular) material.color_specular = glm::dvec3(0);
+        if (!terms.reflections) material.reflective = false;
+        if (!terms.textures) material.use_diffuse_texture = false;
+    }
+}
+
+void makeOpaque(SceneDescription& scene) {
+    for (MaterialDescription& material : scene.materials) material.refractive = false;
+}
+
+RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
+    primary += other.primary;
+    shadow += other.shadow;
+    reflection += other.reflection;
+    refraction += other.refraction;
+    tests += other.tests;
+    cutoffBound = std::max(cutoffBound, other.cutoffBound);
+    return *this;
+}
+
+}  // namespace raytracer

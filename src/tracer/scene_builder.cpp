@@ -1,0 +1,153 @@
+#include "raytracer/tracer/scene_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "raytracer/tracer/explain.h"
+#include "raytracer/geometry/mesh.h"
+#include "raytracer/tracer/renderer.h"
+#include "raytracer/bvh/spatial_order.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+namespace {
+
+// A colour, so limited that no product of a few overflows: infinity times black would be no number. No picture shows the
+// difference; an eighth of the exponents lets eight factors meet.
+Color buildColor(const glm::dvec3& color) {
+    constexpr int exponent = std::numeric_limits<Real>::max_exponent / 8;
+    const auto limit = static_cast<double>(std::scalbn(1.0, std::min(exponent, 1000)));
+    return Color(glm::clamp(color, glm::dvec3(-limit), glm::dvec3(limit)));
+}
+
+Material buildMaterial(const MaterialDescription& description, const SceneDescription& scene) {
+    Material material;
+    material.color_ambient = buildColor(description.color_ambient);
+    material.color_diffuse = buildColor(description.color_diffuse);
+    material.color_specular = buildColor(description.color_specular);
+    material.shininess = static_cast<Real>(description.shininess);
+    material.reflective = description.reflective;
+    material.color_reflect = buildColor(description.color_reflect);
+    material.refractive = description.refractive;
+    material.color_refract = buildColor(description.color_refract);
+    material.index_of_refraction = static_cast<Real>(description.index_of_refraction);
+    if (description.use_diffuse_texture)
+        for (const TextureDescription& texture : scene.textures)
+            if (texture.name == description.diffuse_texture) material.diffuse_texture = texture.texture.get();
+    return material;
+}
+
+Light buildLight(const LightDescription& description, const SceneFrame& frame) {
+    long double position[3];
+    frame.pointToFrame(description.position, position);
+    return {Vec3(static_cast<Real>(position[0]), static_cast<Real>(position[1]), static_cast<Real>(position[2])),
+            buildColor(description.color), buildColor(description.color_ambient)};
+}
+
+// Shapes that name the same OBJ file share its triangles.
+using MeshCache = std::map<const MeshData*, std::shared_ptr<const TriangleMesh>>;
+
+std::unique_ptr<Shape> buildShape(const ShapeDescription& description, const Transform& transform,
+                                  const Material& material, std::uint32_t index, const BuildOptions& options, MeshCache& meshes) {
+    switch (description.type) {
+        case ShapeDescription::Type::Sphere: return std::make_unique<Sphere>(transform, material, index);
+        case ShapeDescription::Type::Plane: return std::make_unique<Plane>(transform, material, index);
+        case ShapeDescription::Type::Cylinder: return std::make_unique<Cylinder>(transform, material, index);
+        case ShapeDescription::Type::Cone: return std::make_unique<Cone>(transform, material, index);
+        case ShapeDescription::Type::Cube: return std::make_unique<Cube>(transform, material, index);
+        case ShapeDescription::Type::Mesh: break;
+    }
+    auto& triangles = meshes[description.mesh.get()];
+    if (!triangles) triangles = std::make_shared<TriangleMesh>(description.mesh, options);
+    return std::make_unique<Mesh>(transform, material, index, triangles);
+}
+
+// The order in which many shapes are made, and so lie in memory: those that are near each other, which the same rays
+// meet, side by side.
+std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
+    constexpr std::size_t many = 1000;  // fewer stay in a processor's cache
+    std::vector<std::uint32_t> order(description.shapes.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (order.size() < many) return order;
+    std::vector<glm::vec3> places;
+    places.reserve(order.size());
+    for (const ShapeDescription& shape : description.shapes) {
+        // A matrix may put the shape elsewhere, and the place may be beyond float: then the order is a worse one.
+        const glm::vec3 place(description.transforms[shape.transform].translate.value_or(glm::dvec3(0)));
+        places.push_back(glm::clamp(place, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max()));
+    }
+    return spatialOrder(places);
+}
+
+// Asks the memory in good time for what orderOfMaking has scattered: a shape first, then its transform.
+void prefetch(const SceneDescription& description, const std::vector<std::uint32_t>& order, std::size_t i) {
+    constexpr std::size_t ahead = 8;
+    if (i + 2 * ahead < order.size()) __builtin_prefetch(&description.shapes[order[i + 2 * ahead]]);
+    if (i + ahead >= order.size()) return;
+    const auto* transform = reinterpret_cast<const char*>(&description.transforms[description.shapes[order[i + ahead]].transform]);
+    for (std::size_t byte = 0; byte < sizeof(TransformDescription); byte += 64) __builtin_prefetch(transform + byte);
+}
+
+class SceneRenderer final : public Renderer {
+  public:
+    SceneRenderer(const SceneDescription& description, const BuildOptions& options)
+        : scene_(buildScene(description, options)) {}
+
+    RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const override {
+        return scene_->render(options, sink, progress);
+    }
+
+    RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                              std::span<glm::dvec3> colors) const override {
+        return scene_->renderPixels(options, pixels, colors);
+    }
+
+    RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                        FollowedRays& followed) const override {
+        return scene_->follow(options, pixels, followed);
+    }
+
+    RayExplanation explain(const RenderOptions& options, int x, int y) const override {
+        return explainPixel(*scene_, options, x, y);
+    }
+
+  private:
+    std::unique_ptr<const Scene> scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Scene> buildScene(const SceneDescription& description, const BuildOptions& options) {
+    auto scene = std::make_unique<Scene>();
+    const SceneFrame frame = chooseFrame(description);
+    scene->frame = frame;
+    scene->camera = Camera(description.camera, frame);
+    for (const TextureDescription& texture : description.textures) scene->textures.push_back(texture.texture);
+    for (const MaterialDescription& material : description.materials)
+        scene->materials.push_back(buildMaterial(material, description));
+    for (const LightDescription& light : description.lights) scene->lights.push_back(buildLight(light, frame));
+    MeshCache meshes;
+    scene->shapes.reserve(description.shapes.size());
+    const std::vector<std::uint32_t> order = orderOfMaking(description);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        prefetch(description, order, i);
+        const std::uint32_t index = order[i];
+        const ShapeDescription& shape = description.shapes[index];
+        // Composed anew: cheaper than to keep what was composed for the frame.
+        const Transform transform(frame.toFrame(compose(description.transforms[shape.transform])));
+        scene->shapes.push_back(buildShape(shape, transform, scene->materials[shape.material], index, options, meshes));
+    }
+    scene->index(options);
+    return scene;
+}
+
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& description, const BuildOptions& options) {
+    return std::make_unique<SceneRenderer>(description, options);
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

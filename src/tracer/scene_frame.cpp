@@ -1,0 +1,106 @@
+#include "raytracer/tracer/scene_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "raytracer/scene/mesh_file.h"
+
+namespace raytracer {
+
+namespace {
+
+// An axis-aligned box that grows.
+struct Extent {
+    bool empty = true;
+    long double low[3] = {}, high[3] = {};
+
+    void add(const long double (&center)[3], const long double (&radius)[3]) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const long double from = center[axis] - radius[axis], to = center[axis] + radius[axis];
+            low[axis] = empty ? from : std::min(low[axis], from);
+            high[axis] = empty ? to : std::max(high[axis], to);
+        }
+        empty = false;
+    }
+
+    void add(const glm::dvec3& point) { add({point.x, point.y, point.z}, {0, 0, 0}); }
+
+    long double size() const {
+        long double largest = 0;
+        for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, high[axis] - low[axis]);
+        return largest;
+    }
+};
+
+// The largest |coordinate| of a shape in object space; looks at each mesh once.
+class ObjectRadii {
+  public:
+    double of(const ShapeDescription& shape) {
+        if (shape.type != ShapeDescription::Type::Mesh) return 1;
+        const auto [entry, isNew] = ofMesh_.try_emplace(shape.mesh.get(), 0);
+        double& largest = entry->second;
+        if (isNew)
+            for (const glm::dvec3& p : shape.mesh->positions)
+                largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        return largest;
+    }
+
+  private:
+    std::map<const MeshData*, double> ofMesh_;
+};
+
+void addShape(Extent& extent, const Affine& transform, long double radiusObject) {
+    long double radius[3];
+    for (int row = 0; row < 3; ++row) {
+        const auto& r = transform.linear[row];
+        radius[row] = (std::abs(r[0]) + std::abs(r[1]) + std::abs(r[2])) * radiusObject;
+    }
+    extent.add(transform.translation, radius);
+}
+
+Extent extentOf(const SceneDescription& scene) {
+    Extent extent;
+    ObjectRadii radii;
+    extent.add(scene.camera.eye);
+    for (const ShapeDescription& shape : scene.shapes)
+        if (shape.type != ShapeDescription::Type::Plane)
+            addShape(extent, compose(scene.transforms[shape.transform]), radii.of(shape));
+    if (extent.size() > 0) return extent;
+    for (const ShapeDescription& shape : scene.shapes)
+        extent.add(compose(scene.transforms[shape.transform]).translation, {0, 0, 0});
+    for (const LightDescription& light : scene.lights) extent.add(light.position);
+    return extent;
+}
+
+}  // namespace
+
+void SceneFrame::pointToFrame(const glm::dvec3& point, long double (&out)[3]) const {
+    for (int axis = 0; axis < 3; ++axis) out[axis] = std::scalbn(point[axis] - origin[axis], -exponent);
+}
+
+Affine SceneFrame::toFrame(const Affine& worldFromObject) const {
+    Affine result = worldFromObject;
+    const long double unit = std::scalbn(1.0L, -exponent);
+    for (int row = 0; row < 3; ++row) {
+        for (long double& entry : result.linear[row]) entry *= unit;
+        result.translation[row] = (result.translation[row] - origin[row]) * unit;
+    }
+    return result;
+}
+
+SceneFrame chooseFrame(const SceneDescription& scene) {
+    SceneFrame frame;
+    const Extent extent = extentOf(scene);
+    const long double size = extent.size();
+    if (!(size > 0)) return frame;
+    frame.exponent = std::ilogb(size) + 1;
+    const long double unit = std::scalbn(1.0L, frame.exponent);
+    for (int axis = 0; axis < 3; ++axis) {
+        const long double middle = (extent.low[axis] + extent.high[axis]) / 2;
+        if (std::abs(middle) > 16 * unit) frame.origin[axis] = std::round(middle / unit) * unit;
+    }
+    return frame;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,22 @@
+#include "raytracer/util/temporary_folder.h"
+
+#include <stdlib.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace raytracer {
+
+TemporaryFolder::TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "raytracer-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error(name + ": cannot make the folder: " + std::strerror(errno));
+    path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;  // of a folder for temporary files, what is left is no harm
+    std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace raytracer

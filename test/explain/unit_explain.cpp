@@ -1,0 +1,347 @@
+// What `explain` says of a pixel is what the render did for it, to the bit, and what it is called.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <mutex>
+
+#include "raytracer/explain/explanation_text.h"
+#include "../support/scene_files.h"
+
+using namespace raytracer;
+using namespace raytracer::test;
+
+namespace {
+
+using Type = ShapeDescription::Type;
+
+// The picture as the core hands it over.
+class DoubleSink final : public PixelSink {
+  public:
+    explicit DoubleSink(const ImageSize& size)
+        : width_(size.width), pixels_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
+    void write(int x, int y, std::span<const glm::dvec3> colors) override {
+        std::copy(colors.begin(), colors.end(), pixels_.begin() + index(x, y));
+    }
+    const glm::dvec3& at(int x, int y) const { return pixels_[static_cast<std::size_t>(index(x, y))]; }
+
+  private:
+    std::ptrdiff_t index(int x, int y) const { return std::ptrdiff_t{y} * width_ + x; }
+
+    int width_;
+    std::vector<glm::dvec3> pixels_;
+};
+
+// The formula, in rayColor's order: the light's sum, the sum over lights, then K_R I_R, then K_T I_T.
+bool addsUp(const RayExplanation& ray, const SceneDescription& scene) {
+    if (!ray.hit) return ray.color == glm::dvec3(0) && ray.lights.empty() && ray.rays.empty();
+    const MaterialDescription& material = scene.materials[scene.shapes[ray.shape].material];
+    glm::dvec3 color(0);
+    bool good = ray.lights.size() == scene.lights.size();
+    for (const LightExplanation& light : ray.lights) {
+        good = good && light.sum == light.ambient + (light.diffuse + light.specular) * light.S_L;
+        color += light.sum;
+    }
+    for (const RayExplanation& next : ray.rays) {
+        const bool mirror = next.kind == RayKind::Reflection;
+        const glm::dvec3& factor = mirror ? material.color_reflect : material.color_refract;
+        good = good && next.weight == ray.weight * factor && next.max_recursion == ray.max_recursion - 1 &&
+               (mirror ? material.reflective : material.refractive) && addsUp(next, scene);
+        color += factor * next.color;
+    }
+    return good && color == ray.color;
+}
+
+// Camera at the origin, looking along -z; one light; shapes are added.
+struct TestScene : SceneDescription {
+    TestScene() {
+        materials.resize(1);
+        materials[0].name = "red";
+        materials[0].color_ambient = {0.25, 0, 0};
+        materials[0].color_diffuse = {0.5, 0, 0};
+        materials[0].color_specular = glm::dvec3(0.5);
+        materials[0].shininess = 2;
+        lights.push_back({{0, 3, 0}, glm::dvec3(1), {1, 0.5, 0.5}});
+    }
+
+    TestScene& add(const std::string& name, Type type, const glm::dvec3& translate, const glm::dvec3& scale, std::size_t material = 0) {
+        shapes.push_back({type, transforms.size(), material, nullptr});
+        transforms.push_back({name, translate, {}, scale, {}});
+        return *this;
+    }
+
+    std::size_t addMaterial(const std::string& name) {
+        materials.push_back(materials[0]);
+        materials.back().name = name;
+        return materials.size() - 1;
+    }
+
+    std::size_t glass(double ior) {
+        const std::size_t index = addMaterial("glass");
+        materials[index].refractive = true;
+        materials[index].color_refract = {1, 0.5, 0.25};
+        materials[index].index_of_refraction = ior;
+        return index;
+    }
+
+    RayExplanation explain(int x, int y, int longEdge, int max_recursion = 3) const {
+        RenderOptions options = wholePicture(*this, longEdge);
+        options.max_recursion = max_recursion;
+        return makeRenderer(*this, Precision::Double)->explain(options, x, y);
+    }
+    RayExplanation explainCentre() const { return explain(0, 0, 1); }
+};
+
+const RayExplanation& onwards(const RayExplanation& ray, RayKind kind) {
+    for (const RayExplanation& next : ray.rays)
+        if (next.kind == kind) return next;
+    throw std::runtime_error("no such ray");
+}
+
+// Everything 2^exponent times as large and as far away; a perspective camera's film is no length.
+SceneDescription resized(SceneDescription scene, int exponent) {
+    const double factor = std::ldexp(1.0, exponent);
+    CameraDescription& camera = scene.camera;
+    camera.eye *= factor;
+    if (camera.type == CameraDescription::Type::Orthographic)
+        for (double* edge : {&camera.film_left, &camera.film_right, &camera.film_bottom, &camera.film_top}) *edge *= factor;
+    for (LightDescription& light : scene.lights) light.position *= factor;
+    for (TransformDescription& transform : scene.transforms) {
+        if (transform.translate) *transform.translate *= factor;
+        transform.scale = transform.scale.value_or(glm::dvec3(1)) * factor;
+    }
+    return scene;
+}
+
+bool equalButForUnit(const RayExplanation& a, const RayExplanation& b, double unit) {
+    bool equal = a.hit == b.hit && a.color == b.color && a.weight == b.weight && a.lights.size() == b.lights.size() &&
+                 a.rays.size() == b.rays.size() && a.origin * unit == b.origin && a.direction == b.direction;
+    if (a.hit)
+        equal = equal && a.shape == b.shape && a.primitive == b.primitive && a.t * unit == b.t &&
+                a.position * unit == b.position && a.normal == b.normal && a.texCoord == b.texCoord;
+    for (std::size_t i = 0; equal && i < a.lights.size(); ++i)
+        equal = a.lights[i].sum == b.lights[i].sum && a.lights[i].shadowedBy == b.lights[i].shadowedBy;
+    for (std::size_t i = 0; equal && i < a.rays.size(); ++i) equal = equalButForUnit(a.rays[i], b.rays[i], unit);
+    return equal;
+}
+
+}  // namespace
+
+TEST_CASE("an explanation's colours are the render's, and add up, to the bit") {
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const SceneDescription scene = loadScene(file, true).description;
+        const auto renderer = makeRenderer(scene, Precision::Double);
+        const RenderOptions options = wholePicture(scene, 40);
+        DoubleSink sink(options.size);
+        renderer->render(options, sink);
+        int wrong = 0;
+        for (int y = 0; y < options.size.height; ++y)
+            for (int x = 0; x < options.size.width; ++x) {
+                const RayExplanation ray = renderer->explain(options, x, y);
+                wrong += !(ray.color == sink.at(x, y) && addsUp(ray, scene));
+            }
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("an explanation's colours are the render's in every precision") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/nested_glass.json", true).description;
+    for (const Precision precision : {Precision::Float, Precision::Extended}) {
+        const auto renderer = makeRenderer(scene, precision);
+        const RenderOptions options = wholePicture(scene, 40);
+        DoubleSink sink(options.size);
+        renderer->render(options, sink);
+        int wrong = 0;
+        for (int y = 0; y < options.size.height; ++y)
+            for (int x = 0; x < options.size.width; ++x) wrong += renderer->explain(options, x, y).color != sink.at(x, y);
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("an explanation is the same in any unit of length") {
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const SceneDescription scene = loadScene(file, true).description;
+        const RenderOptions options = wholePicture(scene, 16);
+        const auto renderer = makeRenderer(scene, Precision::Double);
+        for (const int exponent : {-300, 7, 300}) {
+            const auto other = makeRenderer(resized(scene, exponent), Precision::Double);
+            int wrong = 0;
+            for (int y = 0; y < options.size.height; ++y)
+                for (int x = 0; x < options.size.width; ++x)
+                    wrong += !equalButForUnit(renderer->explain(options, x, y), other->explain(options, x, y), std::ldexp(1.0, exponent));
+            CHECK(wrong == 0);
+        }
+    }
+}
+
+TEST_CASE("the ray, the place and the normal are in the file's own units") {
+    TestScene scene;
+    scene.camera.eye = {1, 2, 3};
+    scene.camera.focal_length = 2;
+    scene.add("ball", Type::Sphere, {1, 2, -7}, glm::dvec3(2));
+    const RayExplanation ray = scene.explainCentre();
+    CHECK(ray.origin == glm::dvec3(1, 2, 3));
+    CHECK(ray.direction == glm::dvec3(0, 0, -2));
+    REQUIRE(ray.hit);
+    CHECK(ray.t == 4);
+    CHECK(ray.position == glm::dvec3(1, 2, -5));
+    CHECK(ray.normal == glm::dvec3(0, 0, 1));
+}
+
+TEST_CASE("a shadow, and by whom") {
+    TestScene scene;
+    const std::size_t glass = scene.glass(1);
+    scene.lights.push_back({{0, -3, 0}, glm::dvec3(1), glm::dvec3(0)});
+    scene.lights.push_back({{3, 0, 0}, glm::dvec3(1), glm::dvec3(0)});
+    scene.lights.push_back({{0, 0, -9}, glm::dvec3(1), glm::dvec3(0)});
+    scene.add("wall", Type::Plane, {0, 0, -3}, glm::dvec3(1));
+    scene.add("far from the wall", Type::Sphere, {0, 2, -1}, glm::dvec3(0.5)).add("near the wall", Type::Sphere, {0, 1, -2}, glm::dvec3(0.5));
+    scene.add("clear", Type::Cube, {0, -1, -2}, glm::dvec3(0.5), glass).add("opaque beyond", Type::Cube, {0, -2, -1}, glm::dvec3(0.25));
+    const RayExplanation ray = scene.explainCentre();
+    REQUIRE(ray.shape == 0);
+    REQUIRE(ray.lights.size() == 4);
+    CHECK(ray.lights[0].asked);
+    CHECK(ray.lights[0].shadowedBy == std::size_t{2});  // the nearest to the wall
+    CHECK(ray.lights[0].S_L == glm::dvec3(0));
+    CHECK(ray.lights[1].shadowedBy == std::size_t{3});  // glass, though something opaque follows
+    CHECK(ray.lights[1].S_L == glm::dvec3(1, 0.5, 0.25));
+    CHECK(ray.lights[2].asked);
+    CHECK_FALSE(ray.lights[2].shadowedBy);
+    CHECK(ray.lights[2].S_L == glm::dvec3(1));
+    CHECK_FALSE(ray.lights[3].asked);  // behind the wall
+    CHECK(ray.lights[3].N_L == 0);
+    CHECK(ray.lights[3].sum == glm::dvec3(0));
+}
+
+TEST_CASE("total internal reflection, from inside, and the end of the recursion") {
+    TestScene scene;
+    scene.add("block", Type::Cube, {0, 0, -3}, glm::dvec3(1), scene.glass(1.5));
+    SECTION("straight through: in from outside, out from inside") {
+        const RayExplanation ray = scene.explainCentre();
+        CHECK(ray.entering);
+        const RayExplanation& inside = onwards(ray, RayKind::Refraction);
+        CHECK_FALSE(inside.entering);
+        CHECK(inside.normal == glm::dvec3(0, 0, -1));
+        const RayExplanation& beyond = onwards(inside, RayKind::Refraction);
+        CHECK_FALSE(beyond.hit);
+        CHECK(beyond.weight == glm::dvec3(1, 0.25, 0.0625));
+        CHECK(beyond.max_recursion == 1);
+    }
+    SECTION("max_recursion") {
+        CHECK(scene.explain(0, 0, 1, 0).refraction == NotCast::MaxRecursion);
+        const RayExplanation ray = scene.explain(0, 0, 1, 1);
+        CHECK(ray.refraction == NotCast::Nothing);
+        CHECK(onwards(ray, RayKind::Refraction).refraction == NotCast::MaxRecursion);
+    }
+    SECTION("a black factor") {
+        scene.materials[1].color_refract = glm::dvec3(0);
+        CHECK(scene.explainCentre().refraction == NotCast::Black);
+    }
+    SECTION("total internal reflection") {
+        scene.transforms[0].translate = glm::dvec3(0);
+        scene.camera.eye = {0, 0.5, 0};  // inside, looking at the face at 60 degrees
+        scene.camera.look = {0, -std::sqrt(0.75), -0.5};
+        scene.camera.up = {0, 0.5, -std::sqrt(0.75)};
+        scene.materials[1].index_of_refraction = 4;
+        const RayExplanation ray = scene.explainCentre();
+        CHECK_FALSE(ray.entering);
+        CHECK(ray.refraction == NotCast::TotalInternalReflection);
+        CHECK(ray.rays.empty());
+    }
+}
+
+TEST_CASE("the names of faces") {
+    CHECK(faceName(Type::Sphere, 0).empty());
+    CHECK(faceName(Type::Plane, 0).empty());
+    CHECK(faceName(Type::Cylinder, 0) == "body");
+    CHECK(faceName(Type::Cylinder, 1) == "top");
+    CHECK(faceName(Type::Cylinder, 2) == "bottom");
+    CHECK(faceName(Type::Cone, 0) == "body");
+    CHECK(faceName(Type::Cone, 1) == "bottom");
+    CHECK(faceName(Type::Mesh, 17) == "triangle 17");
+    const glm::dvec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const char* names[] = {"x = 1", "x = -1", "y = 1", "y = -1", "z = 1", "z = -1"};
+    for (std::size_t face = 0; face < 6; ++face) {  // seen from that side
+        TestScene scene;
+        const glm::dvec3 side = (face % 2 ? -1.0 : 1.0) * axes[face / 2];
+        scene.camera.eye = 5.0 * side;
+        scene.camera.look = -side;
+        scene.camera.up = axes[(face / 2 + 1) % 3];
+        scene.add("cube", Type::Cube, glm::dvec3(0), glm::dvec3(1));
+        CHECK(faceName(Type::Cube, scene.explainCentre().primitive) == names[face]);
+    }
+}
+
+TEST_CASE("the text, in whole") {
+    TestScene scene;
+    const std::size_t mirror = scene.addMaterial("mirror"), glass = scene.glass(2);
+    scene.materials[mirror].reflective = true;
+    scene.materials[mirror].color_reflect = glm::dvec3(0.5);
+    scene.materials[glass].color_specular = glm::dvec3(0);
+    scene.lights[0].position = {0, 4, 0};
+    scene.add("floor", Type::Cube, {0, -4, -2}, glm::dvec3(1), mirror).add("pane", Type::Cylinder, {0, 0, -2}, glm::dvec3(1), glass);
+    scene.add("lid", Type::Plane, {0, 0, 1}, glm::dvec3(1));
+    scene.camera.focal_length = 0.5;
+    SECTION("straight into the glass") {
+        CHECK(explanationText(scene.explain(0, 0, 1, 1), scene) == R"(primary ray, max_recursion 1
+  origin (0, 0, 0), direction (0, 0, -0.5)
+  hits /shapes/1 (cylinder, transform "pane", material "glass"), top, from outside
+  t = 2, position (0, 0, -1)
+  N = (0, 0, 1)
+  light 0: N.L = 0.242535625, V.R = 0.242535625, nothing in between
+    K_A I_AL           = (0.25, 0, 0) (1, 0.5, 0.5) = (0.25, 0, 0)
+    K_D I_L (N.L)      = (0.5, 0, 0) (1, 1, 1) 0.242535625 = (0.121267813, 0, 0)
+    K_S I_L (V.R)^2    = (0, 0, 0) (1, 1, 1) 0.242535625^2 = (0, 0, 0)
+    S_L                = (1, 1, 1)
+    the light's sum    = (0.371267813, 0, 0)
+  K_T I_T = (1, 0.5, 0.25) (0.473606798, 0, 0) = (0.473606798, 0, 0)
+    refracted ray, max_recursion 0, counts in the pixel (1, 0.5, 0.25) times
+      origin (0, 0, -1), direction (0, 0, -1)
+      hits /shapes/1 (cylinder, transform "pane", material "glass"), bottom, from inside
+      t = 1, position (0, 0, -2)
+      N = (0, 0, 1), turned to face the ray
+      light 0: N.L = 0.447213595, V.R = 0.447213595, coloured by /shapes/1 (cylinder, transform "pane", material "glass")
+        K_A I_AL           = (0.25, 0, 0) (1, 0.5, 0.5) = (0.25, 0, 0)
+        K_D I_L (N.L)      = (0.5, 0, 0) (1, 1, 1) 0.447213595 = (0.223606798, 0, 0)
+        K_S I_L (V.R)^2    = (0, 0, 0) (1, 1, 1) 0.447213595^2 = (0, 0, 0)
+        S_L                = (1, 0.5, 0.25)
+        the light's sum    = (0.473606798, 0, 0)
+      K_T I_T: no further ray: max_recursion is used up
+      I = sum over lights = (0.473606798, 0, 0)
+  I = sum over lights + K_T I_T = (0.84487461, 0, 0)
+clamped (0.84487461, 0, 0), bytes (215, 0, 0)
+)");
+    }
+    SECTION("down onto the mirror") {
+        scene.camera.look = {0, -1, 0};
+        scene.camera.up = {0, 0, -1};
+        scene.camera.eye = {0, -2, -2.5};
+        CHECK(explanationText(scene.explain(0, 0, 1, 1), scene) == R"(primary ray, max_recursion 1
+  origin (0, -2, -2.5), direction (0, -0.5, 0)
+  hits /shapes/0 (cube, transform "floor", material "mirror"), y = 1, from outside
+  t = 2, position (0, -3, -2.5)
+  N = (0, 1, 0)
+  light 0: N.L = 0.941741912, V.R = 0.941741912, coloured by /shapes/1 (cylinder, transform "pane", material "glass")
+    K_A I_AL           = (0.25, 0, 0) (1, 0.5, 0.5) = (0.25, 0, 0)
+    K_D I_L (N.L)      = (0.5, 0, 0) (1, 1, 1) 0.941741912 = (0.470870956, 0, 0)
+    K_S I_L (V.R)^2    = (0.5, 0.5, 0.5) (1, 1, 1) 0.941741912^2 = (0.443438914, 0.443438914, 0.443438914)
+    S_L                = (1, 0.5, 0.25)
+    the light's sum    = (1.16430987, 0.221719457, 0.110859729)
+  K_R I_R = (0.5, 0.5, 0.5) (0, 0, 0) = (0, 0, 0)
+    reflected ray, max_recursion 0, counts in the pixel (0.5, 0.5, 0.5) times
+      origin (0, -3, -2.5), direction (0, 1, 0)
+      hits nothing: I = (0, 0, 0)
+  I = sum over lights + K_R I_R = (1.16430987, 0.221719457, 0.110859729)
+clamped (1, 0.221719457, 0.110859729), bytes (255, 57, 28)
+)");
+    }
+    SECTION("past everything") {
+        scene.camera.look = {1, 0, 0};
+        CHECK(explanationText(scene.explainCentre(), scene) == R"(primary ray, max_recursion 3
+  origin (0, 0, 0), direction (0.5, 0, 0)
+  hits nothing: I = (0, 0, 0)
+clamped (0, 0, 0), bytes (0, 0, 0)
+)");
+    }
+}

@@ -1,0 +1,298 @@
+// Every word that is said about scenes that can be rendered but may not be meant, and the silence about the others.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "raytracer/explain/black_picture.h"
+#include "raytracer/scene/mesh_file.h"
+#include "raytracer/explain/scene_advice.h"
+#include "../support/scene_files.h"
+
+using namespace raytracer;
+using namespace raytracer::test;
+
+namespace {
+
+using Type = ShapeDescription::Type;
+using Warnings = std::vector<std::string>;
+
+// The camera is at the origin and looks along -z, 90 degrees wide and high; a light far behind it.
+struct TestScene : SceneDescription {
+    TestScene() {
+        materials.resize(3);
+        materials[mirror].reflective = true;
+        materials[glass].refractive = true;
+        lights.push_back({{0, 0, 100}, glm::dvec3(1), glm::dvec3(1)});
+    }
+
+    static constexpr std::size_t opaque = 0, mirror = 1, glass = 2;
+
+    TestScene& orthographic() {
+        camera.type = CameraDescription::Type::Orthographic;
+        return *this;
+    }
+
+    TestScene& add(Type type, const glm::dvec3& translate, std::size_t material = opaque) {
+        return add(type, translate, glm::dvec3(1), material);
+    }
+
+    TestScene& add(Type type, const glm::dvec3& translate, const glm::dvec3& scale, std::size_t material = opaque) {
+        TransformDescription transform;
+        transform.translate = translate;
+        transform.scale = scale;
+        return add(type, transform, material);
+    }
+
+    TestScene& add(Type type, const TransformDescription& transform, std::size_t material = opaque) {
+        shapes.push_back({type, transforms.size(), material, nullptr});
+        transforms.push_back(transform);
+        return *this;
+    }
+
+    // Everything `factor` times as large and as far away.
+    TestScene& resize(double factor) {
+        if (camera.type == CameraDescription::Type::Orthographic)
+            for (double* edge : {&camera.film_left, &camera.film_right, &camera.film_bottom, &camera.film_top}) *edge *= factor;
+        camera.eye *= factor;
+        for (LightDescription& light : lights) light.position *= factor;
+        for (TransformDescription& transform : transforms) {
+            transform.translate = transform.translate.value_or(glm::dvec3(0)) * factor;
+            transform.scale = transform.scale.value_or(glm::dvec3(1)) * factor;
+        }
+        return *this;
+    }
+
+    TestScene& light(const glm::dvec3& position) {
+        lights[0].position = position;
+        return *this;
+    }
+};
+
+TransformDescription turned(const glm::dvec3& translate, double degrees, const glm::dvec3& axis) {
+    TransformDescription transform;
+    transform.translate = translate;
+    transform.rotate = TransformDescription::Rotation{degrees, axis};
+    return transform;
+}
+
+TransformDescription floorAt(double y) { return turned({0, y, 0}, -90, {1, 0, 0}); }
+
+std::string unseen(int shape, const std::string& what) {
+    return "/shapes/" + std::to_string(shape) + ": the " + what + "; it is not seen, but it may cast a shadow";
+}
+
+std::string blackReason(const SceneDescription& scene, Precision precision = Precision::Double) {
+    const auto renderer = makeRenderer(scene, precision);
+    const RenderOptions options = wholePicture(scene, 50);
+    CHECK(isAllBlack(renderBytes(*renderer, options)));
+    return whyBlack(scene, *renderer, options);
+}
+
+}  // namespace
+
+TEST_CASE("a camera whose frame is not of orthogonal unit vectors") {
+    TestScene scene;
+    const std::string begin = "/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 "
+                              "at 90 degrees, found lengths ";
+    SECTION("as it should be") { CHECK(sceneAdvice(scene).empty()); }
+    SECTION("rounded to three decimals") {
+        scene.camera.look = {-0.577, -0.577, -0.577};
+        scene.camera.up = {-0.408, 0.816, -0.408};
+        CHECK(sceneAdvice(scene).empty());
+    }
+    SECTION("too long") {
+        scene.camera.look = {0, 0, -2};
+        CHECK(sceneAdvice(scene) == Warnings{begin + "2 and 1 at 90 degrees"});
+    }
+    SECTION("too short") {
+        scene.camera.up = {0, 0.99, 0};
+        CHECK(sceneAdvice(scene) == Warnings{begin + "1 and 0.99 at 90 degrees"});
+    }
+    SECTION("not orthogonal") {
+        scene.camera.look = {0, -0.6, -0.8};
+        CHECK(sceneAdvice(scene) == Warnings{begin + "1 and 1 at 126.87 degrees"});
+    }
+    SECTION("of extreme length") {
+        scene.camera.look = {0, 0, -1e-300};
+        scene.camera.up = {0, 1e300, 0};
+        CHECK(sceneAdvice(scene) == Warnings{begin + "1e-300 and 1e+300 at 90 degrees"});
+    }
+}
+
+TEST_CASE("a shape that no ray of the view meets") {
+    TestScene scene;
+    const double factor = GENERATE(1.0, 1e-100, 1e100);
+    const bool orthographic = GENERATE(false, true);
+    if (orthographic) scene.orthographic();
+    const auto adviceOn = [&] { return sceneAdvice(scene.resize(factor)); };
+    SECTION("one in view gives none, nor one that reaches into it") {
+        for (const Type type : {Type::Sphere, Type::Plane, Type::Cylinder, Type::Cone, Type::Cube})
+            scene.add(type, {0, 0, -3}).add(type, {1.9, 0, -1});
+        scene.add(Type::Sphere, glm::dvec3(0)).add(Type::Cube, {0, 0, 0.5});
+        CHECK(adviceOn().empty());
+    }
+    SECTION("behind the camera") {
+        scene.add(Type::Sphere, {0, 0, 2}).add(Type::Cylinder, {0, 0, 0.1}).add(Type::Cone, {0, 0, 0.1}).add(Type::Cube, {0, 0, 1.1});
+        CHECK(adviceOn() == Warnings{unseen(0, "sphere is behind the camera"), unseen(1, "cylinder is behind the camera"),
+                                     unseen(2, "cone is behind the camera"), unseen(3, "cube is behind the camera")});
+    }
+    SECTION("on each side") {
+        scene.add(Type::Sphere, {-5, 0, -1}).add(Type::Cube, {5, 0, -1}).add(Type::Cone, {0, -5, -1}).add(Type::Cylinder, {0, 5, -1});
+        CHECK(adviceOn() == Warnings{unseen(0, "sphere is outside of the view, to its left"),
+                                     unseen(1, "cube is outside of the view, to its right"),
+                                     unseen(2, "cone is outside of the view, below it"),
+                                     unseen(3, "cylinder is outside of the view, above it")});
+    }
+    SECTION("planes: only where every ray runs away from them") {
+        scene.add(Type::Plane, {0, 0, 1}).add(Type::Plane, {0, 0, -1}).add(Type::Plane, glm::dvec3(0)).add(Type::Plane, floorAt(-1));
+        scene.add(Type::Plane, turned({0, 0, 1}, 20, {1, 2, 0}));
+        CHECK(adviceOn() == Warnings{unseen(0, "plane is behind the camera"), unseen(4, "plane is behind the camera")});
+    }
+}
+
+TEST_CASE("nearly outside is in doubt, so nothing is said") {
+    const double root = std::sqrt(2.0);
+    for (double radius = 0.1; radius < 3; radius += 0.1) {  // rounding puts some on either side
+        const glm::dvec3 touching(-1 - root * radius, 0, -1), clear = touching - glm::dvec3(1e-6, 0, 0);
+        CHECK(sceneAdvice(TestScene().add(Type::Sphere, touching, glm::dvec3(radius))).empty());
+        CHECK(sceneAdvice(TestScene().add(Type::Sphere, clear, glm::dvec3(radius))).size() == 1);
+    }
+}
+
+TEST_CASE("left is where the picture's left is") {
+    TestScene scene;
+    std::swap(scene.camera.film_left, scene.camera.film_right);
+    scene.add(Type::Sphere, {-5, 0, -1});
+    CHECK(sceneAdvice(scene) == Warnings{unseen(0, "sphere is outside of the view, to its right")});
+}
+
+TEST_CASE("a mesh is where its vertices are") {
+    MeshData data;
+    data.positions = {{10, 0, 0}, {11, 0, 0}, {10, 1, 0}};
+    data.positionIndex = {0, 1, 2};
+    TestScene scene;
+    scene.add(Type::Mesh, {0, 0, -3});
+    scene.add(Type::Mesh, {-10, 0, -3});
+    for (ShapeDescription& shape : scene.shapes) shape.mesh = std::make_shared<MeshData>(data);
+    CHECK(sceneAdvice(scene) == Warnings{unseen(0, "mesh is outside of the view, to its right")});
+}
+
+TEST_CASE("what mirrors and glass may show is not said to be unseen") {
+    TestScene scene;
+    scene.add(Type::Sphere, {0, 0, 2});
+    SECTION("a mirror in view") { CHECK(sceneAdvice(scene.add(Type::Sphere, {0, 0, -3}, TestScene::mirror)).empty()); }
+    SECTION("glass in view") { CHECK(sceneAdvice(scene.add(Type::Sphere, {0, 0, -3}, TestScene::glass)).empty()); }
+    SECTION("a mirror that is not seen shows nothing") {
+        scene.add(Type::Sphere, {0, 0, 4}, TestScene::mirror);
+        CHECK(sceneAdvice(scene) == Warnings{unseen(0, "sphere is behind the camera"), unseen(1, "sphere is behind the camera")});
+    }
+}
+
+TEST_CASE("of very many warnings some are shown and the rest counted, for shapes too") {
+    TestScene scene;
+    for (int i = 0; i < 100; ++i) scene.add(Type::Cube, {0, 0, 5});
+    const Warnings warnings = sceneAdvice(scene);
+    REQUIRE(warnings.size() == 21);
+    CHECK(warnings[19] == unseen(19, "cube is behind the camera"));
+    CHECK(warnings[20] == "80 more warnings");
+}
+
+TEST_CASE("a light inside of an opaque shape") {
+    TestScene scene;
+    const double factor = GENERATE(1.0, 1e-100, 1e100);
+    const auto adviceOn = [&] { return sceneAdvice(scene.resize(factor)); };
+    const auto inside = [](const std::string& type) {
+        return Warnings{"/lights/0: the light is inside of /shapes/0, an opaque " + type +
+                        ", and the camera is not: it lights nothing outside but by color_ambient"};
+    };
+    SECTION("sphere") { CHECK(adviceOn().empty()); }
+    SECTION("sphere") { scene.add(Type::Sphere, {0, 0, -5}).light({0.5, 0.5, -5.5}); CHECK(adviceOn() == inside("sphere")); }
+    SECTION("cylinder") { scene.add(Type::Cylinder, {0, 0, -5}).light({0.7, 0.7, -4.1}); CHECK(adviceOn() == inside("cylinder")); }
+    SECTION("cone") { scene.add(Type::Cone, {0, 0, -5}).light({0, 0.4, -4.5}); CHECK(adviceOn() == inside("cone")); }
+    SECTION("cube") { scene.add(Type::Cube, {0, 0, -5}).light({0.9, 0.9, -5.9}); CHECK(adviceOn() == inside("cube")); }
+    SECTION("outside, though within the box around") {
+        scene.add(Type::Sphere, {0, 0, -5}).add(Type::Cylinder, {0, 0, -5}).add(Type::Cone, {0, 0, -5}).light({0.8, 0.8, -4.5});
+        CHECK(adviceOn().empty());
+    }
+    SECTION("on the surface, but for rounding") {
+        scene.add(Type::Sphere, {0, 0, -5});
+        for (int degrees = 0; degrees < 90; ++degrees) {
+            TestScene copy = scene;
+            copy.light({std::cos(degrees * 0.01745), std::sin(degrees * 0.01745), -5});
+            CHECK(sceneAdvice(copy.resize(factor)).empty());
+        }
+    }
+    SECTION("on the surface") { scene.add(Type::Cube, {0, 0, -5}).light({0, 1, -5}); CHECK(adviceOn().empty()); }
+    SECTION("in glass") { scene.add(Type::Cube, {0, 0, -5}, TestScene::glass).light({0, 0, -5}); CHECK(adviceOn().empty()); }
+    SECTION("in a room with the camera") { scene.add(Type::Cube, glm::dvec3(0), glm::dvec3(9)).light({0, 8, 0}); CHECK(adviceOn().empty()); }
+    SECTION("one that only has ambient light") {
+        scene.add(Type::Cube, {0, 0, -5}).light({0, 0, -5}).lights[0].color = glm::dvec3(0);
+        CHECK(adviceOn().empty());
+    }
+}
+
+TEST_CASE("why a picture is all black") {
+    TestScene scene;
+    const Precision precision = GENERATE(Precision::Float, Precision::Double, Precision::Extended);
+    const auto reason = [&] { return blackReason(scene, precision); };
+    const std::string begin = "the picture is all black: ", end = "; and there is no ambient light on it";
+    SECTION("no shapes") { CHECK(reason() == begin + "the scene has no shapes"); }
+    SECTION("no lights") {
+        scene.add(Type::Sphere, {0, 0, -3}).lights.clear();
+        CHECK(reason() == begin + "the scene has no lights");
+    }
+    SECTION("nothing hit") {
+        scene.add(Type::Sphere, {0, 0, 3});
+        CHECK(reason() == begin + "no shape is met by the ray through the centre of any pixel");
+    }
+    SECTION("all in the shadow of one shape") {
+        scene.add(Type::Plane, {0, 0, -3}).add(Type::Plane, {0, 0, 5});
+        CHECK(reason() == begin + "all that is seen is in the shadow of /shapes/1, a plane" + end);
+    }
+    SECTION("all in the shadow of several") {
+        scene.add(Type::Plane, {0, 0, -3}).add(Type::Cube, {-50, 0, 5}, {50, 50, 1}).add(Type::Cube, {50, 0, 5}, {50, 50, 1});
+        CHECK(reason() == begin + "all that is seen is in shadow" + end);
+    }
+    SECTION("lights behind all surfaces") {
+        scene.add(Type::Plane, {0, 0, -3}).light({0, 0, -10});
+        CHECK(reason() == begin + "the lights are behind all surfaces that are seen" + end);
+    }
+    SECTION("black materials") {
+        scene.add(Type::Plane, {0, 0, -3}).materials[TestScene::opaque].color_diffuse = glm::dvec3(0);
+        scene.materials[TestScene::opaque].color_specular = glm::dvec3(0);
+        CHECK(reason() == begin + "the materials that are seen have black color_diffuse and color_specular" + end);
+    }
+    SECTION("black lights") {
+        scene.add(Type::Plane, {0, 0, -3}).lights[0].color = glm::dvec3(0);
+        CHECK(reason() == begin + "the color of every light is black" + end);
+    }
+    SECTION("light that is too weak") {
+        scene.add(Type::Plane, {0, 0, -3}).materials[TestScene::opaque].color_specular = glm::dvec3(0);
+        scene.lights[0].color = glm::dvec3(0.001);
+        CHECK(reason() == begin + "it is too dark to be seen: the largest channel that was found is 0.001 of 1");
+    }
+    SECTION("a bit of each") {
+        scene.add(Type::Plane, {0, 0, -3}).add(Type::Plane, {0, 0, 5}).lights.push_back({{0, 0, -10}, glm::dvec3(1), glm::dvec3(0)});
+        CHECK(reason() == begin + "no light reaches what is seen (of the points looked at, 576 times the light is behind the surface, "
+                          "576 times it is in shadow)" + end);
+    }
+    SECTION("what only a mirror shows counts too") {
+        scene.add(Type::Plane, {0, 0, -3}, TestScene::mirror).add(Type::Plane, {0, 0, 5}).light({0, 0, 10});
+        scene.materials[TestScene::mirror].color_diffuse = scene.materials[TestScene::mirror].color_specular = glm::dvec3(0);
+        CHECK(reason() == begin + "no light reaches what is seen (of the points looked at, 576 times the light is behind the surface, "
+                          "576 times its color or the material is black)" + end);
+    }
+}
+
+TEST_CASE("no picture that shows something is all black") {
+    ByteImage bytes;
+    bytes.pixels = {0, 0, 0, 0, 0, 0};
+    CHECK(isAllBlack(bytes));
+    bytes.pixels[5] = 1;
+    CHECK_FALSE(isAllBlack(bytes));
+    FloatImage floats;
+    floats.pixels = {0, 0, -1};
+    CHECK(isAllBlack(floats));
+    floats.pixels[1] = 1e-30f;
+    CHECK_FALSE(isAllBlack(floats));
+}

@@ -1,0 +1,65 @@
+// A ray that leaves a surface never meets the point that it leaves, and one that enters a solid comes out of it. The long
+// run is bench/reintersection.cpp.
+#include <catch2/catch.hpp>
+
+#include "../support/core_reintersection.h"
+
+using namespace raytracer;
+using namespace raytracer::test;
+
+namespace {
+
+// Of float, as much as its digits cover: a place 10^4 radii away is known to a thousandth of a radius.
+constexpr bool isFloat = std::numeric_limits<Real>::digits < 32;
+constexpr Extents extents = isFloat ? Extents{2, 2, 2} : Extents{4, 4, 8};
+constexpr std::uint64_t count = std::numeric_limits<Real>::digits == 53 ? 1000000 : 100000;
+
+void check(const Reintersections& result) {
+    CHECK(result.missed * 5 < result.points);
+    CHECK(result.metAgain == 0);
+    CHECK(result.neverOut == 0);
+    CHECK(result.stuck == 0);
+    CHECK(result.oddCrossings == 0);
+}
+
+}  // namespace
+
+TEST_CASE("re-intersection: sphere") { check(Reintersection(Kind::Sphere, nullptr, 1, extents).run(count)); }
+TEST_CASE("re-intersection: plane") { check(Reintersection(Kind::Plane, nullptr, 2, extents).run(count)); }
+TEST_CASE("re-intersection: cylinder") { check(Reintersection(Kind::Cylinder, nullptr, 3, extents).run(count)); }
+TEST_CASE("re-intersection: cone") { check(Reintersection(Kind::Cone, nullptr, 4, extents).run(count)); }
+TEST_CASE("re-intersection: cube") { check(Reintersection(Kind::Cube, nullptr, 5, extents).run(count)); }
+TEST_CASE("re-intersection: mesh") { check(Reintersection(Kind::Mesh, roundMesh(), 6, extents).run(count)); }
+
+// Reflected at a grazing angle, a direction may be turned over by rounding: even so.
+TEST_CASE("re-intersection: a plane and a triangle never meet their own ray, wherever it goes") {
+    auto triangle = std::make_shared<MeshData>();
+    triangle->positions = {{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
+    triangle->positionIndex = {0, 1, 2};
+    const Material material;
+    Random random(8);
+    int again = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Affine affine = randomAffine(random, extents);
+        const auto shape = makeShape(i % 2 ? Kind::Plane : Kind::Mesh, affine, material, triangle);
+        const Wide target(random.uniform() / 2, random.uniform() / 2, 0);
+        const Vec3 eye(pointToWorld(affine, target + Wide(random.direction())));
+        const Ray ray{eye, Vec3(pointToWorld(affine, target) - Wide(eye)), {}};
+        const Intersection hit = shape->rayIntersect(ray);
+        if (!hit.valid) continue;
+        const ShadingPoint point(ray, hit, false);
+        const Vec3 any(random.direction()), tangent = any - glm::dot(any, point.N) * point.N;
+        const auto below = static_cast<Real>(random.below(2) * std::pow(10, random.between(-20, 0)));
+        again += shape->rayIntersect(point.leave(tangent - below * point.N, ShadingPoint::Side::Near)).valid;
+    }
+    CHECK(again == 0);
+}
+
+TEST_CASE("re-intersection: shapes of 10^+-30, 10^+-30 from the origin") {
+    if (isFloat) return;
+    for (const Kind kind : allKinds) {
+        INFO(nameOf(kind));
+        const Reintersections result = Reintersection(kind, roundMesh(), 7, {30, 4, 30}).run(20000);
+        CHECK(result.metAgain + result.neverOut + result.stuck + result.oddCrossings == 0);
+    }
+}

@@ -1,0 +1,225 @@
+// The whole range of double, and the corners of the light model: every pixel is a finite number, and the right one.
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "../support/described.h"
+#include "raytracer/scene/affine.h"
+
+using namespace raytracer;
+using namespace raytracer::test;
+using Type = ShapeDescription::Type;
+
+namespace {
+
+constexpr int edge = 60;
+
+FloatImage floatsOf(const SceneDescription& scene, Precision precision = Precision::Double) {
+    RenderOptions options = wholePicture(scene, edge);
+    options.threads = 1;
+    return renderFloats(*makeRenderer(scene, precision), options);
+}
+
+bool isFinite(const FloatImage& image) {
+    return std::all_of(image.pixels.begin(), image.pixels.end(), [](float x) { return std::isfinite(x); });
+}
+
+TransformDescription at(const glm::dvec3& place, const glm::dvec3& scale) { return {"", place, {}, scale, {}}; }
+
+// A perspective camera at (0, 0, 4) that sees -2 to 2 at z = 0.
+SceneMaker perspective() {
+    SceneMaker maker;
+    maker.scene.camera = CameraDescription{};
+    maker.scene.camera.eye = {0, 0, 4};
+    maker.scene.camera.film_left = maker.scene.camera.film_bottom = -0.5;
+    maker.scene.camera.film_right = maker.scene.camera.film_top = 0.5;
+    return maker;
+}
+
+// A ball, a mirroring cone, a glass cube and a cylinder before a wall, lit from the left.
+void addStillLife(SceneMaker& maker, double size) {
+    const auto diffuse = [&](const glm::dvec3& color) -> MaterialDescription& {
+        MaterialDescription& m = maker.material(0.1 * color);
+        m.color_diffuse = color;
+        m.color_specular = glm::dvec3(0.5);
+        return m;
+    };
+    diffuse({0.8, 0.3, 0.2});
+    maker.shape(Type::Sphere, at(size * glm::dvec3(-0.8, 0.7, 0), size * glm::dvec3(0.6)));
+    MaterialDescription& mirror = diffuse({0.1, 0.5, 0.3});
+    mirror.reflective = true;
+    mirror.color_reflect = glm::dvec3(0.6);
+    maker.shape(Type::Cone, {"", size * glm::dvec3(0.8, 0.4, 0), TransformDescription::Rotation{-60, {1, 0.2, 0}}, size * glm::dvec3(0.6, 0.6, 1), {}});
+    maker.glass(glm::dvec3(0.8, 0.9, 1), 1.4);
+    maker.shape(Type::Cube, {"", size * glm::dvec3(-0.7, -0.8, 0.2), TransformDescription::Rotation{30, {1, 2, 0}}, size * glm::dvec3(0.45), {}});
+    diffuse({0.2, 0.3, 0.9});
+    maker.shape(Type::Cylinder, {"", size * glm::dvec3(0.6, -0.9, 0), TransformDescription::Rotation{50, {0, 1, 1}}, size * glm::dvec3(0.4), {}});
+    diffuse({0.7, 0.7, 0.7});
+    maker.shape(Type::Cube, at(size * glm::dvec3(0, 0, -1.5), size * glm::dvec3(3, 3, 0.5)));
+    maker.light(size * glm::dvec3(-4, 3, 6));
+}
+
+SceneDescription stillLife(double size) {
+    SceneMaker maker = perspective();
+    maker.scene.camera.eye *= size;
+    addStillLife(maker, size);
+    return maker.scene;
+}
+
+}  // namespace
+
+// Around the camera and a still life of the size given, a sky of 1e100, dust of 1e-100 and a small moon out of sight: the
+// picture of the still life must be as if it were alone.
+TEST_CASE("range: sizes of 1e-100, 1 and 1e100 in one scene") {
+    const ByteImage alone = bytesOf(stillLife(1), edge);
+    for (const double size : {1e-100, 1e-30, 1., 1e30, 1e90}) {
+        SceneMaker maker = perspective();
+        maker.scene.camera.eye *= size;
+        addStillLife(maker, size);
+        maker.material(glm::dvec3(0));  // black, like nothing
+        maker.shape(Type::Sphere, at({0, 0, 0}, glm::dvec3(1e100)));
+        maker.shape(Type::Sphere, at({0, 0, 0}, glm::dvec3(1e-100, 1e-100, -1e-100) * 1e-4));
+        maker.shape(Type::Cube, at({0, 0, 1e99}, glm::dvec3(1)));
+        const ByteImage image = bytesOf(maker.scene, edge);
+        INFO(size << ": " << differingPixels(alone, image, 0) << " pixels");
+        CHECK(differingPixels(alone, image, 1) <= 1);
+    }
+}
+
+// Every shape stretched 1e6 : 1, sheared, mirrored and turned back and forth, before a wall: as extended precision has it.
+TEST_CASE("range: anisotropy of 1e6, shear and mirroring") {
+    int wrong = 0, pixels = 0;
+    for (const Type type : {Type::Sphere, Type::Cylinder, Type::Cone, Type::Cube, Type::Plane})
+        for (const glm::dvec3& scale : {glm::dvec3(1e3, 1, 1e-3), glm::dvec3(1e-3, 1e3, 1), glm::dvec3(1, -1e-6, 1), glm::dvec3(-1e6, 1, 1)})
+            for (const double degrees : {0., 1e-3, 37., 90.}) {
+                SceneMaker maker = perspective();
+                addStillLife(maker, 1);
+                MaterialDescription& m = maker.glass(glm::dvec3(0.5), 1.1);
+                m.reflective = true;
+                m.color_diffuse = glm::dvec3(0.3, 0.1, 0.2);
+                maker.shape(type, {"", glm::dvec3(0.1, 0.2, 0.3), TransformDescription::Rotation{degrees, {1, 2, 3}}, scale,
+                                   glm::dmat4(1, 0.3, 0, 0, 0, 1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1)});
+                const ByteImage image = bytesOf(maker.scene, edge);
+                wrong += differingPixels(image, bytesOf(maker.scene, edge, Precision::Extended), 1);
+                pixels += image.width * image.height;
+            }
+    INFO(wrong << " of " << pixels);
+    CHECK(wrong * 10000 <= pixels);
+}
+
+// The frame's and the film's numbers as far from 1 as can be, the picture the same. (In float, whose range they leave: they
+// are brought to the order of 1 before they become Real.)
+TEST_CASE("range: a camera of very long and very short vectors") {
+    const SceneDescription scene = stillLife(1);
+    SceneDescription other = scene;
+    CameraDescription& camera = other.camera;
+    const auto setFilm = [&](double half) {
+        camera.film_left = camera.film_bottom = -half, camera.film_right = camera.film_top = half;
+    };
+    SECTION("a small film nearby") { camera.focal_length = 1e-200, setFilm(0.5e-200); }
+    SECTION("a large film far away") { camera.focal_length = 1e200, setFilm(0.5e200); }
+    SECTION("a short frame and a large film") { camera.up = {0, 1e-200, 0}, setFilm(0.5e200); }
+    SECTION("a long frame and a small film") { camera.up = {0, 1e200, 0}, setFilm(0.5e-200); }
+    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
+        INFO(static_cast<int>(precision));
+        CHECK(differingPixels(bytesOf(scene, edge, precision), bytesOf(other, edge, precision), 1) <= 1);
+    }
+}
+
+// Of a line that passes by the apex, the textbook's discriminant is all but cancelled: to a root of the roundoff, which is more
+// than a pixel here.
+TEST_CASE("range: the tip of a cone, seen from very near") {
+    for (const double size : {1e-3, 1e-6, 1e-9}) {
+        SceneMaker maker = perspective();
+        maker.scene.camera.eye *= size;
+        MaterialDescription& m = maker.material(glm::dvec3(0.1));
+        m.color_diffuse = glm::dvec3(0.7, 0.5, 0.3);
+        const glm::dmat4 tipToOrigin(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1);
+        maker.shape(Type::Cone, {"", {}, TransformDescription::Rotation{-60, {1, 0.2, 0}}, {}, tipToOrigin});
+        maker.light(size * glm::dvec3(-4, 3, 6));
+        INFO(size);
+        CHECK(differingPixels(bytesOf(maker.scene, edge), bytesOf(maker.scene, edge, Precision::Extended), 1) <= 1);
+    }
+}
+
+TEST_CASE("range: shininess and indices of refraction") {
+    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})
+        for (const double shininess : {0., 1e-300, 0.5, 1., 1e6, 1e300})
+            for (const double index : {1 - 1e-15, 1., 1 + 1e-15, 0.1, 10.}) {
+                SceneDescription scene = stillLife(1);
+                for (MaterialDescription& material : scene.materials) material.shininess = shininess;
+                for (MaterialDescription& material : scene.materials) material.index_of_refraction = index;
+                INFO(shininess << ", " << index);
+                CHECK(isFinite(floatsOf(scene, precision)));
+            }
+}
+
+TEST_CASE("range: an index of refraction of all but 1 bends nothing") {
+    SceneDescription scene = stillLife(1);
+    const auto withIndex = [&](double index) {
+        for (MaterialDescription& material : scene.materials) material.index_of_refraction = index;
+        return bytesOf(scene, edge);
+    };
+    const ByteImage straight = withIndex(1);
+    for (const double index : {1 - 1e-15, 1 + 1e-15}) CHECK(differingPixels(straight, withIndex(index), 1) <= 1);
+}
+
+TEST_CASE("range: lights on surfaces, at the eye, at a point that is seen, and very bright") {
+    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
+        SceneDescription scene = stillLife(1);
+        const glm::dvec3 places[] = {{0, 0, -1}, {-0.8, 1.3, 0}, {-0.8, 0.7, 0.6}, {0, 0, 4}, {1. / 60, 1. / 60, -1}, {0.6, -0.9, 0}};
+        for (const glm::dvec3& place : places) {
+            scene.lights[0].position = place;
+            CHECK(isFinite(floatsOf(scene, precision)));
+        }
+        scene.lights[0].position = {-4, 3, 6};
+        scene.lights[0].color = scene.lights[0].color_ambient = glm::dvec3(1e300, 0, 1e30);
+        for (MaterialDescription& material : scene.materials) material.color_specular = glm::dvec3(1e300, 1e300, 0);
+        bool number = true;
+        for (const float x : floatsOf(scene, precision).pixels) number = number && !std::isnan(x);
+        CHECK(number);
+    }
+}
+
+// A light that lies on the wall lights no point of the wall, and its highlight must not speckle it.
+TEST_CASE("range: a light on a surface leaves that surface to its ambient colour") {
+    // Not in extended precision, which can tell the plane from a light whose place is rounded to double.
+    for (const Precision precision : {Precision::Float, Precision::Double})
+        for (const double degrees : {0., 10., 37.}) {
+            SceneMaker maker = perspective();
+            MaterialDescription& m = maker.material(glm::dvec3(0.25));
+            m.color_diffuse = m.color_specular = glm::dvec3(1);
+            m.shininess = 0;  // any light at all would be seen in full
+            const TransformDescription wall{"", glm::dvec3(0.1, 0.2, 0.3), TransformDescription::Rotation{degrees, {1, 2, 3}}, {}, {}};
+            maker.shape(Type::Plane, wall);
+            const Affine map = compose(wall);
+            glm::dvec3 place;
+            for (int row = 0; row < 3; ++row)
+                place[row] = static_cast<double>(0.3L * map.linear[row][0] - 0.7L * map.linear[row][1] + map.translation[row]);
+            maker.light(place);
+            const ByteImage image = bytesOf(maker.scene, edge, precision);
+            INFO(degrees << " degrees, " << static_cast<int>(precision));
+            CHECK(std::all_of(image.pixels.begin(), image.pixels.end(), [](std::uint8_t byte) { return byte == 64; }));
+        }
+}
+
+// The floor that the light lies on is behind the camera: it must not be seen in the light that falls on what is before it.
+TEST_CASE("range: a surface that the light lies on casts no shadow") {
+    for (const Type type : {Type::Plane, Type::Cylinder, Type::Cone, Type::Cube, Type::Sphere})
+        for (const double degrees : {0., 10., 37.}) {
+            SceneMaker maker = perspective();
+            addStillLife(maker, 1);
+            TransformDescription floor{"", glm::dvec3(0.1, 0.2, 7), TransformDescription::Rotation{degrees, {1, 2, 3}}, glm::dvec3(0.3), {}};
+            const Affine map = compose(floor);
+            const bool centred = type == Type::Cube || type == Type::Sphere;  // the side towards the still life is z = -1
+            const glm::dvec3 place(type == Type::Sphere ? 0 : 0.6, 0, centred ? -1 : 0);
+            for (int row = 0; row < 3; ++row)
+                maker.scene.lights[0].position[row] = static_cast<double>(
+                    map.linear[row][0] * place.x + map.linear[row][1] * place.y + map.linear[row][2] * place.z + map.translation[row]);
+            const ByteImage without = bytesOf(maker.scene, edge);
+            maker.material(glm::dvec3(0));
+            maker.shape(type, floor);
+            INFO(static_cast<int>(type) << " turned by " << degrees);
+            CHECK(differingPixels(without, bytesOf(maker.scene, edge), 0) == 0);
+        }
+}

@@ -1,0 +1,241 @@
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "raytracer/util/child_process.h"
+#include "raytracer/grading/grade_report.h"
+#include "raytracer/util/temporary_folder.h"
+
+using namespace raytracer;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string textOf(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void touch(const std::string& path) { std::ofstream file(path); }
+
+ByteImage flat(int size, int value) {
+    const auto count = static_cast<std::size_t>(3 * size * size);
+    return {size, size, std::vector<std::uint8_t>(count, static_cast<std::uint8_t>(value))};
+}
+
+// A case whose reference is black and 10 pixels large.
+GradeCase blackCase(const TemporaryFolder& folder, const std::string& name = "black") {
+    writePng(folder.file(name + ".png"), flat(10, 0));
+    return {name, name, &completeStage(), folder.file(name + ".json"), folder.file(name + ".png")};
+}
+
+Painter flatPainter(int size, int value) {
+    return [=](const GradeCase&, int, const std::string& out) {
+        writePng(out, flat(size, value));
+        return Painted{};
+    };
+}
+
+std::vector<std::string> namesOf(const GradePlan& plan) {
+    std::vector<std::string> names;
+    for (const GradeCase& test : plan.cases) names.push_back(test.name);
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("grade: the plan") {
+    const TemporaryFolder folder;
+    for (const char* name : {"cone_cube.json", "cone_cube.png", "cone_cube-normals.png", "cone_cube-raytracing.png",
+                             "cone_cube-sketch.png", "alone.json", "3d.json", "3d-ambient.png", "nobody.png", "notes.txt"})
+        touch(folder.file(name));
+    const GradePlan plan = planGrading(folder.file(""), folder.file(""));
+    CHECK(namesOf(plan) == std::vector<std::string>{"3d-ambient", "cone_cube", "cone_cube-normals", "cone_cube-raytracing"});
+    CHECK(plan.scenesWithoutReference == std::vector<std::string>{"alone.json"});
+    CHECK(plan.cases[0].group == "3d-ambient");
+    CHECK(plan.cases[1].group == "cone");
+    CHECK(plan.cases[0].stage->only == "ambient");
+    CHECK(plan.cases[1].stage == &completeStage());
+    CHECK(plan.cases[2].stage->pass == "normals");
+    CHECK(plan.cases[3].stage == &completeStage());
+    CHECK(plan.cases[2].scene == folder.file("cone_cube.json"));
+    CHECK(plan.cases[2].reference == folder.file("cone_cube-normals.png"));
+}
+
+TEST_CASE("grade: references of another folder") {
+    const TemporaryFolder scenes, references;
+    touch(scenes.file("a.json"));
+    touch(scenes.file("a.png"));
+    touch(references.file("a-diffuse.png"));
+    CHECK(namesOf(planGrading(scenes.file(""), references.file(""))) == std::vector<std::string>{"a-diffuse"});
+    CHECK_THROWS_WITH(planGrading(scenes.file("no"), references.file("")), Contains("no: cannot read the folder: "));
+    CHECK_THROWS_WITH(planGrading(scenes.file(""), references.file("no")), Contains("no: cannot read the folder: "));
+}
+
+TEST_CASE("grade: a picture is painted at the reference's size and compared") {
+    const TemporaryFolder folder;
+    const GradeCase test = blackCase(folder);
+    SECTION("equal") {
+        const GradeResult result = gradeCase(test, flatPainter(10, 0), 0);
+        CHECK(result.score() == 100);
+        CHECK(within(result, {}));
+        CHECK(result.message.empty());
+        CHECK(result.referencePng == textOf(test.reference));
+        CHECK(result.ourPng.substr(1, 3) == "PNG");
+        CHECK(result.differencePng.substr(1, 3) == "PNG");
+    }
+    SECTION("off by one") {
+        const GradeResult result = gradeCase(test, flatPainter(10, 1), 0);
+        CHECK(result.score() == 96);
+        CHECK_FALSE(within(result, {}));
+        CHECK(within(result, {.maxPixels = {}, .tolerance = {}, .minScore = 96}));
+    }
+    SECTION("the size that the painter is asked for") {
+        int asked = 0;
+        const Painter painter = [&](const GradeCase&, int longEdge, const std::string&) {
+            asked = longEdge;
+            return Painted{};
+        };
+        gradeCase(test, painter, 0);
+        CHECK(asked == 10);
+        gradeCase(test, painter, 7);
+        CHECK(asked == 7);
+    }
+}
+
+TEST_CASE("grade: what is wrong is a result") {
+    const TemporaryFolder folder;
+    GradeCase test = blackCase(folder);
+    const auto messageOf = [&](const Painter& painter) {
+        const GradeResult result = gradeCase(test, painter, 0);
+        CHECK(result.score() == 0);
+        CHECK_FALSE(result.comparison);
+        CHECK_FALSE(within(result, {.maxPixels = {}, .tolerance = {}, .minScore = 0}));
+        return result.message;
+    };
+    const auto saying = [](Painted painted) { return [=](const GradeCase&, int, const std::string&) { return painted; }; };
+    CHECK(messageOf(flatPainter(9, 0)) == "the pictures' sizes differ: 9 x 9 and 10 x 10");
+    CHECK(messageOf(saying({})) == "wrote no picture");
+    CHECK(messageOf(saying({false, "exit status 3", ""})) == "exit status 3, wrote no picture");
+    CHECK(messageOf(saying({true, "crashed: Aborted", ""})) == "crashed: Aborted");
+    CHECK(messageOf([](const GradeCase&, int, const std::string&) -> Painted { throw std::bad_alloc(); }) == "std::bad_alloc");
+    CHECK_THAT(messageOf([](const GradeCase&, int, const std::string& out) {
+                   std::ofstream(out) << "no picture";
+                   return Painted{};
+               }), Contains("PNG"));
+    touch(test.reference);
+    CHECK_THAT(messageOf(flatPainter(10, 0)), Contains("the reference: "));
+}
+
+TEST_CASE("grade: a picture that was painted before a crash does not count") {
+    const TemporaryFolder folder;
+    const GradeResult result = gradeCase(blackCase(folder), [](const GradeCase&, int, const std::string& out) {
+        writePng(out, flat(10, 0));
+        return Painted{true, "crashed: Aborted", "at the end"};
+    }, 0);
+    CHECK(result.score() == 0);
+    CHECK(result.message == "crashed: Aborted");
+    CHECK(result.output == "at the end");
+}
+
+TEST_CASE("grade: a program is told scene, picture and size") {
+    const TemporaryFolder folder;
+    const GradeCase test = blackCase(folder, "it's \"black\" $HOME");
+    std::ofstream(folder.file("program.sh")) << "echo \"$1\"; [ \"$3\" = 10 ] && cp '" + blackCase(folder).reference + "' \"$2\"";
+    const GradeResult result = gradeCase(test, programPainter("sh " + folder.file("program.sh"), 10), 0);
+    CHECK(result.score() == 100);
+    CHECK(result.message.empty());
+    CHECK(result.output == test.scene + "\n");
+}
+
+TEST_CASE("grade: of what a program prints, the end is kept") {
+    const TemporaryFolder folder;
+    const GradeResult result = gradeCase(blackCase(folder), programPainter("seq 1 100000; echo", 10), 0);
+    CHECK(result.message == "wrote no picture");
+    CHECK(result.output.size() == 2004);
+    CHECK(result.output.find("... ") == 0);
+    CHECK(result.output.find("\n99999\n100000\n") != std::string::npos);
+}
+
+TEST_CASE("grade: the shell's remark on a crash is left out of what the program printed") {
+    const TemporaryFolder folder;
+    const GradeResult result = gradeCase(blackCase(folder), programPainter("sh -c 'echo falling; kill -SEGV $$'", 10), 0);
+    CHECK(result.message == "crashed: Segmentation fault");
+    CHECK(result.output == "falling\n");
+    CHECK(gradeCase(blackCase(folder), programPainter("sh -c 'kill -SEGV $$'", 10), 0).output.empty());
+}
+
+TEST_CASE("child process: how it ends") {
+    const TemporaryFolder folder;
+    const std::string log = folder.file("log");
+    SECTION("well") {
+        const ProcessEnd end = runProcess("echo", {"a  b", "$HOME", "'"}, log, 10);
+        CHECK(end.well());
+        CHECK(end.description().empty());
+        CHECK(textOf(log) == "a  b $HOME '\n");
+    }
+    SECTION("both outputs are kept, in order") {
+        CHECK(runProcess("sh -c 'echo out; echo err >&2; echo out'", {}, log, 10).well());
+        CHECK(textOf(log) == "out\nerr\nout\n");
+    }
+    SECTION("nothing to read") { CHECK(runProcess("cat", {}, log, 10).well()); }
+    SECTION("with a status") { CHECK(runProcess("sh -c 'exit 3'", {}, log, 10).description() == "exit status 3"); }
+    SECTION("by a signal") {
+        CHECK(runProcess("sh -c 'kill -SEGV $$'", {}, log, 10).signal == SIGSEGV);
+        CHECK(runProcess("sh -c 'kill -ABRT $$'", {}, log, 10).description() == "crashed: Aborted");
+    }
+    SECTION("there is no such program") {
+        CHECK(runProcess("./no-such-program", {}, log, 10).description() == "could not be started");
+    }
+    SECTION("late, with all it started") {
+        const ProcessEnd end = runProcess("sh -c '(sleep 1; echo late > " + folder.file("late") + ") & sleep 60'", {}, log, 0.2);
+        CHECK(end.timedOut);
+        CHECK_FALSE(end.well());
+        CHECK(end.description() == "hung: stopped after 0.2 s");
+        CHECK(runProcess("sleep 1.2", {}, log, 10).well());
+        CHECK_FALSE(std::filesystem::exists(folder.file("late")));
+    }
+}
+
+TEST_CASE("grade: worst first") {
+    GradeResult none, low, high, highOff;
+    low.comparison = Comparison{.score = 3};
+    high.comparison = Comparison{.score = 100};
+    highOff.comparison = Comparison{.rmse = 0.5, .score = 100};
+    CHECK(isWorse(none, low));
+    CHECK(isWorse(low, high));
+    CHECK(isWorse(highOff, high));
+    CHECK_FALSE(isWorse(high, highOff));
+    CHECK_FALSE(isWorse(high, high));
+    GradeResult named = high;
+    named.test.name = "b";
+    CHECK(isWorse(high, named));
+}
+
+TEST_CASE("grade: the report") {
+    const TemporaryFolder folder;
+    std::vector<GradeResult> results{gradeCase(blackCase(folder, "cone_a"), flatPainter(10, 0), 0),
+                                     gradeCase(blackCase(folder, "cone_b"), flatPainter(10, 9), 0),
+                                     gradeCase(blackCase(folder, "sphere"), flatPainter(10, 1), 0)};
+    results[0].test.group = results[1].test.group = "cone";
+    results[2].message = "<exit> & \"status\"";
+    results[2].output = "</pre><script>";
+    results[0].referencePng = "Man";
+    results[1].referencePng = "Ma";
+    results[2].referencePng = "M";
+    const std::string html = gradeReport(results, {}, "a<b");
+    const auto has = [&](const char* part) { return html.find(part) != std::string::npos; };  // brief, should it fail
+    CHECK(has("<title>a&lt;b</title>"));
+    CHECK(has("&lt;exit&gt; &amp; &quot;status&quot;"));
+    CHECK(has("&lt;/pre&gt;&lt;script&gt;"));
+    CHECK(has("base64,TWFu\""));  // RFC 4648
+    CHECK(has("base64,TWE=\""));
+    CHECK(has("base64,TQ==\""));
+    CHECK(has("<b>1</b> of <b>3</b> pictures as the reference, mean score <b>87.0</b>"));
+    CHECK_FALSE(has("http"));  // nothing is fetched
+    CHECK(html.find(">cone_b<") < html.find(">cone_a<"));
+    CHECK(html.find(">cone_a<") < html.find(">sphere<"));  // its group has the worst one
+}

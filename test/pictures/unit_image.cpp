@@ -1,0 +1,273 @@
+#include <catch2/catch.hpp>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <bit>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <limits>
+#include <thread>
+
+#include <libdeflate.h>
+#include <stb_image_write.h>
+
+#include "raytracer/pictures/image.h"
+#include "../support/test_folder.h"
+
+using namespace raytracer;
+
+namespace {
+
+ByteImage testPicture(int width, int height) {
+    ByteImage image{width, height, {}};
+    for (int i = 0; i < width * height * 3; ++i) image.pixels.push_back(static_cast<std::uint8_t>(i % 251 * 37));
+    return image;
+}
+
+void append(void* to, void* bytes, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
+}
+
+std::string pngOf(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
+    std::string png;
+    stbi_write_png_to_func(append, &png, width, height, channels, pixels.data(), 0);
+    return png;
+}
+
+// The PNG with each chunk's checksum as it must be.
+std::string checksummed(std::string png) {
+    for (std::size_t chunk = 8; chunk < png.size();) {
+        std::size_t length = 0;
+        for (std::size_t i = chunk; i < chunk + 4; ++i) length = length << 8 | static_cast<std::uint8_t>(png[i]);
+        const std::uint32_t crc = libdeflate_crc32(0, &png[chunk + 4], length + 4);
+        for (std::size_t i = 0; i < 4; ++i) png[chunk + 8 + length + i] = static_cast<char>(crc >> (24 - 8 * i));
+        chunk += length + 12;
+    }
+    return png;
+}
+
+std::string jpegOf(const ByteImage& image) {
+    std::string jpeg;
+    stbi_write_jpg_to_func(append, &jpeg, image.width, image.height, 3, image.pixels.data(), 100);
+    return jpeg;
+}
+
+// Files longer than this cannot be written while it lives: what a full disk does, at a place of our choice.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, signalBefore_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+    rlimit before_{};
+    void (*signalBefore_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
+}  // namespace
+
+TEST_CASE("A channel becomes the nearest byte") {
+    CHECK(toByte(0) == 0);
+    CHECK(toByte(1) == 255);
+    CHECK(toByte(-0.5) == 0);
+    CHECK(toByte(1.5) == 255);
+    CHECK(toByte(std::numeric_limits<double>::infinity()) == 255);
+    CHECK(toByte(-std::numeric_limits<double>::infinity()) == 0);
+    CHECK(toByte(std::nan("")) == 0);
+    CHECK(toByte(std::numeric_limits<double>::denorm_min()) == 0);
+    for (int tie = 0; tie < 255; ++tie) {
+        const double half = (tie + 0.5) / 255;
+        for (const double c : {std::nextafter(half, 0.0), half, std::nextafter(half, 1.0)})
+            REQUIRE(toByte(c) == std::lround(255 * c));
+    }
+}
+
+TEST_CASE("A PNG comes back as it was written") {
+    const TestFolder folder;
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 7}, {7, 1}, {64, 33}, {301, 200}}) {
+        const ByteImage image = testPicture(width, height);
+        writePng(folder.file("a.png"), image);
+        const ByteImage read = readImage(folder.file("a.png"));
+        CHECK(read.width == width);
+        CHECK(read.height == height);
+        CHECK(read.pixels == image.pixels);
+    }
+    CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
+    const TestFolder folder;
+    const auto pixels = [&](const std::string& bytes) { return readImage(folder.write("a", bytes)).pixels; };
+    using Bytes = std::vector<std::uint8_t>;
+    SECTION("alpha is dropped") { CHECK(pixels(pngOf(2, 1, 4, {1, 2, 3, 0, 4, 5, 6, 99})) == Bytes{1, 2, 3, 4, 5, 6}); }
+    SECTION("grey is spread") { CHECK(pixels(pngOf(1, 2, 1, {7, 8})) == Bytes{7, 7, 7, 8, 8, 8}); }
+    SECTION("grey with alpha") { CHECK(pixels(pngOf(1, 1, 2, {7, 8})) == Bytes{7, 7, 7}); }
+    SECTION("16 bits: one pixel 0x1234, 0xabcd, 0xff00") {
+        const char png[] =
+            "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x10\2\0\0\0@@@@"
+            "\0\0\0\x12IDAT\x78\x01\x01\x07\0\xf8\xff\0\x12\x34\xab\xcd\xff\0\x09\x01\x02\xbe@@@@\0\0\0\0IEND@@@@";
+        CHECK(pixels(checksummed({png, sizeof png - 1})) == Bytes{0x12, 0xab, 0xff});
+    }
+    SECTION("JPEG") {
+        const ByteImage flat{9, 9, Bytes(9 * 9 * 3, 100)};
+        const ByteImage read = readImage(folder.write("a.jpg", jpegOf(flat)));
+        CHECK(read.width == 9);
+        for (const int byte : read.pixels) REQUIRE(std::abs(byte - 100) <= 1);
+    }
+}
+
+TEST_CASE("A picture that cannot be read is told") {
+    const TestFolder folder;
+    const auto check = [&](const std::string& bytes, const std::string& message) {
+        CHECK_THROWS_WITH(readImage(folder.write("a.png", bytes)), message);
+    };
+    const std::string png = pngOf(20, 20, 3, testPicture(20, 20).pixels), jpeg = jpegOf(testPicture(20, 20));
+    check("", "cannot decode as PNG or JPEG: Image not of any known type, or corrupt");
+    check("GIF89a", "cannot decode as PNG or JPEG: Image not of any known type, or corrupt");
+    check(png.substr(0, png.size() / 2), "broken PNG picture: it is cut short, or a checksum in it is wrong");
+    check(jpeg.substr(0, jpeg.size() - 10), "broken JPEG picture: it has no end marker");
+    std::string huge = png;
+    huge.replace(16, 8, std::string("\0\xff\xff\xff\0\xff\xff\xff", 8));  // IHDR's width and height
+    check(checksummed(huge), "cannot decode as PNG or JPEG: Image too large to decode");
+    CHECK_THROWS_WITH(readImage(folder.file("b.png")), "cannot read: No such file or directory");
+    CHECK_THROWS_WITH(readImage(folder.file("")), "cannot read: Is a directory");
+    CHECK_THROWS_AS(readImage(folder.file("")), ImageError);
+}
+
+TEST_CASE("A PNG with any bit flipped is refused") {
+    const TestFolder folder;
+    const std::string png = pngOf(5, 4, 3, testPicture(5, 4).pixels);
+    for (std::size_t bit = 0; bit < 8 * png.size(); ++bit) {
+        std::string flipped = png;
+        flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ 1 << bit % 8);
+        INFO("bit " << bit % 8 << " of byte " << bit / 8);
+        CHECK_THROWS_AS(readImage(folder.write("a.png", flipped)), ImageError);
+    }
+}
+
+TEST_CASE("A PNG with a palette") {
+    // Colours red, green and blue, the second one transparent; three texels, each the byte of an uncompressed block.
+    const auto paletted = [](std::uint8_t a, std::uint8_t b, std::uint8_t c) {
+        std::string bytes("\0" "abc", 4);
+        bytes[1] = static_cast<char>(a), bytes[2] = static_cast<char>(b), bytes[3] = static_cast<char>(c);
+        const std::uint32_t adler = libdeflate_adler32(1, bytes.data(), bytes.size());
+        std::string zlib("\x78\x01\x01\x04\0\xfb\xff", 7);
+        zlib += bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) zlib += static_cast<char>(adler >> shift);
+        const char head[] =
+            "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\3\0\0\0\1\x8\3\0\0\0@@@@"
+            "\0\0\0\x9PLTE\xff\0\0\0\xff\0\0\0\xff@@@@\0\0\0\2tRNS\xff\0@@@@\0\0\0\xfIDAT";
+        return checksummed(std::string(head, sizeof head - 1) + zlib + std::string("@@@@\0\0\0\0IEND@@@@", 16));
+    };
+    const TestFolder folder;
+    const auto read = [&](const std::string& png) { return readImage(folder.write("a.png", png)); };
+    CHECK(read(paletted(2, 1, 0)).pixels == std::vector<std::uint8_t>{0, 0, 255, 0, 255, 0, 255, 0, 0});
+    for (const int beyond : {3, 4, 255})
+        CHECK_THROWS_WITH(read(paletted(0, static_cast<std::uint8_t>(beyond), 1)), "broken PNG picture: a texel has a colour beyond its palette");
+}
+
+TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
+    const TestFolder folder;
+    const float inf = std::numeric_limits<float>::infinity();
+    const FloatImage image{2, 2, {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
+    writePfm(folder.file("a.pfm"), image);
+    const std::string bytes = bytesOf(folder.file("a.pfm"));
+    const std::string header = "PF\n2 2\n-1.0\n";
+    REQUIRE(bytes.size() == header.size() + 48);
+    CHECK(bytes.starts_with(header));
+    CHECK(std::memcmp(bytes.data() + header.size(), image.pixels.data() + 6, 24) == 0);
+    CHECK(std::memcmp(bytes.data() + header.size() + 24, image.pixels.data(), 24) == 0);
+
+    const FloatImage read = readPfm(folder.file("a.pfm"));
+    CHECK(read.width == 2);
+    CHECK(read.height == 2);
+    CHECK(std::memcmp(read.pixels.data(), image.pixels.data(), 48) == 0);
+}
+
+TEST_CASE("A PFM of the other byte order is read") {
+    const TestFolder folder;
+    const std::string bytes("PF 1 1 2\n\x3f\x80\0\0\xc0\x20\0\0\0\0\0\0", 21);
+    CHECK(readPfm(folder.write("a.pfm", bytes)).pixels == std::vector<float>{1, -2.5F, 0});
+}
+
+TEST_CASE("A PFM that is broken is told") {
+    const TestFolder folder;
+    const auto check = [&](const std::string& bytes, const std::string& message) {
+        CHECK_THROWS_WITH(readPfm(folder.write("a.pfm", bytes)), message);
+    };
+    check("", "not a colour PFM picture: it does not begin with \"PF\"");
+    check("Pf\n1 1\n-1.0\n1234", "not a colour PFM picture: it does not begin with \"PF\"");
+    check("PF\n1 x\n-1.0\n", "not a PFM picture: its height is no number");
+    check("PF\n1 1", "not a PFM picture: its scale is no number");
+    check("PF\n0 1\n-1.0\n", "not a PFM picture: it has no pixels");
+    check("PF\n1 1\n-1.0", "broken PFM picture: it ends before its last pixel");
+    check("PF\n1 1\n-1.0\n12345678901", "broken PFM picture: it ends before its last pixel");
+    check("PF\n2147483647 2147483647\n-1.0\n123", "broken PFM picture: it ends before its last pixel");
+    CHECK_THROWS_AS(readPfm(folder.file("b.pfm")), ImageError);
+    CHECK_THROWS_WITH(readPfm(folder.file("b.pfm")), "cannot read: No such file or directory");
+}
+
+TEST_CASE("A picture is written whole or not at all") {
+    const TestFolder folder;
+    const ByteImage image = testPicture(100, 100);
+    SECTION("the folder is missing") {
+        CHECK_THROWS_AS(writePng(folder.file("no/a.png"), image), ImageError);
+        CHECK_THROWS_WITH(writePng(folder.file("no/a.png"), image), "cannot write: No such file or directory");
+        CHECK(folder.fileCount() == 0);
+    }
+    SECTION("a folder has the name") {
+        CHECK_THROWS_WITH(writePng(folder.file(""), image), "cannot write: Is a directory");
+        CHECK(folder.fileCount() == 0);
+    }
+    SECTION("writing stops in the middle") {
+        folder.write("a.png", "as it was");
+        {
+            const FileSizeLimit limit(1000);
+            CHECK_THROWS_WITH(writePng(folder.file("a.png"), image), "cannot write: File too large");
+        }
+        CHECK(bytesOf(folder.file("a.png")) == "as it was");
+        CHECK(folder.fileCount() == 1);
+    }
+    SECTION("over what stood there, in place of nothing else") {
+        folder.write("a.png", std::string(1 << 20, 'x'));
+        writePng(folder.file("a.png"), image);
+        CHECK(readImage(folder.file("a.png")).pixels == image.pixels);
+        CHECK(folder.fileCount() == 1);
+    }
+    SECTION("through a symbolic link") {
+        folder.write("a.png", "as it was");
+        std::filesystem::create_symlink("a.png", folder.file("link.png"));
+        writePng(folder.file("link.png"), image);
+        CHECK(std::filesystem::is_symlink(folder.file("link.png")));
+        CHECK(readImage(folder.file("a.png")).pixels == image.pixels);
+    }
+    SECTION("a pipe, as a device, is written in place") {
+        REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
+        std::fstream keptOpen(folder.file("pipe"));  // for reading too, so that opening it to write does not wait
+        writePng(folder.file("pipe"), testPicture(1, 1));
+        CHECK(std::filesystem::is_fifo(folder.file("pipe")));
+        CHECK(folder.fileCount() == 1);
+    }
+    SECTION("too large for PNG") {
+        CHECK_THROWS_WITH(writePng(folder.file("a.png"), {50000, 50000, {}}),
+                          "cannot write: the picture is too large for PNG");
+    }
+}
+
+TEST_CASE("A picture is read from a pipe") {
+    const TestFolder folder;
+    REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
+    const ByteImage image = testPicture(300, 300);  // more than the pipe holds at once
+    std::jthread writer([&] { folder.write("pipe", pngOf(300, 300, 3, image.pixels)); });
+    CHECK(readImage(folder.file("pipe")).pixels == image.pixels);
+}

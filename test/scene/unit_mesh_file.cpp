@@ -1,0 +1,214 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "../../src/scene/obj_text.h"
+#include "raytracer/scene/mesh_file.h"
+#include "../support/test_folder.h"
+
+using raytracer::MeshData;
+using raytracer::MeshError;
+
+namespace {
+
+constexpr auto none = MeshData::noTexCoord;
+using Indices = std::vector<std::uint32_t>;
+
+MeshData parse(const std::string& text) { return raytracer::parseObj(text.data(), text.data() + text.size()); }
+
+std::string errorOf(const std::string& text) try {
+    parse(text);
+    return "none";
+} catch (const MeshError& error) {
+    return error.what();
+}
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";  // 4 lines, 4 vertices
+
+bool same(const MeshData& a, const MeshData& b) {
+    return a.positions == b.positions && a.texCoords == b.texCoords && a.positionIndex == b.positionIndex &&
+           a.texCoordIndex == b.texCoordIndex;
+}
+
+}  // namespace
+
+TEST_CASE("An OBJ's faces become triangles in file order") {
+    SECTION("a triangle") {
+        const MeshData mesh = parse(square + "f 1 2 3\n");
+        CHECK(mesh.positions == std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+        CHECK(mesh.positionIndex == Indices{0, 1, 2});
+        CHECK(mesh.texCoordIndex.empty());
+        CHECK(mesh.triangleCount() == 1);
+    }
+    SECTION("a polygon is a fan about its first corner") {
+        CHECK(parse(square + "v 0 0.5 0\nf 1 2 3 4 5").positionIndex == Indices{0, 1, 2, 0, 2, 3, 0, 3, 4});
+    }
+    SECTION("a negative index counts back from its line") {
+        CHECK(parse(square + "f -4 -3 -2\nv 0 0 1\nf -5 -2 -1\n").positionIndex == Indices{0, 1, 2, 0, 3, 4});
+    }
+    SECTION("a positive one may point ahead") {
+        CHECK(parse("f 1 2 3\n" + square).positionIndex == Indices{0, 1, 2});
+    }
+    SECTION("a triangle without area keeps its place") {
+        CHECK(parse(square + "f 1 1 1\nf 1 2 3\n").triangleCount() == 2);
+    }
+}
+
+TEST_CASE("An OBJ's corners come in four forms") {
+    const std::string corners = square + "vt 0 0\nvt 1 0.25\nvt 0.5\nvt 0.5 0.75 1\nvn 0 0 1\n";
+    SECTION("v/vt") {
+        const MeshData mesh = parse(corners + "f 1/1 2/2 3/4\n");
+        CHECK(mesh.positionIndex == Indices{0, 1, 2});
+        CHECK(mesh.texCoordIndex == Indices{0, 1, 3});
+        CHECK(mesh.texCoords == std::vector<glm::dvec2>{{0, 0}, {1, 0.25}, {0.5, 0}, {0.5, 0.75}});
+    }
+    SECTION("v//vn: coordinates that no face uses are dropped") {
+        const MeshData mesh = parse(corners + "f 1//1 2//-1 3//1\n");
+        CHECK(mesh.positionIndex == Indices{0, 1, 2});
+        CHECK(mesh.texCoordIndex.empty());
+        CHECK(mesh.texCoords.empty());
+    }
+    SECTION("v/vt/vn") {
+        CHECK(parse(corners + "f 1/1/1 2/-3/-1 3/4/1").texCoordIndex == Indices{0, 1, 3});
+    }
+    SECTION("faces without vt before and after one with") {
+        const MeshData mesh = parse(corners + "f 1 2 3\nf 1/1 2/2 3/3\nf 1//1 2//1 4//1\n");
+        CHECK(mesh.texCoordIndex == Indices{none, none, none, 0, 1, 2, none, none, none});
+    }
+}
+
+TEST_CASE("OBJ text as programs write it") {
+    const MeshData plain = parse(square + "f 1 2 3\n");
+    const auto reads = [&](const std::string& text) { return same(parse(text), plain); };
+    CHECK(reads("v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1 2 3\r\n"));
+    CHECK(reads("\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3"));
+    CHECK(reads("\n# a comment\n  v 0\t0   0  \nv 1 0 0 # another\nv +1 1. .0\n\tv 0 1e0 -0\t\nf 1 2 3 \t"));
+    CHECK(reads("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 1 0.5 0.5 0.5\nv 0 1 0\nf 1 2 3"));
+    CHECK(reads("v 0 \\\n0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 \\\r\n2\\\n 3\n"));
+    CHECK(reads("# C:\\models\\\nv 0 0 0 # so \\\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\n"));
+    CHECK(reads("mtllib a.mtl\no a\ng b c\nusemtl d\ns off\nvn a b\nvp 1\nl 1 2\np 1\nunheard-of 1 x\n" + square +
+                "f 1 2 3\n"));
+    CHECK(reads(square + "f 1 2 003\n"));
+}
+
+TEST_CASE("OBJ numbers are correctly rounded") {
+    const MeshData mesh =
+        parse("v 0.30000000000000004 9007199254740993 1e-400\nv 4.9e-324 -1e23 0.1\nv 0 0 0\nf 1 2 3");
+    CHECK(mesh.positions[0] == glm::dvec3(0.30000000000000004, 9007199254740992.0, 0));
+    CHECK(mesh.positions[1] == glm::dvec3(4.9e-324, -1e23, 0.1));
+}
+
+TEST_CASE("A broken OBJ is told with the line") {
+    const auto check = [](const std::string& text, const std::string& message) { CHECK(errorOf(text) == message); };
+    const std::string corner = "expected a corner as v, v/vt, v//vn or v/vt/vn, found ";
+    SECTION("numbers") {
+        check("v 0 0 0\nv 1 x 0\n f 1 1 1", "line 2: expected a number, found \"x\"");
+        check("v 0 0 0\nv 1 1.5mm 0\nf 1 1 1", "line 2: expected a number, found \"1.5mm\"");
+        check("v 0 0 +-1\nf 1 1 1", "line 1: expected a number, found \"+-1\"");
+        check("v 0 0 +\nf 1 1 1", "line 1: expected a number, found \"+\"");
+        check("v 0 0x1p3 0\nf 1 1 1", "line 1: expected a number, found \"0x1p3\"");
+        check("v 1 2\nf 1 1 1", "line 1: expected a number, found the end of the line");
+        check("v\nf 1 1 1", "line 1: expected a number, found the end of the line");
+        check("v 0 0 nan\nf 1 1 1", "line 1: expected a finite number, found \"nan\"");
+        check("v 0 -inf 0\nf 1 1 1", "line 1: expected a finite number, found \"-inf\"");
+        check("v 0 -1e400 0\nf 1 1 1", "line 1: expected a finite number, found \"-1e400\"");
+        check("v 1 2 3 4 5\nf 1 1 1", "line 1: a vertex has 3, 4, 6 or 7 numbers, found 5");
+        check("v 1 2 3 4 5 6 7 8\nf 1 1 1", "line 1: a vertex has 3, 4, 6 or 7 numbers, found 8");
+        check(square + "vt\nf 1 2 3", "line 5: expected a number, found the end of the line");
+        check(square + "vt 1 2 3 4\nf 1 2 3", "line 5: a texture coordinate has at most 3 numbers");
+    }
+    SECTION("indices") {
+        check(square + "f 1 2 5\n", "line 5: there is no vertex 5: the file has 4");
+        check(square + "f 1 2 -5\nv 0 0 0\n", "line 5: there is no vertex -5: above this line stand 4");
+        check(square + "f 1/1 2/1 3/1\nvt 0 0\nf 1/1 2/2 3/1",
+              "line 7: there is no texture coordinate 2: the file has 1");
+        check(square + "f 1/-1 2/-1 3/-1\nvt 0 0\n",
+              "line 5: there is no texture coordinate -1: above this line stand 0");
+        check(square + "f 1//1 2//1 3//1", "line 5: there is no normal 1: the file has 0");
+        check(square + "f 1 0 3", "line 5: indices count from 1, or from -1 backwards; found \"0\"");
+        check(square + "f 1/0 2/0 3/0", "line 5: indices count from 1, or from -1 backwards; found \"1/0\"");
+        check(square + "f 1 2 4294967297", "line 5: there is no vertex 4294967297: the file has 4");
+        check(square + "f 1 2 99999999999999999999",
+              "line 5: indices count from 1, or from -1 backwards; found \"99999999999999999999\"");
+    }
+    SECTION("faces") {
+        check(square + "f 1 2\n", "line 5: a face has at least 3 corners, found 2");
+        check(square + "f\n", "line 5: a face has at least 3 corners, found 0");
+        check(square + "f 1 b 3\n", "line 5: " + corner + "\"b\"");
+        check(square + "f 1 2.5 3\n", "line 5: " + corner + "\"2.5\"");
+        check(square + "f 1/ 2/ 3/\n", "line 5: " + corner + "\"1/\"");
+        check(square + "f 1// 2// 3//\n", "line 5: " + corner + "\"1//\"");
+        check(square + "vt 0 0\nf 1/1/ 2/1/ 3/1/\n", "line 6: " + corner + "\"1/1/\"");
+        check(square + "f 1 2 \\ 3\n", "line 5: " + corner + "\"\\\"");
+        check(square + "vt 0 0\nvn 0 0 1\nf 1/1 2//1 3/1\n",
+              "line 7: the corners of a face are all v, all v/vt, all v//vn or all v/vt/vn");
+        check(square + "vt 0 0\nf 1 2 3 4/1\n",
+              "line 6: the corners of a face are all v, all v/vt, all v//vn or all v/vt/vn");
+    }
+    SECTION("what is no mesh") {
+        check("", "no faces, so not an OBJ mesh");
+        check(square, "no faces, so not an OBJ mesh");
+        check("{\"camera\": {}}\n", "no faces, so not an OBJ mesh");
+        check("v 0 0 \x1b[31m" + std::string(100, 'x') + "\nf 1 1 1",
+              "line 1: expected a number, found \"?[31m" + std::string(35, 'x') + "\"...");
+    }
+    SECTION("a continued line has the number of its beginning, and counts as all of its own") {
+        check(square + "f 1 \\\n2\n", "line 5: a face has at least 3 corners, found 2");
+        check("v 0 0 \\\n0\nf 1 1 2\n", "line 3: there is no vertex 2: the file has 1");
+    }
+    SECTION("the first of several") { check("f 1 2 3\nv x\n", "line 1: there is no vertex 2: the file has 1"); }
+}
+
+namespace {
+
+// Every construct, at random, so that cuts come to lie everywhere.
+std::string randomObj(unsigned seed, bool withError) {
+    std::mt19937 random(seed);
+    const std::string lines[] = {"v 0.5 -1.25e-3 7\n",       "v 1 2 \\\n 3\r\n",     "vt 0.25 0.5\n",
+                                 "vn 0 0 1\n",               "# a comment \\\n",     "\n",
+                                 "f -1 -2 -3 -1\n",          "f 1/1 2/-1 3/1\r\n",   "f 1//1 \\\n-2//-1 3//1\n",
+                                 "usemtl very_long_name\\\n of_a_material\n"};
+    std::string text = square + "vt 0 0\nvn 0 0 1\n";
+    for (int i = 0; i < 200; ++i) text += lines[random() % std::size(lines)];
+    return withError ? text + "f 1 2 x\n" + text + "f 0\n" : text;
+}
+
+}  // namespace
+
+TEST_CASE("The number of chunks changes nothing in an OBJ") {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const std::string text = randomObj(seed, false), broken = randomObj(seed, true);
+        const MeshData one = raytracer::parseObjInChunks(text, 1);
+        const std::string error = errorOf(broken);
+        CHECK(error.ends_with("found \"x\""));
+        for (const std::size_t chunks : {2, 3, 7, 64, 5000}) {
+            CHECK(same(raytracer::parseObjInChunks(text, chunks), one));
+            CHECK_THROWS_WITH(raytracer::parseObjInChunks(broken, chunks), error);
+        }
+    }
+}
+
+TEST_CASE("An OBJ from a file") {
+    const TestFolder folder;
+    SECTION("is read") { CHECK(raytracer::loadObj(folder.write("a.obj", square + "f 1 2 3")).triangleCount() == 1); }
+    SECTION("that is empty") {
+        CHECK_THROWS_WITH(raytracer::loadObj(folder.write("a.obj", "")), "no faces, so not an OBJ mesh");
+    }
+    SECTION("that is missing") {
+        CHECK_THROWS_AS(raytracer::loadObj(folder.file("b.obj")), MeshError);
+        CHECK_THROWS_WITH(raytracer::loadObj(folder.file("b.obj")), "cannot read: No such file or directory");
+    }
+    SECTION("that is a folder") {
+        CHECK_THROWS_WITH(raytracer::loadObj(folder.file("")), "cannot read: Is a directory");
+    }
+    SECTION("of many chunks") {
+        std::string text = square;
+        while (text.size() < (3 << 20)) text += "f 1 2 3 4\n";
+        CHECK(raytracer::loadObj(folder.write("a.obj", text)).triangleCount() == (text.size() - square.size()) / 5);
+        CHECK_THROWS_WITH(raytracer::loadObj(folder.write("a.obj", text + "f 1 2 9")),
+                          "line " + std::to_string(5 + (text.size() - square.size()) / 10) +
+                              ": there is no vertex 9: the file has 4");
+    }
+}

@@ -1,0 +1,120 @@
+// A picture depends neither on the unit of length nor on where the origin lies; and no number that a scene may hold makes
+// it anything but a picture.
+#include <catch2/catch.hpp>
+
+#include "../support/described.h"
+
+using namespace raytracer;
+using namespace raytracer::test;
+
+namespace {
+
+constexpr const char* precisionName[] = {"float", "double", "extended"};
+
+std::vector<int> exponentsBetween(int first, int last, int step) {
+    std::vector<int> exponents;
+    for (int exponent = first; exponent <= last; exponent += step) exponents.push_back(exponent);
+    return exponents;
+}
+
+void checkPowersOfTwo(Precision precision, const std::vector<int>& exponents, int longEdge) {
+    for (const std::string& file : sceneFiles()) {
+        const SceneDescription scene = loadScene(file, true).description;
+        const ByteImage plain = bytesOf(scene, longEdge, precision);
+        for (const int exponent : exponents) {
+            INFO(file << " times 2^" << exponent << " in " << precisionName[static_cast<int>(precision)]);
+            CHECK(bytesOf(scaled(scene, std::ldexp(1.0, exponent)), longEdge, precision).pixels == plain.pixels);
+        }
+    }
+}
+
+// With a cube far away to either side, where no ray is likely to meet it. The scene's extent is then theirs, and with it the
+// unit in which it is computed, however small the rest of it is.
+SceneDescription betweenFarCubes(SceneDescription scene, double distance) {
+    for (const double side : {-distance, distance}) {
+        scene.transforms.push_back({"", side * glm::dvec3(0.48, 0.6, 0.64), {}, glm::dvec3(distance * 0x1p-20), {}});
+        scene.shapes.push_back({ShapeDescription::Type::Cube, scene.transforms.size() - 1, 0, nullptr});
+    }
+    return scene;
+}
+
+// How far the scene reaches from the camera: what translations are measured in.
+double sizeOf(const SceneDescription& scene) {
+    double largest = 1e-3;
+    for (const LightDescription& light : scene.lights)
+        largest = std::max(largest, glm::distance(light.position, scene.camera.eye));
+    return largest;
+}
+
+// Of 10,000 pixels, those that differ from extended precision's by more than 1 of 255, on the very same numbers.
+struct Tally {
+    int wrong = 0, pixels = 0;
+
+    void add(const SceneDescription& scene, const ByteImage& judge, Precision precision = Precision::Double) {
+        const ByteImage image = bytesOf(scene, 60, precision);
+        wrong += differingPixels(image, judge, 1);
+        pixels += image.width * image.height;
+    }
+    void check() const {
+        INFO(wrong << " of " << pixels << " pixels");
+        CHECK(wrong * 10000 <= pixels);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a scene times a power of two is the same picture to the byte") {
+    checkPowersOfTwo(Precision::Double, exponentsBetween(-300, 300, 25), 40);  // odd and even: a root is taken of some
+}
+
+TEST_CASE("a scene times a power of two is the same picture in float") {
+    checkPowersOfTwo(Precision::Float, exponentsBetween(-30, 30, 1), 16);
+}
+
+// The unit stays, so all numbers of the arithmetic change, and a constant among them shows.
+TEST_CASE("a scene times a power of two is the same picture beside what stays as it is") {
+    const auto check = [](Precision precision, double distance, const std::vector<int>& exponents) {
+        for (const std::string& file : sceneFiles()) {
+            const SceneDescription scene = loadScene(file, true).description;
+            const ByteImage plain = bytesOf(scene, 24, precision);
+            for (const int exponent : exponents) {
+                INFO(file << " times 2^" << exponent << " in " << precisionName[static_cast<int>(precision)]);
+                const SceneDescription other = betweenFarCubes(scaled(scene, std::ldexp(1.0, exponent)), distance);
+                CHECK(bytesOf(other, 24, precision).pixels == plain.pixels);
+            }
+        }
+    };
+    check(Precision::Double, 0x1p330, {-300, -100, -20, 0, 40, 300});
+    check(Precision::Float, 0x1p45, {-20, -5, 0, 15, 30});
+}
+
+// Double in every scene; float in all of them together.
+TEST_CASE("a scene times a power of ten is what extended precision makes of it") {
+    Tally inFloat;
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const SceneDescription scene = loadScene(file, true).description;
+        Tally tally;
+        for (int exponent = -12; exponent <= 12; ++exponent) {
+            const SceneDescription other = scaled(scene, std::pow(10, exponent));
+            const ByteImage judge = bytesOf(other, 60, Precision::Extended);
+            tally.add(other, judge);
+            inFloat.add(other, judge, Precision::Float);
+        }
+        tally.check();
+    }
+    inFloat.check();
+}
+
+TEST_CASE("a scene moved far away is what extended precision makes of it") {
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const SceneDescription scene = loadScene(file, true).description;
+        Tally tally;
+        for (int exponent = 0; exponent <= 8; ++exponent) {
+            const SceneDescription other = translated(scene, sizeOf(scene) * std::pow(10, exponent) * glm::dvec3(0.8, -0.31, 0.53));
+            tally.add(other, bytesOf(other, 60, Precision::Extended));
+        }
+        tally.check();
+    }
+}

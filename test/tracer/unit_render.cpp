@@ -1,0 +1,98 @@
+// A pixel is a pure function of (scene, options, x, y): DESIGN.md, invariant 1.
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "../support/scene_files.h"
+
+using namespace raytracer;
+using namespace raytracer::test;
+
+namespace {
+
+constexpr int smallEdge = 75;  // pixels: not a multiple of the tile's edge
+
+// Puts a crop's pixels into the whole picture.
+void paste(ByteImage& whole, const ByteImage& part, const PixelRectangle& crop) {
+    for (int y = 0; y < part.height; ++y) {
+        const auto from = part.pixels.begin() + 3 * y * part.width;
+        std::copy(from, from + 3 * part.width, whole.pixels.begin() + 3 * ((crop.y0 + y) * whole.width + crop.x0));
+    }
+}
+
+// Four uneven quarters.
+std::vector<PixelRectangle> quarters(const ImageSize& size) {
+    const int x = size.width / 3, y = (size.height + 1) / 2;
+    return {{0, 0, x, y}, {x, 0, size.width, y}, {0, y, x, size.height}, {x, y, size.width, size.height}};
+}
+
+}  // namespace
+
+TEST_CASE("pictures are the same bytes with any number of threads") {
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const SceneDescription scene = loadScene(file, true).description;
+        const auto renderer = makeRenderer(scene, Precision::Double);
+        RenderOptions options = wholePicture(scene, smallEdge);
+        options.threads = 1;
+        const ByteImage one = renderBytes(*renderer, options);
+        for (const int threads : {2, 7}) {
+            options.threads = threads;
+            CHECK(renderBytes(*renderer, options).pixels == one.pixels);
+        }
+    }
+}
+
+TEST_CASE("crops put together are the whole picture") {
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const SceneDescription scene = loadScene(file, true).description;
+        const auto renderer = makeRenderer(scene, Precision::Double);
+        RenderOptions options = wholePicture(scene, smallEdge);
+        const ByteImage whole = renderBytes(*renderer, options);
+        ByteImage together = whole;
+        std::fill(together.pixels.begin(), together.pixels.end(), std::uint8_t{1});
+        for (const PixelRectangle& crop : quarters(options.size)) {
+            options.crop = crop;
+            paste(together, renderBytes(*renderer, options), crop);
+        }
+        CHECK(together.pixels == whole.pixels);
+    }
+}
+
+TEST_CASE("the terms of the light model add up") {
+    for (const std::string& file : sceneFiles()) {
+        INFO(file);
+        const auto floatsWith = [&](const Terms& terms) {
+            SceneDescription scene = loadScene(file, true).description;
+            keepTerms(scene, terms);
+            RenderOptions options = wholePicture(scene, smallEdge);
+            options.shadows = terms.shadows;
+            options.refraction = terms.refraction;
+            return renderFloats(*makeRenderer(scene, Precision::Double), options);
+        };
+        const Terms none{false, false, false, false, false, false, true};
+        Terms ambient = none, diffuse = none, specular = none, all = none;
+        ambient.ambient = diffuse.diffuse = specular.specular = true;
+        all.ambient = all.diffuse = all.specular = true;
+        const FloatImage a = floatsWith(ambient), d = floatsWith(diffuse), s = floatsWith(specular), sum = floatsWith(all);
+        bool equal = true;
+        for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+            equal = equal && std::abs(a.pixels[i] + d.pixels[i] + s.pixels[i] - sum.pixels[i]) <= 1e-5f * (1 + sum.pixels[i]);
+        CHECK(equal);
+    }
+}
+
+TEST_CASE("the long edge goes to the longer film side") {
+    CameraDescription camera;
+    camera.film_left = -2, camera.film_right = 2, camera.film_bottom = -1, camera.film_top = 1;
+    CHECK(imageSize(camera, 600).width == 600);
+    CHECK(imageSize(camera, 600).height == 300);
+    camera.film_left = -0.001, camera.film_right = 0.001;
+    CHECK(imageSize(camera, 600).width == 1);  // lround(0.6)
+    CHECK(imageSize(camera, 600).height == 600);
+    CHECK(imageSize(camera, 100).width == 1);  // at least 1
+    camera.film_left = camera.film_bottom, camera.film_right = camera.film_top;
+    CHECK(imageSize(camera, 7).width == 7);
+    CHECK(imageSize(camera, 7).height == 7);
+}
