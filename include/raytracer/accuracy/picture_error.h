@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytracer/tracer/render_options.h"
+#include "raytracer/pictures/pixels.h"
 
 namespace raytracer {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "raytracer/scene/mesh_file.h"
-#include "raytracer/tracer/render_options.h"
+#include "raytracer/bvh/build_options.h"
 #include "raytracer/geometry/shape.h"
 
 namespace raytracer {

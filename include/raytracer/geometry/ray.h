@@ -1,28 +1,13 @@
 // Rays, and what a secondary ray knows of the point that it leaves.
 #pragma once
 
-#include <cstdint>
-
 #include "raytracer/numerics/numerics.h"
+#include "raytracer/numerics/primitive.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 class Shape;
-
-// For each ray a number of a face or triangle.
-template <class T>
-struct PrimitiveOf {
-    using type = std::uint32_t;
-};
-template <class T>
-using Primitive = typename PrimitiveOf<T>::type;
-inline bool equals(std::uint32_t a, std::uint32_t b) { return a == b; }
-template <class Function>
-void forEachLane(std::uint32_t primitive, Function function) {
-    function(0, primitive);
-}
-inline std::uint32_t faceOf(std::uint32_t primitive) { return primitive; }  // of rays that all meet the same face
 
 // Where a ray starts when it starts on a surface. With it a ray never meets again the point that it leaves, and no
 // offset along the ray is needed: the shape that it leaves is ruled out by geometry (Shape::intersect), another shape

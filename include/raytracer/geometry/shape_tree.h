@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "raytracer/bvh/bvh.h"
-#include "raytracer/tracer/render_options.h"
+#include "raytracer/bvh/build_options.h"
 #include "raytracer/geometry/shape.h"
 
 namespace raytracer {

@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-#include "raytracer/tracer/scene.h"
+#include "raytracer/numerics/packet_size.h"
+#include "raytracer/numerics/types.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -19,7 +20,7 @@ namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 inline namespace RAYTRACER_LANES_NAMESPACE {
 
-inline constexpr int laneCount = PointPacket::most;
+inline constexpr int laneCount = packetWidth * packetHeight;
 #if defined(RAYTRACER_LANES_avx2)
 inline constexpr int registerBytes = 32;
 #else

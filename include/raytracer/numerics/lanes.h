@@ -7,7 +7,8 @@
 #include <cstring>
 
 #include "raytracer/numerics/lane_registers.h"
-#include "raytracer/geometry/ray.h"
+#include "raytracer/numerics/numerics.h"
+#include "raytracer/numerics/primitive.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {

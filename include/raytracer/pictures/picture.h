@@ -2,7 +2,7 @@
 #pragma once
 
 #include "raytracer/pictures/image.h"
-#include "raytracer/tracer/render_options.h"
+#include "raytracer/pictures/pixels.h"
 
 namespace raytracer {
 

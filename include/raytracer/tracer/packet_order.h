@@ -3,11 +3,10 @@
 
 #include <algorithm>
 
-#include "raytracer/tracer/render_options.h"
+#include "raytracer/numerics/packet_size.h"
+#include "raytracer/pictures/pixels.h"
 
 namespace raytracer {
-
-inline constexpr int packetWidth = 4, packetHeight = 2;  // pixels
 
 // Calls function(x, y) for each, packet by packet.
 template <class Function>

@@ -2,22 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
 
-#include <glm/vec3.hpp>
+#include "raytracer/pictures/pixels.h"
 
 namespace raytracer {
 
 enum class Precision { Float, Double, Extended };
-
-// How the shapes that a ray meets are found: by trees (bvh.h), or, as the check, by trying all. The picture is the same.
-enum class Accelerator { None, Bvh };
-
-struct BuildOptions {
-    Accelerator accelerator = Accelerator::Bvh;
-    int threads = 0;  // 0: one for each processor
-};
 
 // What a pixel shows: the light model, or one of the stages on the way to it.
 enum class Pass {
@@ -32,23 +22,6 @@ struct Terms {
     bool shadows = true;      // coloured by refractive shapes, whether or not `refraction` is on
     bool reflections = true, refraction = true;
     bool textures = true;
-};
-
-// A rectangle of pixels: x0 <= x < x1, y0 <= y < y1, (0, 0) at the top left.
-struct PixelRectangle {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-    int width() const { return x1 - x0; }
-    int height() const { return y1 - y0; }
-    double area() const { return static_cast<double>(width()) * height(); }  // pixels
-};
-
-// A pixel of the whole picture.
-struct PixelPlace {
-    int x = 0, y = 0;
-};
-
-struct ImageSize {
-    int width = 1, height = 1;
 };
 
 struct RenderOptions {
@@ -75,22 +48,6 @@ struct RenderCounts {
     double cutoffBound = 0;
 
     RenderCounts& operator+=(const RenderCounts& other);
-};
-
-// Takes the picture. Called from several threads at once, for disjoint runs of pixels.
-class PixelSink {
-  public:
-    virtual ~PixelSink() = default;
-
-    // The colours (linear RGB, unclamped) of the pixels (x, y), (x + 1, y), ... of the whole picture.
-    virtual void write(int x, int y, std::span<const glm::dvec3> colors) = 0;
-};
-
-// Told from time to time how much of the work is done, from one thread at a time.
-class ProgressListener {
-  public:
-    virtual ~ProgressListener() = default;
-    virtual void progress(double fraction) = 0;
 };
 
 }  // namespace raytracer

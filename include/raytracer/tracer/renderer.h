@@ -5,8 +5,10 @@
 
 #include "raytracer/tracer/explanation.h"
 #include "raytracer/tracer/followed_rays.h"
+#include "raytracer/bvh/build_options.h"
 #include "raytracer/tracer/render_options.h"
 #include "raytracer/scene/scene_description.h"
+#include "raytracer/util/progress.h"
 
 namespace raytracer {
 

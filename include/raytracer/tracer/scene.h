@@ -10,6 +10,7 @@
 #include "raytracer/tracer/observer.h"
 #include "raytracer/tracer/packet_order.h"
 #include "raytracer/tracer/render_options.h"
+#include "raytracer/util/progress.h"
 #include "raytracer/geometry/shape_tree.h"
 
 namespace raytracer {

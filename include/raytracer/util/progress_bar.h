@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "raytracer/tracer/render_options.h"
+#include "raytracer/util/progress.h"
 
 namespace raytracer {
 

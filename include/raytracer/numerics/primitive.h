@@ -1,0 +1,26 @@
+// The number of a face or triangle, for one ray or for several.
+#pragma once
+
+#include <cstdint>
+
+#include "raytracer/numerics/types.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// For each ray a number of a face or triangle.
+template <class T>
+struct PrimitiveOf {
+    using type = std::uint32_t;
+};
+template <class T>
+using Primitive = typename PrimitiveOf<T>::type;
+inline bool equals(std::uint32_t a, std::uint32_t b) { return a == b; }
+template <class Function>
+void forEachLane(std::uint32_t primitive, Function function) {
+    function(0, primitive);
+}
+inline std::uint32_t faceOf(std::uint32_t primitive) { return primitive; }  // of rays that all meet the same face
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

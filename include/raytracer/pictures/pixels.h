@@ -1,0 +1,36 @@
+// Places in a picture, and where colours go.
+#pragma once
+
+#include <span>
+
+#include <glm/vec3.hpp>
+
+namespace raytracer {
+
+// A rectangle of pixels: x0 <= x < x1, y0 <= y < y1, (0, 0) at the top left.
+struct PixelRectangle {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    double area() const { return static_cast<double>(width()) * height(); }  // pixels
+};
+
+// A pixel of the whole picture.
+struct PixelPlace {
+    int x = 0, y = 0;
+};
+
+struct ImageSize {
+    int width = 1, height = 1;
+};
+
+// Takes the picture. Called from several threads at once, for disjoint runs of pixels.
+class PixelSink {
+  public:
+    virtual ~PixelSink() = default;
+
+    // The colours (linear RGB, unclamped) of the pixels (x, y), (x + 1, y), ... of the whole picture.
+    virtual void write(int x, int y, std::span<const glm::dvec3> colors) = 0;
+};
+
+}  // namespace raytracer

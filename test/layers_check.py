@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""The rooms keep their floors: a room includes only itself and what is below it, and no private header of another room.
+
+    layers_check.py ROOT
+
+The order is the one of src/README.md. include/raytracer/ROOM/ is what a room offers; src/ROOM/ is private to it and to
+its tests. A library that one room wraps is included by that room alone.
+"""
+import pathlib
+import re
+import sys
+
+# From the top floor down.
+rooms = ["commands", "accuracy", "grading", "explain", "tracer", "geometry", "bvh", "numerics", "scene", "pictures", "json",
+         "util"]
+floor = {room: -place for place, room in enumerate(rooms)}
+
+# What is included, by whom alone.
+wrapped = {
+    r"nlohmann/": {"json", "scene"},
+    r"stb_image": {"pictures"},
+    r"libdeflate": {"pictures"},
+    r"CLI/": {"commands"},
+}
+
+
+def room_of(path):
+    parts = path.parts
+    if parts[0] == "include":
+        return parts[2]
+    return "commands" if parts == ("src", "main.cpp") else parts[1]
+
+
+def faults_of(root, path):
+    relative = path.relative_to(root)
+    room, is_test = room_of(relative), relative.parts[0] == "test"
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        match = re.match(r'\s*#\s*include\s*(["<])([^">]+)', line)
+        if not match:
+            continue
+        quote, name = match.groups()
+        place = f"{relative}:{number}: {room} includes {name}"
+        if not is_test and any(re.match(pattern, name) and room not in who for pattern, who in wrapped.items()):
+            yield f"{place}, which another room wraps"
+        if quote == "<":
+            continue
+        if name.startswith("raytracer/"):
+            other = name.split("/")[1]
+            if not (root / "include" / name).is_file():
+                yield f"{place}, which is not there"
+            elif other not in floor:
+                yield f"{place}, of a room that is not known"
+            elif room in floor and floor[other] > floor[room]:
+                yield f"{place}, which is above it"
+        else:
+            target = (path.parent / name).resolve()
+            if not target.is_file():
+                yield f"{place}, which is not there"
+            elif target.relative_to(root).parts[0] == "src" and room_of(target.relative_to(root)) != room:
+                yield f"{place}, a private header of another room"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    files = [path for folder in ("include", "src", "test") for path in sorted((root / folder).rglob("*"))
+             if path.suffix in (".h", ".cpp", ".inc")]
+    faults = [fault for path in files for fault in faults_of(root, path)]
+    faults += [f"src/{path.name}: lies in no room" for path in (root / "src").iterdir()
+               if path.is_file() and path.name not in ("main.cpp", "README.md")]
+    for room in rooms:
+        count = sum(path.is_file() for path in (root / "src" / room).glob("*"))
+        if count > 25:
+            faults.append(f"src/{room}: {count} files; a room has at most 25")
+    print("\n".join(faults) if faults else f"{len(files)} files keep to their floors")
+    return 1 if faults or not files else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
