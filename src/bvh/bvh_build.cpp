@@ -24,7 +24,7 @@ constexpr std::uint32_t nodeUnits = sizeof(BvhNode) / bvhUnit;
 class BvhBuilder {
   public:
     BvhBuilder(Bvh& bvh, int threads)
-        : bvh_(bvh), threads_(threads > 0 ? threads : processors()), splitter_(references_, threads_) {}
+        : bvh_(bvh), threads_(threadCount(threads)), splitter_(references_, threads_) {}
 
     void build(std::span<const FloatBox> boxes, const BvhNames& names);
     void build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices);

@@ -1,16 +1,14 @@
 #include "raytracer/scene/mesh_file.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <string_view>
-#include <thread>
 #include <utility>
 
 #include "obj_chunk.h"
 #include "obj_line.h"
 #include "obj_text.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/parallel.h"
 
 namespace raytracer {
 namespace {
@@ -36,28 +34,6 @@ std::vector<std::string_view> splitAtLines(std::string_view text, std::size_t ch
         begin = end;
     }
     return chunks;
-}
-
-// Calls work(0) ... work(count - 1) on all cores; then throws what the first of them, by number, has thrown.
-template <class Work>
-void forEachChunk(std::size_t count, const Work& work) {
-    std::vector<std::exception_ptr> errors(count);
-    std::atomic<std::size_t> next = 0;
-    const auto takeAll = [&] {
-        for (std::size_t i = next++; i < count; i = next++) try {
-            work(i);
-        } catch (...) {
-            errors[i] = std::current_exception();
-        }
-    };
-    {
-        std::vector<std::jthread> others;
-        const std::size_t threads = std::min<std::size_t>(std::thread::hardware_concurrency(), count);
-        while (others.size() + 1 < threads) others.emplace_back(takeAll);
-        takeAll();
-    }
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
 }
 
 // Each chunk's own counts become those of all that stands above it.
@@ -95,7 +71,8 @@ void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh) {
 MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount) {
     const std::vector<std::string_view> chunks = splitAtLines(text, chunkCount);
     std::vector<ObjCounts> above(chunkCount);
-    forEachChunk(chunkCount, [&](std::size_t i) { above[i] = countObjChunk(chunks[i]); });
+    const auto jobs = static_cast<std::uint32_t>(chunkCount);
+    parallelFor(jobs, 0, [&](std::uint32_t i) { above[i] = countObjChunk(chunks[i]); });
     const ObjCounts whole = sumAbove(above);
     requireUsable(whole);
 
@@ -103,7 +80,7 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount) {
     mesh.positions.resize(whole.positions);
     mesh.texCoords.resize(whole.texCoords);
     std::vector<ObjTriangles> triangles(chunkCount);
-    forEachChunk(chunkCount, [&](std::size_t i) { triangles[i] = parseObjChunk(chunks[i], above[i], whole, mesh); });
+    parallelFor(jobs, 0, [&](std::uint32_t i) { triangles[i] = parseObjChunk(chunks[i], above[i], whole, mesh); });
     appendTriangles(triangles, mesh);
     return mesh;
 }

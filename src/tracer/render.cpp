@@ -1,12 +1,11 @@
-// Tiles and threads: the only file that has any.
+// A picture by tiles, shared out among threads.
 #include <algorithm>
-#include <atomic>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 #include "raytracer/tracer/packet_tracer.h"
 #include "ray_follower.h"
+#include "raytracer/util/parallel.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -14,30 +13,6 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 namespace {
 
 constexpr int tileEdge = 32;  // pixels: small enough to share out evenly, large enough to keep rays coherent
-
-// Hands out the jobs 0, 1, ... and counts what is done.
-class JobQueue {
-  public:
-    JobQueue(int count, ProgressListener* progress) : count_(count), progress_(progress) {}
-
-    bool next(int& job) {
-        job = next_.fetch_add(1);
-        return job < count_;
-    }
-
-    void done() {
-        if (!progress_) return;
-        const std::lock_guard lock(mutex_);
-        progress_->progress(static_cast<double>(++done_) / count_);
-    }
-
-  private:
-    int count_;
-    std::atomic<int> next_{0};
-    int done_ = 0;
-    ProgressListener* progress_;
-    std::mutex mutex_;
-};
 
 int tileCount(int edge) { return (edge + tileEdge - 1) / tileEdge; }
 
@@ -152,29 +127,25 @@ void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& c
     }
 }
 
-int threadCount(int asked, int jobs) {
-    if (asked == 0) asked = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return std::min(asked, jobs);
-}
-
 // Does work(job, context) for every job, on options.threads threads.
 template <class Work>
-RenderCounts shareOut(const Scene& scene, const RenderOptions& options, int jobs, ProgressListener* progress, Work work) {
-    JobQueue queue(jobs, progress);
+RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::size_t jobs, ProgressListener* progress, Work work) {
     std::mutex mutex;
     RenderCounts counts;
+    std::size_t done = 0;
     std::vector<Color> brightest;
     if (options.cutoff > 0) brightest = scene.brightestColors(options.max_recursion);
-    const auto drain = [&] {
+    onThreads(static_cast<std::uint32_t>(jobs), options.threads, [&](JobQueue& queue) {
         RenderContext context{&options, brightest.empty() ? nullptr : brightest.data()};
-        for (int job; queue.next(job); queue.done()) work(job, context);
+        for (std::uint32_t job; queue.next(job);) {
+            work(job, context);
+            if (!progress) continue;
+            const std::lock_guard lock(mutex);
+            progress->progress(static_cast<double>(++done) / static_cast<double>(jobs));
+        }
         const std::lock_guard lock(mutex);
         counts += context.counts;
-    };
-    std::vector<std::jthread> helpers;
-    for (int i = threadCount(options.threads, jobs); i > 1; --i) helpers.emplace_back(drain);
-    drain();
-    helpers.clear();  // joins
+    });
     return counts;
 }
 
@@ -217,16 +188,17 @@ void Scene::pixelColors(std::span<const PixelPlace> pixels, std::span<Color> col
 
 RenderCounts Scene::render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const {
     const PixelRectangle& crop = options.crop;
-    const auto work = [&](int job, RenderContext& context) { renderTile(*this, tileOf(crop, job), context, sink); };
-    return shareOut(*this, options, tileCount(crop.width()) * tileCount(crop.height()), progress, work);
+    const auto work = [&](std::uint32_t job, RenderContext& context) { renderTile(*this, tileOf(crop, static_cast<int>(job)), context, sink); };
+    const auto tiles = static_cast<std::size_t>(tileCount(crop.width()) * tileCount(crop.height()));
+    return shareOut(*this, options, tiles, progress, work);
 }
 
 RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                  std::span<glm::dvec3> colors) const {
     // Pixels that one thread takes at once: few enough to share out evenly.
     const std::size_t batch = options.samples == 1 ? 64 : PointPacket::most;
-    const auto work = [&](int job, RenderContext& context) {
-        const std::size_t begin = static_cast<std::size_t>(job) * batch, end = std::min(begin + batch, pixels.size());
+    const auto work = [&](std::uint32_t job, RenderContext& context) {
+        const std::size_t begin = std::size_t{job} * batch, end = std::min(begin + batch, pixels.size());
         // They may lie far apart; but what meets the same surface is shaded together.
         for (std::size_t i = begin; i < end; i += PointPacket::most) {
             Color together[PointPacket::most];
@@ -235,7 +207,7 @@ RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const P
             for (std::size_t k = 0; k < count; ++k) colors[i + k] = together[k];
         }
     };
-    return shareOut(*this, options, static_cast<int>((pixels.size() + batch - 1) / batch), nullptr, work);
+    return shareOut(*this, options, (pixels.size() + batch - 1) / batch, nullptr, work);
 }
 
 RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPlace> pixels, FollowedRays& followed) const {
@@ -244,20 +216,20 @@ RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPl
     once.pass = Pass::Color;
     const std::size_t batch = 64, jobs = (pixels.size() + batch - 1) / batch;
     std::vector<FollowedRays> parts(jobs);
-    const auto work = [&](int job, RenderContext& context) {
-        const std::size_t begin = static_cast<std::size_t>(job) * batch;
+    const auto work = [&](std::uint32_t job, RenderContext& context) {
+        const std::size_t begin = std::size_t{job} * batch;
         std::span<const PixelPlace> some = pixels.subspan(begin, std::min(batch, pixels.size() - begin));
         RayFollower followers[PointPacket::most];
         context.followers = followers;
         for (Color colors[PointPacket::most]; !some.empty();) {
             const std::size_t count = std::min<std::size_t>(PointPacket::most, some.size());
             pixelColors(some.first(count), colors, context);
-            for (std::size_t i = 0; i < count; ++i) followers[i].moveTo(parts[static_cast<std::size_t>(job)]);
+            for (std::size_t i = 0; i < count; ++i) followers[i].moveTo(parts[std::size_t{job}]);
             some = some.subspan(count);
         }
         context.followers = nullptr, context.observer = nullptr;
     };
-    const RenderCounts counts = shareOut(*this, once, static_cast<int>(jobs), nullptr, work);
+    const RenderCounts counts = shareOut(*this, once, jobs, nullptr, work);
     followed = {};
     for (const FollowedRays& part : parts) {
         const std::size_t before = followed.rays.size();

@@ -1,27 +1,29 @@
-// Loops shared out among threads.
+// The program's only threads: numbered jobs, shared out among them.
 #pragma once
 
-#include <algorithm>
-#include <atomic>
 #include <cstdint>
-#include <thread>
-#include <vector>
+#include <functional>
 
 namespace raytracer {
 
-inline int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+// The number of threads that `asked` means: 0 is one for each processor.
+int threadCount(int asked);
 
-// work(i) for every 0 <= i < count, on several threads.
-template <class Work>
-void parallelFor(std::uint32_t count, int threads, const Work& work) {
-    std::atomic<std::uint32_t> next{0};
-    const auto take = [&] {
-        for (std::uint32_t i; (i = next.fetch_add(1)) < count;) work(i);
-    };
-    std::vector<std::jthread> helpers;
-    for (int i = std::min(threads, static_cast<int>(count)); i > 1; --i) helpers.emplace_back(take);
-    take();
-}
+// Hands out the numbers 0, 1, ... below a count, each to one thread.
+class JobQueue {
+  public:
+    virtual bool next(std::uint32_t& job) = 0;  // false: none is left
+
+  protected:
+    ~JobQueue() = default;
+};
+
+// Calls work(queue) on up to `threads` threads (0: one for each processor), of which the caller is one; work takes jobs until
+// none is left. Returns when all have ended, and then throws what the lowest job has thrown, if any has.
+void onThreads(std::uint32_t jobs, int threads, const std::function<void(JobQueue&)>& work);
+
+// work(job) for every 0 <= job < jobs, as onThreads.
+void parallelFor(std::uint32_t jobs, int threads, const std::function<void(std::uint32_t)>& work);
 
 // A range of fewer numbers is not worth a thread's start.
 inline constexpr std::uint32_t parallelSize = 1 << 15;
@@ -30,14 +32,7 @@ inline constexpr std::uint32_t parallelSize = 1 << 15;
 inline std::uint32_t mostPieces(int threads) { return 4 * static_cast<std::uint32_t>(threads) + 1; }
 
 // work(piece, from, to) for pieces of a range of numbers.
-template <class Work>
-void parallelPieces(std::uint32_t begin, std::uint32_t end, int threads, const Work& work) {
-    const std::uint32_t size = end - begin;
-    const std::uint32_t pieces = size < parallelSize ? 1 : std::min(size / (parallelSize / 4), mostPieces(threads) - 1);
-    parallelFor(pieces, threads, [&](std::uint32_t piece) {
-        const auto at = [&](std::uint32_t i) { return begin + static_cast<std::uint32_t>(std::uint64_t{size} * i / pieces); };
-        work(piece, at(piece), at(piece + 1));
-    });
-}
+void parallelPieces(std::uint32_t begin, std::uint32_t end, int threads,
+                    const std::function<void(std::uint32_t, std::uint32_t, std::uint32_t)>& work);
 
 }  // namespace raytracer
