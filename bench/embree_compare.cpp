@@ -1,6 +1,6 @@
-// Our trees side by side with Embree 3's, in one process: rays a second for the nearest hit and for shadows, time to build,
-// memory. Embree decides in float (its robust flag on), we in double. Single rays (rtcIntersect1, rtcOccluded1), one
-// thread; builds with all threads. Ratios above 1 are in our favour.
+// Our trees side by side with Embree 3's, in one process: rays a second for the nearest hit and for shadows,
+// time to build, memory. Embree decides in float (its robust flag on), we in double. Single rays
+// (rtcIntersect1, rtcOccluded1), one thread; builds with all threads. Ratios above 1 are in our favour.
 //
 // embree_compare [ROUNDS]: each number is the median of that many alternated rounds.
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 #include "median.h"
 #include "raytracer/geometry/mesh.h"
-#include "raytracer/tracer/packet_tracer.h"
 #include "raytracer/geometry/shape_tree.h"
+#include "raytracer/tracer/packet_tracer.h"
 
 using namespace raytracer;
 
@@ -52,14 +52,18 @@ std::shared_ptr<const MeshData> bumpySphere(std::uint32_t n) {
     for (std::uint32_t row = 0; row <= 2 * n; ++row)
         for (std::uint32_t column = 0; column < 4 * n; ++column) {
             const double v = pi * row / (2 * n), u = 2 * pi * column / (4 * n);
-            const double r = 1 + 0.05 * std::sin(13 * u) * std::sin(11 * v) + 0.01 * std::sin(71 * u) * std::sin(67 * v);
-            mesh->positions.emplace_back(r * std::sin(v) * std::cos(u), r * std::sin(v) * std::sin(u), r * std::cos(v));
+            const double r =
+                1 + 0.05 * std::sin(13 * u) * std::sin(11 * v) + 0.01 * std::sin(71 * u) * std::sin(67 * v);
+            mesh->positions.emplace_back(r * std::sin(v) * std::cos(u), r * std::sin(v) * std::sin(u),
+                                         r * std::cos(v));
         }
     for (std::uint32_t row = 0; row < 2 * n; ++row)
         for (std::uint32_t column = 0; column < 4 * n; ++column) {
             const std::uint32_t next = (column + 1) % (4 * n), top = row * 4 * n, bottom = top + 4 * n;
-            for (const std::uint32_t index : {top + column, bottom + column, bottom + next}) mesh->positionIndex.push_back(index);
-            for (const std::uint32_t index : {top + column, bottom + next, top + next}) mesh->positionIndex.push_back(index);
+            for (const std::uint32_t index : {top + column, bottom + column, bottom + next})
+                mesh->positionIndex.push_back(index);
+            for (const std::uint32_t index : {top + column, bottom + next, top + next})
+                mesh->positionIndex.push_back(index);
         }
     return mesh;
 }
@@ -102,7 +106,13 @@ long long embreeBytes = 0;
 RTCDevice device() {
     static const RTCDevice made = [] {
         const RTCDevice result = rtcNewDevice(nullptr);
-        rtcSetDeviceMemoryMonitorFunction(result, [](void*, ssize_t bytes, bool) { embreeBytes += bytes; return true; }, nullptr);
+        rtcSetDeviceMemoryMonitorFunction(
+            result,
+            [](void*, ssize_t bytes, bool) {
+                embreeBytes += bytes;
+                return true;
+            },
+            nullptr);
         return result;
     }();
     return made;
@@ -120,20 +130,20 @@ RTCScene embreeScene(RTCGeometry geometry) {
 
 RTCScene embreeMesh(const MeshData& mesh) {
     const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                 12, mesh.positions.size()));
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
     for (const glm::dvec3& p : mesh.positions)
         for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(p[axis]);
-    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                        12, mesh.triangleCount()));
+    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangleCount()));
     std::copy(mesh.positionIndex.begin(), mesh.positionIndex.end(), indices);
     return embreeScene(geometry);
 }
 
 RTCScene embreeBalls(const std::vector<Ball>& balls) {
     const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                                                                 16, balls.size()));
+    auto* vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, balls.size()));
     for (const Ball& ball : balls) {
         for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(ball.center[axis]);
         *vertices++ = static_cast<float>(ball.radius);
@@ -156,18 +166,22 @@ std::unique_ptr<Subject> meshSubject(std::uint32_t n, int rounds) {
     std::vector<double> ours, theirs;
     for (int round = 0; round < rounds; ++round) {
         subject->triangles.reset();
-        ours.push_back(seconds([&] { subject->triangles = std::make_shared<TriangleMesh>(subject->mesh, BuildOptions{}); }));
+        ours.push_back(seconds(
+            [&] { subject->triangles = std::make_shared<TriangleMesh>(subject->mesh, BuildOptions{}); }));
         if (subject->embree) rtcReleaseScene(subject->embree);
         const long long before = embreeBytes;
         buildEmbree(*subject, embreeMesh(*subject->mesh), before);
         theirs.push_back(subject->buildEmbree);
     }
     subject->buildOurs = median(ours), subject->buildEmbree = median(theirs);
-    const std::size_t geometry = subject->mesh->positions.size() * 24 + subject->mesh->positionIndex.size() * 4;
+    const std::size_t geometry =
+        subject->mesh->positions.size() * 24 + subject->mesh->positionIndex.size() * 4;
     subject->bytesOurs = static_cast<double>(geometry + subject->triangles->bvh().memory()) /
                          static_cast<double>(subject->primitives);
     subject->shapes.push_back(std::make_unique<Mesh>(Transform(), material, 0, subject->triangles));
-    subject->ours = [shape = subject->shapes[0].get()](const Ray& ray, HitQuery& query) { shape->intersect(ray, query); };
+    subject->ours = [shape = subject->shapes[0].get()](const Ray& ray, HitQuery& query) {
+        shape->intersect(ray, query);
+    };
     return subject;
 }
 
@@ -183,8 +197,8 @@ std::unique_ptr<Subject> ballSubject(std::size_t count, int rounds) {
             affine.linear[axis][axis] = ball.radius;
             affine.translation[axis] = ball.center[axis];
         }
-        subject->shapes.push_back(std::make_unique<Sphere>(Transform(affine), material,
-                                                           static_cast<std::uint32_t>(subject->shapes.size())));
+        subject->shapes.push_back(std::make_unique<Sphere>(
+            Transform(affine), material, static_cast<std::uint32_t>(subject->shapes.size())));
     }
     std::vector<double> ours, theirs;
     for (int round = 0; round < rounds; ++round) {
@@ -199,11 +213,13 @@ std::unique_ptr<Subject> ballSubject(std::size_t count, int rounds) {
     return subject;
 }
 
-// Rays through the pixels of a square picture, in blocks of 4 x 2 and tiles of 32 x 32 as render.cpp has them.
+// Rays through the pixels of a square picture, in blocks of 4 x 2 and tiles of 32 x 32 as render.cpp has
+// them.
 std::vector<Ray> primaryRays(int edge) {
     std::vector<Ray> rays;
-    const Vec3 eye(0.7, -2.9, 0.8), forward = glm::normalize(-eye), right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1))),
-                              up = glm::cross(right, forward);
+    const Vec3 eye(0.7, -2.9, 0.8), forward = glm::normalize(-eye),
+                                    right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1))),
+                                    up = glm::cross(right, forward);
     for (int tile = 0; tile < edge * edge / 1024; ++tile)
         for (int pixel = 0; pixel < 1024; ++pixel) {
             const int block = pixel / 8;
@@ -218,7 +234,8 @@ std::vector<Ray> primaryRays(int edge) {
 const Vec3 lightPosition(4, -3, 5);
 
 // From the points that the rays hit: towards a light, and in random directions of the outer half space.
-void secondaryRays(const Subject& subject, const std::vector<Ray>& rays, std::vector<Ray>& shadow, std::vector<Ray>& diffuse) {
+void secondaryRays(const Subject& subject, const std::vector<Ray>& rays, std::vector<Ray>& shadow,
+                   std::vector<Ray>& diffuse) {
     std::mt19937 engine(7);
     std::normal_distribution<double> normal;
     for (const Ray& ray : rays) {
@@ -247,7 +264,7 @@ RTCRay embreeRay(const Ray& ray, float far) {
 }
 
 struct Result {
-    double ours, theirs;   // seconds for a ray
+    double ours, theirs;  // seconds for a ray
     std::size_t hitsOurs, hitsTheirs;
 };
 
@@ -263,7 +280,8 @@ Result race(std::size_t rays, int rounds, const Ours& ours, const Theirs& theirs
     return result;
 }
 
-Result raceNearest(const Subject& subject, const std::vector<Ray>& rays, RTCIntersectContext& context, int rounds) {
+Result raceNearest(const Subject& subject, const std::vector<Ray>& rays, RTCIntersectContext& context,
+                   int rounds) {
     const auto ours = [&] {
         std::size_t hits = 0;
         for (const Ray& ray : rays) {
@@ -286,7 +304,8 @@ Result raceNearest(const Subject& subject, const std::vector<Ray>& rays, RTCInte
     return race(rays.size(), rounds, ours, theirs);
 }
 
-Result raceShadow(const Subject& subject, const std::vector<Ray>& rays, RTCIntersectContext& context, int rounds) {
+Result raceShadow(const Subject& subject, const std::vector<Ray>& rays, RTCIntersectContext& context,
+                  int rounds) {
     const auto ours = [&] {
         std::size_t hits = 0;
         for (const Ray& ray : rays) {
@@ -313,7 +332,8 @@ Result raceShadow(const Subject& subject, const std::vector<Ray>& rays, RTCInter
 std::vector<std::span<const Ray>> packetsOf(const std::vector<Ray>& rays) {
     std::vector<std::span<const Ray>> packets;
     for (std::size_t begin = 0, end; begin < rays.size(); begin = end) {
-        for (end = begin + 1; end < rays.size() && end < begin + 8 && rays[end].departure.shape == rays[begin].departure.shape;)
+        for (end = begin + 1; end < rays.size() && end < begin + 8 &&
+                              rays[end].departure.shape == rays[begin].departure.shape;)
             ++end;
         packets.emplace_back(&rays[begin], end - begin);
     }
@@ -321,7 +341,8 @@ std::vector<std::span<const Ray>> packetsOf(const std::vector<Ray>& rays) {
 }
 
 // Both in packets of eight: the nearest hits, or whether there is one before the light.
-Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const RayEnd* end, RTCIntersectContext& context, int rounds) {
+Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const RayEnd* end,
+                   RTCIntersectContext& context, int rounds) {
     const auto packets = packetsOf(rays);
     const ShapeTree tree(subject.shapes, BuildOptions{});
     const MeetPacket meet = packetMeeter();
@@ -347,10 +368,8 @@ Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const R
                 hit.ray.tnear[i] = ray.tnear, hit.ray.tfar[i] = ray.tfar, hit.ray.mask[i] = ray.mask;
                 hit.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
             }
-            if (end)
-                rtcOccluded8(valid, subject.embree, &context, &hit.ray);
-            else
-                rtcIntersect8(valid, subject.embree, &context, &hit);
+            if (end) rtcOccluded8(valid, subject.embree, &context, &hit.ray);
+            else rtcIntersect8(valid, subject.embree, &context, &hit);
             for (std::size_t i = 0; i < packet.size(); ++i)
                 found += end ? hit.ray.tfar[i] < 0 : hit.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
         }
@@ -360,8 +379,8 @@ Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const R
 }
 
 void print(const char* what, const Result& result) {
-    std::printf("  %-28s %7.0f ns %7.0f ns   %5.2f   hits %zu %zu\n", what, 1e9 * result.ours, 1e9 * result.theirs,
-                result.theirs / result.ours, result.hitsOurs, result.hitsTheirs);
+    std::printf("  %-28s %7.0f ns %7.0f ns   %5.2f   hits %zu %zu\n", what, 1e9 * result.ours,
+                1e9 * result.theirs, result.theirs / result.ours, result.hitsOurs, result.hitsTheirs);
 }
 
 void compare(const Subject& subject, int rounds) {
@@ -380,8 +399,8 @@ void compare(const Subject& subject, int rounds) {
     print("packets, from the camera", racePackets(subject, primary, nullptr, coherent, rounds));
     print("packets, scattered", racePackets(subject, diffuse, nullptr, incoherent, rounds));
     print("packets, shadow", racePackets(subject, shadow, &light, coherent, rounds));
-    std::printf("  %-28s %7.1f ms %7.1f ms   %5.2f\n", "build", 1e3 * subject.buildOurs, 1e3 * subject.buildEmbree,
-                subject.buildEmbree / subject.buildOurs);
+    std::printf("  %-28s %7.1f ms %7.1f ms   %5.2f\n", "build", 1e3 * subject.buildOurs,
+                1e3 * subject.buildEmbree, subject.buildEmbree / subject.buildOurs);
     if (subject.bytesOurs > 0)
         std::printf("  %-28s %7.1f    %7.1f      %5.2f\n", "bytes for each primitive", subject.bytesOurs,
                     subject.bytesEmbree, subject.bytesEmbree / subject.bytesOurs);
@@ -396,5 +415,6 @@ int main(int argc, char** argv) {
     for (const std::uint32_t n : {18u, 288u})
         if (only.empty() || only == "mesh" + std::to_string(n)) compare(*meshSubject(n, rounds), rounds);
     for (const std::size_t count : {std::size_t{100}, std::size_t{10000}, std::size_t{1000000}})
-        if (only.empty() || only == "balls" + std::to_string(count)) compare(*ballSubject(count, rounds), rounds);
+        if (only.empty() || only == "balls" + std::to_string(count))
+            compare(*ballSubject(count, rounds), rounds);
 }

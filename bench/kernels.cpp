@@ -1,4 +1,5 @@
-// The kernels on their own, by Google Benchmark: what one intersection, one light, one texel, one byte of PNG costs.
+// The kernels on their own, by Google Benchmark: what one intersection, one light, one texel, one byte of PNG
+// costs.
 #include <cmath>
 #include <filesystem>
 #include <random>
@@ -7,8 +8,8 @@
 #include <benchmark/benchmark.h>
 
 #include "raytracer/pictures/image.h"
-#include "raytracer/scene/mesh_file.h"
 #include "raytracer/pictures/picture.h"
+#include "raytracer/scene/mesh_file.h"
 #include "raytracer/tracer/renderer.h"
 #include "raytracer/tracer/scene_builder.h"
 #include "raytracer/tracer/shading.h"
@@ -33,15 +34,18 @@ std::shared_ptr<const MeshData> sphereMesh(int rows) {
         }
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
-            const auto corner = [&](int r, int c) { return static_cast<std::uint32_t>(r * columns + c % columns); };
-            const std::uint32_t a = corner(row, column), b = corner(row + 1, column), c = corner(row + 1, column + 1),
-                                d = corner(row, column + 1);
+            const auto corner = [&](int r, int c) {
+                return static_cast<std::uint32_t>(r * columns + c % columns);
+            };
+            const std::uint32_t a = corner(row, column), b = corner(row + 1, column),
+                                c = corner(row + 1, column + 1), d = corner(row, column + 1);
             mesh->positionIndex.insert(mesh->positionIndex.end(), {a, b, c, a, c, d});
         }
     return mesh;
 }
 
-// One shape, turned and a little stretched, in front of a camera whose film is somewhat wider than it; one light.
+// One shape, turned and a little stretched, in front of a camera whose film is somewhat wider than it; one
+// light.
 SceneDescription oneShape(ShapeType type, double shininess = 10) {
     SceneDescription scene;
     scene.camera.eye = {0, 0, 5};
@@ -166,8 +170,9 @@ void parseMesh(benchmark::State& state) {
     for (const glm::dvec3& p : mesh->positions)
         text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
     for (std::size_t i = 0; i < mesh->positionIndex.size(); i += 3)
-        text += "f " + std::to_string(mesh->positionIndex[i] + 1) + " " + std::to_string(mesh->positionIndex[i + 1] + 1) +
-                " " + std::to_string(mesh->positionIndex[i + 2] + 1) + "\n";
+        text += "f " + std::to_string(mesh->positionIndex[i] + 1) + " " +
+                std::to_string(mesh->positionIndex[i + 1] + 1) + " " +
+                std::to_string(mesh->positionIndex[i + 2] + 1) + "\n";
     for (auto _ : state) benchmark::DoNotOptimize(parseObj(text.data(), text.data() + text.size()));
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
 }
@@ -175,8 +180,9 @@ void parseMesh(benchmark::State& state) {
 constexpr struct {
     const char* name;
     ShapeType type;
-} shapes[] = {{"sphere", ShapeType::Sphere},     {"plane", ShapeType::Plane}, {"cylinder", ShapeType::Cylinder},
-              {"cone", ShapeType::Cone},         {"cube", ShapeType::Cube},   {"mesh of 5k triangles", ShapeType::Mesh}};
+} shapes[] = {{"sphere", ShapeType::Sphere},     {"plane", ShapeType::Plane},
+              {"cylinder", ShapeType::Cylinder}, {"cone", ShapeType::Cone},
+              {"cube", ShapeType::Cube},         {"mesh of 5k triangles", ShapeType::Mesh}};
 
 void addBenchmarks() {
     for (const auto& [name, type] : shapes)
@@ -188,8 +194,12 @@ void addBenchmarks() {
     benchmark::RegisterBenchmark("lookUp/nearest", texel, lookUp);
     benchmark::RegisterBenchmark("lookUp/bilinear", texel, lookUpBilinear);
     benchmark::RegisterBenchmark("quantise", quantise);
-    benchmark::RegisterBenchmark("writePng/1 megapixel", writePicture)->Unit(benchmark::kMillisecond)->UseRealTime();
-    benchmark::RegisterBenchmark("parseObj/40k triangles", parseMesh)->Unit(benchmark::kMillisecond)->UseRealTime();
+    benchmark::RegisterBenchmark("writePng/1 megapixel", writePicture)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+    benchmark::RegisterBenchmark("parseObj/40k triangles", parseMesh)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// How fast a mesh of a million triangles loads: reading its bytes alone, our loader, tinyobjloader. Usage: obj_speed
-// [GRID]; the mesh is a wavy grid of GRID x GRID squares (707 makes a million triangles) in the temporary folder.
+// How fast a mesh of a million triangles loads: reading its bytes alone, our loader, tinyobjloader. Usage:
+// obj_speed [GRID]; the mesh is a wavy grid of GRID x GRID squares (707 makes a million triangles) in the
+// temporary folder.
 #define TINYOBJLOADER_IMPLEMENTATION
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
@@ -27,14 +28,16 @@ void writeVertices(std::FILE* file, int grid) {
         }
     for (int y = 0; y <= grid; ++y)
         for (int x = 0; x <= grid; ++x)
-            std::fprintf(file, "vt %.6f %.6f\n", static_cast<double>(x) / grid, static_cast<double>(y) / grid);
+            std::fprintf(file, "vt %.6f %.6f\n", static_cast<double>(x) / grid,
+                         static_cast<double>(y) / grid);
 }
 
 void writeFaces(std::FILE* file, int grid) {
     for (int y = 0; y < grid; ++y)
         for (int x = 0; x < grid; ++x) {
             const int a = y * (grid + 1) + x + 1, b = a + 1, c = b + grid + 1, d = c - 1;
-            std::fprintf(file, "f %d/%d %d/%d %d/%d\nf %d/%d %d/%d %d/%d\n", a, a, b, b, c, c, a, a, c, c, d, d);
+            std::fprintf(file, "f %d/%d %d/%d %d/%d\nf %d/%d %d/%d %d/%d\n", a, a, b, b, c, c, a, a, c, c, d,
+                         d);
         }
 }
 
@@ -77,8 +80,8 @@ int main(int argc, char** argv) {
     const double read = medianSeconds([&] { readBytes(path, size); });
     const double ours = medianSeconds([&] { raytracer::loadObj(path); });
     const double tinyobj = medianSeconds([&] { loadWithTinyobj(path); });
-    std::printf("%d triangles, %.1f MB, %u threads, median of 5\n", 2 * grid * grid, static_cast<double>(size) / 1e6,
-                std::thread::hardware_concurrency());
+    std::printf("%d triangles, %.1f MB, %u threads, median of 5\n", 2 * grid * grid,
+                static_cast<double>(size) / 1e6, std::thread::hardware_concurrency());
     const auto report = [&](const char* name, double seconds) {
         std::printf("%-14s %7.1f ms %7.0f MB/s %6.2f x ours\n", name, seconds * 1e3,
                     static_cast<double>(size) / 1e6 / seconds, seconds / ours);

@@ -1,5 +1,6 @@
-// Time against size for PNG: stb's row filters by name (adaptive: the best of each row, by its own estimate) and
-// libdeflate's levels. Usage: png_levels PICTURE [LONG_EDGE]; the picture is scaled (bilinear) to LONG_EDGE pixels.
+// Time against size for PNG: stb's row filters by name (adaptive: the best of each row, by its own estimate)
+// and libdeflate's levels. Usage: png_levels PICTURE [LONG_EDGE]; the picture is scaled (bilinear) to
+// LONG_EDGE pixels.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -51,7 +52,8 @@ Result encode(const ByteImage& image, int filter, int level) {
     const auto start = std::chrono::steady_clock::now();
     const auto count = [](void* total, void*, int size) { *static_cast<std::size_t*>(total) += size; };
     stbi_write_png_to_func(count, &bytes, image.width, image.height, 3, image.pixels.data(), 0);
-    return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(), bytes};
+    return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(),
+            bytes};
 }
 
 Result medianOf5(const ByteImage& image, int filter, int level) {

@@ -1,14 +1,16 @@
-// Does `--target-error` keep its word? For every scene and several errors: the setting that it picks, the error which that
-// has, and the cheapest setting of the whole grid that has no more.
+// Does `--target-error` keep its word? For every scene and several errors: the setting that it picks, the
+// error which that has, and the cheapest setting of the whole grid that has no more.
 //
 //     target_error [--size PIXELS] [--pixels N] [--errors LIST] [--whole] [--time RAYTRACER] SCENE...
 //
-// The truth is 48 x 48 samples, 32 deep, with a cutoff of 0.003, for N pixels out of an eighth of the picture's (other ones
-// than the pilot's; see stratified_pilot.h). That is too few to tell 2.9 from 3.0 %: --whole measures both settings by all
-// pixels, each with twice 12 x 12 jittered samples for the truth. Costs are rays, the pilot's included; --time runs the
-// program once with --target-error, once with the best setting, and compares their processor seconds. Exit status 1 where the
-// promise is broken: the error is above the target in more than one of ten cases or ever above twice the target, the rays are
-// more than 1.5 times the best's, or something was said to be out of reach that is not. Seconds vary, so they are only told.
+// The truth is 48 x 48 samples, 32 deep, with a cutoff of 0.003, for N pixels out of an eighth of the
+// picture's (other ones than the pilot's; see stratified_pilot.h). That is too few to tell 2.9 from 3.0 %:
+// --whole measures both settings by all pixels, each with twice 12 x 12 jittered samples for the truth. Costs
+// are rays, the pilot's included; --time runs the program once with --target-error, once with the best
+// setting, and compares their processor seconds. Exit status 1 where the promise is broken: the error is
+// above the target in more than one of ten cases or ever above twice the target, the rays are more than 1.5
+// times the best's, or something was said to be out of reach that is not. Seconds vary, so they are only
+// told.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,10 +24,10 @@
 #include <CLI/CLI.hpp>
 
 #include "median.h"
-#include "raytracer/util/child_process.h"
-#include "raytracer/scene/scene_loader.h"
 #include "raytracer/accuracy/stratified_pilot.h"
 #include "raytracer/accuracy/target_error.h"
+#include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/child_process.h"
 #include "raytracer/util/temporary_folder.h"
 
 using namespace raytracer;
@@ -41,16 +43,19 @@ Setting with(Setting setting, int samples, double adaptive = 0) {
     return setting;
 }
 
-// Which pixels have something going on: between the centre, the corners, 4 x 4 samples, what is seen without recursion, and
-// what only the deepest rays see: in one pixel of a thousand, but there by far more than the targets.
+// Which pixels have something going on: between the centre, the corners, 4 x 4 samples, what is seen without
+// recursion, and what only the deepest rays see: in one pixel of a thousand, but there by far more than the
+// targets.
 std::vector<double> activity(Pilot& pilot) {
     const auto colors = [&](const Setting& setting) -> const auto& { return pilot.colors(setting); };
-    const auto &centre = colors(looked), &corners = colors(with(looked, 64, 1)), &more = colors(with(looked, 4));
+    const auto &centre = colors(looked), &corners = colors(with(looked, 64, 1)),
+               &more = colors(with(looked, 4));
     const auto &shallow = colors({.max_recursion = 1}), &deep = colors(with(truth, 1));
     std::vector<double> activity;
     for (std::size_t i = 0; i < centre.size(); ++i)
         activity.push_back(std::sqrt(squaredError(centre[i], corners[i]) + squaredError(centre[i], more[i]) +
-                                     squaredError(corners[i], more[i]) + squaredError(centre[i], shallow[i]) / 3 +
+                                     squaredError(corners[i], more[i]) +
+                                     squaredError(centre[i], shallow[i]) / 3 +
                                      squaredError(centre[i], deep[i])));
     return activity;
 }
@@ -66,7 +71,8 @@ std::vector<DepthChoice> depths(StratifiedPilot& pilot) {
     std::vector<CostAndError> points;
     for (const int depth : gridDepths)
         for (const double cutoff : gridCutoffs) {
-            if ((depth == 0 && cutoff != gridCutoffs[0]) || (!all.empty() && all.back().error < 1e-6)) continue;
+            if ((depth == 0 && cutoff != gridCutoffs[0]) || (!all.empty() && all.back().error < 1e-6))
+                continue;
             const Setting setting{.max_recursion = depth, .cutoff = cutoff};
             all.push_back({depth, cutoff, pilot.rays(setting), pilot.error(setting, deepest).rmse});
             points.push_back({all.back().rays, all.back().error});
@@ -87,7 +93,8 @@ std::vector<Found> wholeGrid(StratifiedPilot& pilot) {
             const double error = std::pow(pilot.error(setting, truth).rmse, 2) - shallow * shallow;
             const double rays = pilot.rays(setting) / pilot.rays(looked);
             for (const DepthChoice& depth : deep)
-                grid.push_back({{samples, adaptive, depth.max_recursion, depth.cutoff}, rays * depth.rays,
+                grid.push_back({{samples, adaptive, depth.max_recursion, depth.cutoff},
+                                rays * depth.rays,
                                 std::sqrt(std::max(0.0, error) + depth.error * depth.error)});
         }
     std::ranges::stable_sort(grid, {}, &Found::rays);
@@ -144,10 +151,11 @@ double processorSecondsOfChildren() {
 class Timer {
   public:
     Timer(const std::string& program, const std::string& scene, int size)
-        : program_(program), base_{scene, folder_.file("out.png"), std::to_string(size), "--quiet", "--threads", "1"} {}
+        : program_(program),
+          base_{scene, folder_.file("out.png"), std::to_string(size), "--quiet", "--threads", "1"} {}
 
-    // What --target-error takes, as a multiple of a render with the best setting: the median of three, or of as many as take
-    // a few seconds, each of both in turn.
+    // What --target-error takes, as a multiple of a render with the best setting: the median of three, or of
+    // as many as take a few seconds, each of both in turn.
     double ratio(double target, const Setting& best) const {
         constexpr double enough = 5;  // seconds
         std::vector<double> ratios;
@@ -169,7 +177,8 @@ class Timer {
         for (std::string word; words >> word;) arguments.push_back(word);
         const double before = processorSecondsOfChildren();
         const ProcessEnd end = runProcess(program_, arguments, folder_.file("log"), timeout);
-        if (end.exitStatus > 1 || end.signal || end.timedOut) throw std::runtime_error(program_ + " " + end.description());
+        if (end.exitStatus > 1 || end.signal || end.timedOut)
+            throw std::runtime_error(program_ + " " + end.description());
         return processorSecondsOfChildren() - before;
     }
 
@@ -197,12 +206,14 @@ struct Tally {
 class SceneCheck {
   public:
     SceneCheck(const std::string& file, const Arguments& arguments)
-        : name_(std::filesystem::path(file).stem()), scene_(loadScene(file, false).description),
+        : name_(std::filesystem::path(file).stem()),
+          scene_(loadScene(file, false).description),
           renderer_(makeRenderer(scene_, Precision::Double)) {
         options_.size = imageSize(scene_.camera, arguments.size);
         options_.crop = {0, 0, options_.size.width, options_.size.height};
         area_ = options_.crop.area();
-        Pilot look(*renderer_, options_, scatteredPixels(options_.crop, static_cast<std::size_t>(area_ / 8), 77));
+        Pilot look(*renderer_, options_,
+                   scatteredPixels(options_.crop, static_cast<std::size_t>(area_ / 8), 77));
         pilot_ = std::make_unique<StratifiedPilot>(*renderer_, options_);
         pilot_->add(look.pixels(), activity(look), static_cast<std::size_t>(arguments.pixels));
         grid_ = wholeGrid(*pilot_);
@@ -216,10 +227,14 @@ class SceneCheck {
         const ErrorEstimate achieved = error(choice.setting);
         const Found best = cheapest(target);
         const double rays = this->rays(choice.setting), cost = (rays + choice.pilotRays / area_) / best.rays;
-        std::printf("%-18s %5.0e %s estimated %.2e +- %2.0f%%  achieved %.2e +- %2.0f%% = %.2f target  rays %7.1f = %.2f best, "
-                    "with pilot %.2f", name_.c_str(), target, choice.reached ? "reached" : "NOT    ", choice.error,
-                    100 * choice.standardError / choice.error, achieved.rmse, 100 * achieved.standardError / achieved.rmse,
-                    achieved.rmse / target, rays, rays / best.rays, cost);
+        std::printf(
+            "%-18s %5.0e %s estimated %.2e +- %2.0f%%  achieved %.2e +- %2.0f%% = %.2f target  rays %7.1f = "
+            "%.2f best, "
+            "with pilot %.2f",
+            name_.c_str(), target, choice.reached ? "reached" : "NOT    ", choice.error,
+            100 * choice.standardError / choice.error, achieved.rmse,
+            100 * achieved.standardError / achieved.rmse, achieved.rmse / target, rays, rays / best.rays,
+            cost);
         if (timer_ && best.rays > 0) {
             tally.seconds.push_back(timer_->ratio(target, best.setting));
             std::printf(", seconds %.2f", tally.seconds.back());
@@ -231,13 +246,16 @@ class SceneCheck {
     }
 
   private:
-    ErrorEstimate error(const Setting& setting) { return whole_ ? whole_->error(setting) : pilot_->error(setting, truth); }
+    ErrorEstimate error(const Setting& setting) {
+        return whole_ ? whole_->error(setting) : pilot_->error(setting, truth);
+    }
     double rays(const Setting& setting) { return whole_ ? whole_->rays(setting) : pilot_->rays(setting); }
 
     // The cheapest that reaches the target, measured; what is predicted to be far from it is not tried.
     Found cheapest(double target) {
         for (const Found& candidate : grid_) {
-            if (candidate.error > 1.1 * target || pilot_->error(candidate.setting, truth).rmse > 1.1 * target) continue;
+            if (candidate.error > 1.1 * target || pilot_->error(candidate.setting, truth).rmse > 1.1 * target)
+                continue;
             const double error = this->error(candidate.setting).rmse;
             if (error <= target) return {candidate.setting, rays(candidate.setting), error};
         }
@@ -286,13 +304,18 @@ int main(int argc, char** argv) {
         SceneCheck check(scene, arguments);
         for (const double target : arguments.errors) check.check(target, tally);
     }
-    std::printf("%d cases said to be reached: %d above the target, %d above twice the target, %d dearer than 1.5 times the best "
-                "(pilot included; at most %.2f); %d said to be out of reach, %d of them wrongly\n",
-                tally.cases, tally.above, tally.farAbove, tally.slow, tally.slowest, tally.unreached, tally.wronglyUnreached);
+    std::printf(
+        "%d cases said to be reached: %d above the target, %d above twice the target, %d dearer than 1.5 "
+        "times the best "
+        "(pilot included; at most %.2f); %d said to be out of reach, %d of them wrongly\n",
+        tally.cases, tally.above, tally.farAbove, tally.slow, tally.slowest, tally.unreached,
+        tally.wronglyUnreached);
     if (!tally.seconds.empty())
-        std::printf("processor seconds: %zu cases, %zu of them over 1.5 times the best, median %.2f, at most %.2f\n",
-                    tally.seconds.size(),
-                    static_cast<std::size_t>(std::ranges::count_if(tally.seconds, [](double ratio) { return ratio > 1.5; })),
-                    median(tally.seconds), std::ranges::max(tally.seconds));
+        std::printf(
+            "processor seconds: %zu cases, %zu of them over 1.5 times the best, median %.2f, at most %.2f\n",
+            tally.seconds.size(),
+            static_cast<std::size_t>(
+                std::ranges::count_if(tally.seconds, [](double ratio) { return ratio > 1.5; })),
+            median(tally.seconds), std::ranges::max(tally.seconds));
     return tally.isBroken();
 }

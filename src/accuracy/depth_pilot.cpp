@@ -4,16 +4,14 @@
 
 namespace raytracer {
 
-DepthPilot::DepthPilot(const Renderer& renderer, const RenderOptions& options, std::span<const PixelPlace> pixels,
-                       const Setting& deepest)
+DepthPilot::DepthPilot(const Renderer& renderer, const RenderOptions& options,
+                       std::span<const PixelPlace> pixels, const Setting& deepest)
     : deepest_(deepest.max_recursion) {
     spent_ = rayCount(renderer.follow(withSetting(options, deepest), pixels, followed_));
     for (std::size_t pixel = 0; pixel < pixels.size(); ++pixel) {
         const std::span<const FollowedRay> rays = followed_.of(pixel);
-        if (rays.size() > 1)
-            deep_.push_back(pixel);
-        else
-            ofOneRay_ += 1 + rays[0].shadows;
+        if (rays.size() > 1) deep_.push_back(pixel);
+        else ofOneRay_ += 1 + rays[0].shadows;
     }
 }
 
@@ -28,7 +26,8 @@ std::vector<DepthChoice> DepthPilot::measure(double cutoff) const {
     const auto depths = static_cast<std::size_t>(deepest_) + 1;
     std::vector<double> rays(depths, 0);  // those that are followed from this max_recursion on
     rays[0] = ofOneRay_;
-    // Sums of squared errors and of their squares, of this max_recursion; and of pixels where it is from this one on.
+    // Sums of squared errors and of their squares, of this max_recursion; and of pixels where it is from this
+    // one on.
     std::vector<glm::dvec2> of(depths, glm::dvec2(0)), from(depths, glm::dvec2(0));
     std::vector<glm::dvec3> color(depths);
     for (const std::size_t pixel : deep_) {
@@ -61,14 +60,15 @@ std::vector<DepthChoice> DepthPilot::measure(double cutoff) const {
         followed += rays[depth];
         const glm::dvec2 sums = of[depth] + whole;
         const ErrorEstimate error = rootOf(meanOf(sums.x, sums.y, pixelCount()));
-        choices.push_back({static_cast<int>(depth), cutoff, followed / static_cast<double>(pixelCount()), error.rmse,
-                           error.standardError});
+        choices.push_back({static_cast<int>(depth), cutoff, followed / static_cast<double>(pixelCount()),
+                           error.rmse, error.standardError});
     }
     return choices;
 }
 
 double DepthPilot::distance(const DepthChoice& a, const DepthChoice& b) {
-    const auto [found, isNew] = distances_.try_emplace({{a.max_recursion, a.cutoff}, {b.max_recursion, b.cutoff}});
+    const auto [found, isNew] =
+        distances_.try_emplace({{a.max_recursion, a.cutoff}, {b.max_recursion, b.cutoff}});
     if (!isNew) return found->second;
     double sum = 0;
     for (const std::size_t pixel : deep_)

@@ -9,12 +9,14 @@ namespace raytracer {
 
 namespace {
 
-constexpr double lookPart = 1.0 / 200, leastLook = 500;  // of the picture's pixels: looked at before its cost is known
+constexpr double lookPart = 1.0 / 200,
+                 leastLook = 500;      // of the picture's pixels: looked at before its cost is known
 constexpr double widePart = 0.009;     // of the picture's rays, for all that is looked at again
 constexpr double mostPixels = 100000;  // see what is in three of 100,000, missed in 1 of 20; and take 100 MB
 constexpr double worthHalving = 1.1;   // a step of the rays
 constexpr double worthwhile = 3;       // times the pixels before
-constexpr double sameRays = 1.02;      // not worth telling apart, since each is judged with every number of samples
+constexpr double sameRays =
+    1.02;  // not worth telling apart, since each is judged with every number of samples
 
 // Of those on a front, from the cheapest on, that cost nearly the same, the closest to the truth.
 std::vector<DepthChoice> distinct(const std::vector<DepthChoice>& front) {
@@ -28,7 +30,9 @@ std::vector<DepthChoice> distinct(const std::vector<DepthChoice>& front) {
 }  // namespace
 
 DepthSearch::DepthSearch(const Renderer& renderer, const RenderOptions& options, double target)
-    : renderer_(renderer), options_(options), target_(target),
+    : renderer_(renderer),
+      options_(options),
+      target_(target),
       deepest_{.max_recursion = 32, .cutoff = std::min(0.1, 3 * target), .bilinear = options.bilinear} {
     look(std::max(leastLook, lookPart * options.crop.area()));
 }
@@ -42,7 +46,8 @@ void DepthSearch::look(double pixels) {
 
 std::vector<DepthChoice> DepthSearch::front(double part) {
     std::vector<double> cutoffs;
-    std::ranges::copy_if(gridCutoffs, std::back_inserter(cutoffs), [&](double cutoff) { return cutoff >= deepest_.cutoff; });
+    std::ranges::copy_if(gridCutoffs, std::back_inserter(cutoffs),
+                         [&](double cutoff) { return cutoff >= deepest_.cutoff; });
     const auto measure = [&](int depth, double cutoff) { return pilot_->measured(depth, cutoff); };
     return distinct(depthFront(measure, deepest_.max_recursion, cutoffs, part * target_));
 }

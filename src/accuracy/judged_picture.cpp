@@ -4,14 +4,15 @@
 #include <cmath>
 #include <numeric>
 
-#include "raytracer/tracer/packet_order.h"
 #include "raytracer/accuracy/stratified_pilot.h"
+#include "raytracer/tracer/packet_order.h"
 
 namespace raytracer {
 
 namespace {
 
-constexpr int truthSamples = 2;  // n x n: the truth may be noisy, as long as it is not the larger part of the differences
+constexpr int truthSamples =
+    2;  // n x n: the truth may be noisy, as long as it is not the larger part of the differences
 
 constexpr int parts = 4;  // of the picture: each a quarter of its blocks, evenly spread
 constexpr int blockWidth = 8, blockHeight = 16;
@@ -27,7 +28,8 @@ void findPart(const PixelRectangle& crop, int number, Part& part) {
     part.pixels.reserve(static_cast<std::size_t>(crop.area()) / parts);
     for (int row = 0, y = crop.y0; y < crop.y1; ++row, y += blockHeight)
         for (int x = crop.x0 + (number + 2 * row) % parts * blockWidth; x < crop.x1; x += parts * blockWidth)
-            part.blocks.push_back({x, y, std::min(x + blockWidth, crop.x1), std::min(y + blockHeight, crop.y1)});
+            part.blocks.push_back(
+                {x, y, std::min(x + blockWidth, crop.x1), std::min(y + blockHeight, crop.y1)});
     for (const PixelRectangle& block : part.blocks)
         forEachInPacketOrder(block, [&](int x, int y) { part.pixels.push_back({x, y}); });
 }
@@ -53,15 +55,19 @@ std::vector<float> changesOf(const Part& part, std::span<const glm::dvec3> color
         float shown[3][blockHeight][blockWidth];
         forEachInPacketOrder(block, [&](int x, int y) {
             for (int i = 0; i < 3; ++i)
-                shown[i][y - block.y0][x - block.x0] = std::min(std::max(static_cast<float>((*color)[i]), 0.0f), 1.0f);
+                shown[i][y - block.y0][x - block.x0] =
+                    std::min(std::max(static_cast<float>((*color)[i]), 0.0f), 1.0f);
             ++color;
         });
-        float beside[blockHeight][blockWidth + 1] = {}, above[blockHeight + 1][blockWidth] = {};  // squared distances
+        float beside[blockHeight][blockWidth + 1] = {},
+                                               above[blockHeight + 1][blockWidth] = {};  // squared distances
         for (const auto& channel : shown) {
             for (int y = 0; y < block.height(); ++y)
-                for (int x = 1; x < block.width(); ++x) beside[y][x] += squared(channel[y][x] - channel[y][x - 1]);
+                for (int x = 1; x < block.width(); ++x)
+                    beside[y][x] += squared(channel[y][x] - channel[y][x - 1]);
             for (int y = 1; y < block.height(); ++y)
-                for (int x = 0; x < block.width(); ++x) above[y][x] += squared(channel[y][x] - channel[y - 1][x]);
+                for (int x = 0; x < block.width(); ++x)
+                    above[y][x] += squared(channel[y][x] - channel[y - 1][x]);
         }
         forEachInPacketOrder(block, [&](int x, int y) {
             x -= block.x0, y -= block.y0;
@@ -79,12 +85,13 @@ struct Chosen {
     double weight;
 };
 
-// In steps of equal size through the part (systematic sampling with probability proportional to size; Madow 1949): a large
-// pixel may be chosen more than once.
+// In steps of equal size through the part (systematic sampling with probability proportional to size; Madow
+// 1949): a large pixel may be chosen more than once.
 std::vector<Chosen> choose(std::span<const float> changes, double count) {
     constexpr std::size_t group = 16;  // of so many pixels most have none chosen
     const auto all = static_cast<double>(changes.size());
-    const double changed = sumOf(changes), even = evenSize(changed, all), total = changed + even * all, step = total / count;
+    const double changed = sumOf(changes), even = evenSize(changed, all), total = changed + even * all,
+                 step = total / count;
     std::vector<Chosen> chosen;
     double sum = 0, next = step / 2;
     for (std::size_t begin = 0, end = 0; begin < changes.size(); begin = end) {
@@ -101,8 +108,9 @@ std::vector<Chosen> choose(std::span<const float> changes, double count) {
 
 }  // namespace
 
-JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting, PixelSink& sink,
-                           double judgedPixels, const std::function<Judgement(const ErrorEstimate&)>& judge) {
+JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting,
+                           PixelSink& sink, double judgedPixels,
+                           const std::function<Judgement(const ErrorEstimate&)>& judge) {
     const PixelRectangle& crop = options.crop;
     JudgedPicture picture{setting, {}, {}};
     std::vector<double> estimates;  // Hansen and Hurwitz 1943: the mean of what each one tells of the whole
@@ -120,7 +128,8 @@ JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& option
         const std::vector<Chosen> chosen = choose(changesOf(part, colors), share * judgedPixels);
         std::vector<PixelPlace> places;
         std::vector<glm::dvec3> judged;
-        for (const auto& [pixel, weight] : chosen) places.push_back(part.pixels[pixel]), judged.push_back(colors[pixel]);
+        for (const auto& [pixel, weight] : chosen)
+            places.push_back(part.pixels[pixel]), judged.push_back(colors[pixel]);
         Pilot pilot(renderer, options, places);
         pilot.sampleTruth(setting, truthSamples);
         const std::vector<double> errors = pilot.squaredErrors(judged);

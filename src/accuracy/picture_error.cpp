@@ -15,7 +15,8 @@ glm::dvec3 shown(const glm::dvec3& color) { return glm::clamp(color, 0.0, 1.0); 
 }  // namespace
 
 ColorSink::ColorSink(const PixelRectangle& crop)
-    : crop_(crop), colors_(static_cast<std::size_t>(crop.width()) * static_cast<std::size_t>(crop.height())) {}
+    : crop_(crop),
+      colors_(static_cast<std::size_t>(crop.width()) * static_cast<std::size_t>(crop.height())) {}
 
 void ColorSink::write(int x, int y, std::span<const glm::dvec3> colors) {
     const auto place = static_cast<std::ptrdiff_t>(y - crop_.y0) * crop_.width() + (x - crop_.x0);

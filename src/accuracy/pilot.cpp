@@ -23,11 +23,14 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
 constexpr int placesOfCell = 16;  // along an axis, where a sample of the truth may lie in its cell
 
 // Whether adaptive takes all samples of a pixel, from how far its corners are apart.
-bool isActive(double spread, const Setting& setting) { return setting.adaptive == 0 || spread > setting.adaptive; }
+bool isActive(double spread, const Setting& setting) {
+    return setting.adaptive == 0 || spread > setting.adaptive;
+}
 
 // One pixel of a cell.
 PixelPlace pixelIn(const PixelRectangle& cell, std::uint32_t random) {
-    const auto width = static_cast<std::uint32_t>(cell.width()), height = static_cast<std::uint32_t>(cell.height());
+    const auto width = static_cast<std::uint32_t>(cell.width()),
+               height = static_cast<std::uint32_t>(cell.height());
     return {cell.x0 + static_cast<int>(random % width), cell.y0 + static_cast<int>(random / width % height)};
 }
 
@@ -35,12 +38,15 @@ PixelPlace pixelIn(const PixelRectangle& cell, std::uint32_t random) {
 
 std::vector<PixelPlace> scatteredPixels(const PixelRectangle& crop, std::size_t count, std::uint32_t seed) {
     const double edge = std::max(1.0, std::sqrt(crop.area() / static_cast<double>(count)));
-    const int columns = static_cast<int>(std::ceil(crop.width() / edge)), rows = static_cast<int>(std::ceil(crop.height() / edge));
+    const int columns = static_cast<int>(std::ceil(crop.width() / edge)),
+              rows = static_cast<int>(std::ceil(crop.height() / edge));
     std::vector<PixelPlace> pixels;
     forEachInPacketOrder({0, 0, columns, rows}, [&](int column, int row) {
-        const PixelRectangle cell{crop.x0 + crop.width() * column / columns, crop.y0 + crop.height() * row / rows,
-                                  crop.x0 + crop.width() * (column + 1) / columns, crop.y0 + crop.height() * (row + 1) / rows};
-        pixels.push_back(pixelIn(cell, hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed)));
+        const PixelRectangle cell{
+            crop.x0 + crop.width() * column / columns, crop.y0 + crop.height() * row / rows,
+            crop.x0 + crop.width() * (column + 1) / columns, crop.y0 + crop.height() * (row + 1) / rows};
+        pixels.push_back(
+            pixelIn(cell, hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), seed)));
     });
     return pixels;
 }
@@ -57,7 +63,9 @@ struct Pilot::Grid {
 
     double samples() const { return setting.samples * setting.samples; }  // of a pixel; of these
     double corners() const { return std::min(4.0, samples()); }
-    bool isCorner(int i, int j) const { return (i == 0 || i == setting.samples - 1) && (j == 0 || j == setting.samples - 1); }
+    bool isCorner(int i, int j) const {
+        return (i == 0 || i == setting.samples - 1) && (j == 0 || j == setting.samples - 1);
+    }
 };
 
 Pilot::Pilot(const Renderer& renderer, const RenderOptions& options, std::vector<PixelPlace> pixels)
@@ -75,8 +83,9 @@ const std::vector<glm::dvec3>& Pilot::colors(const Setting& setting) {
     addSamples(grid, lacking, false, true);
     auto picture = std::make_unique<Picture>(Picture{setting, {}});
     for (const Grid::Pixel& pixel : grid.pixels)
-        picture->colors.push_back(isActive(pixel.spread, setting) ? (pixel.corners + pixel.others) / grid.samples()
-                                                                  : pixel.corners / grid.corners());
+        picture->colors.push_back(isActive(pixel.spread, setting)
+                                      ? (pixel.corners + pixel.others) / grid.samples()
+                                      : pixel.corners / grid.corners());
     pictures_.push_back(std::move(picture));
     return pictures_.back()->colors;
 }
@@ -84,9 +93,11 @@ const std::vector<glm::dvec3>& Pilot::colors(const Setting& setting) {
 double Pilot::rays(const Setting& setting) {
     const Grid& grid = gridOf(setting);
     double active = 0, whole = 0;
-    for (const Grid::Pixel& pixel : grid.pixels) active += isActive(pixel.spread, setting), whole += pixel.isWhole;
+    for (const Grid::Pixel& pixel : grid.pixels)
+        active += isActive(pixel.spread, setting), whole += pixel.isWhole;
     const auto count = static_cast<double>(pixels_.size());
-    const double others = whole > 0 ? grid.otherRays / whole : grid.cornerRays / count * (grid.samples() - grid.corners()) / 4;
+    const double others =
+        whole > 0 ? grid.otherRays / whole : grid.cornerRays / count * (grid.samples() - grid.corners()) / 4;
     return (grid.cornerRays + active * others) / count;
 }
 
@@ -108,7 +119,8 @@ void Pilot::addSamples(Grid& grid, std::span<const std::size_t> pixels, bool cor
         for (const std::size_t pixel : pixels)
             for (int j = 0; j < n; j += step)
                 for (int i = 0; i < n; i += step)
-                    if (const bool isCorner = grid.isCorner(i, j); isCorner ? corners : others) work(pixel, i, j, isCorner);
+                    if (const bool isCorner = grid.isCorner(i, j); isCorner ? corners : others)
+                        work(pixel, i, j, isCorner);
     };
     std::vector<PixelPlace> places;
     forEachSample([&](std::size_t pixel, int i, int j, bool) {
@@ -195,8 +207,9 @@ void Pilot::sampleTruth(const Setting& depth, int n) {
                 const int x = scale * pixel.x + placesOfCell * i, y = scale * pixel.y + placesOfCell * j;
                 for (int twin = 0; twin < 2; ++twin) {
                     const auto seed = static_cast<std::uint32_t>(2 * truthSamples_ + twin);
-                    places.push_back(pixelIn({x, y, x + placesOfCell, y + placesOfCell},
-                                             hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed)));
+                    places.push_back(
+                        pixelIn({x, y, x + placesOfCell, y + placesOfCell},
+                                hash(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed)));
                 }
             }
     const std::vector<glm::dvec3> colors = samples(depth, scale, places);
@@ -211,9 +224,11 @@ void Pilot::sampleTruth(const Setting& depth, int n) {
     truthSamples_ += cells;
 }
 
-std::vector<DepthChoice> depthFront(const MeasureDepth& measure, int deepest, std::span<const double> cutoffs, double enough) {
+std::vector<DepthChoice> depthFront(const MeasureDepth& measure, int deepest, std::span<const double> cutoffs,
+                                    double enough) {
     std::vector<DepthChoice> choices;
-    std::vector<double> before(cutoffs.size(), 2);  // the errors one step less deep; 0: deep enough, or deeper is no closer
+    std::vector<double> before(cutoffs.size(),
+                               2);  // the errors one step less deep; 0: deep enough, or deeper is no closer
     for (const int depth : gridDepths) {
         if (depth > deepest) break;
         for (std::size_t i = 0; i < cutoffs.size(); ++i) {

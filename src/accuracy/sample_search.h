@@ -12,8 +12,10 @@ namespace raytracer {
 
 class SampleSearch {
   public:
-    // What lies between the samples is judged as deep as the depths' finest one at this time. All are kept by reference.
-    SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths, PixelSink& sink);
+    // What lies between the samples is judged as deep as the depths' finest one at this time. All are kept by
+    // reference.
+    SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths,
+                 PixelSink& sink);
 
     // Looks at more pixels, by so many times the number of the first look.
     void look(double times);
@@ -23,21 +25,26 @@ class SampleSearch {
     void findSamples();
     int samples() const { return samples_; }
 
-    // Between 1 sample and 2 x 2 lies a step of the rays by 4. Where one may be enough but is not sure to be, renders the picture
-    // of one into the sink, until it is clearly too far off: that costs little more than to be sure, and it may be the picture
-    // wanted. False if not.
+    // Between 1 sample and 2 x 2 lies a step of the rays by 4. Where one may be enough but is not sure to be,
+    // renders the picture of one into the sink, until it is clearly too far off: that costs little more than
+    // to be sure, and it may be the picture wanted. False if not.
     bool judgePicture();
     const std::optional<JudgedPicture>& picture() const { return picture_; }
-    bool isRendered(const Setting& setting) const { return picture_ && picture_->isWhole && picture_->setting == setting; }
+    bool isRendered(const Setting& setting) const {
+        return picture_ && picture_->isWhole && picture_->setting == setting;
+    }
 
-    // Between the samples alone, where the setting is as deep as the judged depth; and against that, where it is not.
+    // Between the samples alone, where the setting is as deep as the judged depth; and against that, where it
+    // is not.
     ErrorEstimate error(const Setting& setting);
     ErrorEstimate errorOfFlat(const Setting& setting) { return pilot_.errorOfFlat(setting); }
     bool isEnough(const Setting& setting) { return isWithin(error(setting), margin, target_); }
     double rays(const Setting& setting) { return pilot_.rays(setting); }
 
     DepthChoice judgedDepth() const { return depths_.of(judged_); }
-    Setting sampled(int samples, double adaptive = 0) const { return sampledAt(judgedDepth(), samples, adaptive); }
+    Setting sampled(int samples, double adaptive = 0) const {
+        return sampledAt(judgedDepth(), samples, adaptive);
+    }
     Setting sampledAt(const DepthChoice& depth, int samples, double adaptive = 0) const;
 
     std::size_t pixelCount() const;

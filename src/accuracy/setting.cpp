@@ -40,7 +40,8 @@ std::string commandLine(const Setting& setting) {
     add(setting.precision == usual.precision, "--precision", precisionName(setting.precision));
     add(setting.samples == usual.samples, "--samples", std::to_string(setting.samples));
     add(setting.adaptive == usual.adaptive, "--adaptive", shortNumber(setting.adaptive));
-    add(setting.max_recursion == usual.max_recursion, "--max-recursion", std::to_string(setting.max_recursion));
+    add(setting.max_recursion == usual.max_recursion, "--max-recursion",
+        std::to_string(setting.max_recursion));
     add(setting.cutoff == usual.cutoff, "--cutoff", shortNumber(setting.cutoff));
     add(setting.bilinear == usual.bilinear, "--texture-filter", "bilinear");
     return text.empty() ? "the defaults" : text;
@@ -54,7 +55,8 @@ std::vector<std::size_t> paretoFront(std::span<const CostAndError> points) {
     std::vector<std::size_t> order(points.size()), front;
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-        return points[a].cost != points[b].cost ? points[a].cost < points[b].cost : points[a].error < points[b].error;
+        return points[a].cost != points[b].cost ? points[a].cost < points[b].cost
+                                                : points[a].error < points[b].error;
     });
     double best = std::numeric_limits<double>::infinity();
     for (const std::size_t i : order) {

@@ -19,11 +19,14 @@ std::vector<std::size_t> orderOf(std::span<const double> activity) {
     return order;
 }
 
-// `count` of them, evenly spread; all if there are no more. In the picture's order, so that neighbours share packets.
-std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const std::size_t> indices, std::size_t count) {
+// `count` of them, evenly spread; all if there are no more. In the picture's order, so that neighbours share
+// packets.
+std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const std::size_t> indices,
+                             std::size_t count) {
     const std::size_t taken = std::min(count, indices.size());
     std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < taken; ++k) places.push_back(indices[(2 * k + 1) * indices.size() / (2 * taken)]);
+    for (std::size_t k = 0; k < taken; ++k)
+        places.push_back(indices[(2 * k + 1) * indices.size() / (2 * taken)]);
     std::ranges::sort(places);
     std::vector<PixelPlace> chosen;
     for (const std::size_t place : places) chosen.push_back(pixels[place]);
@@ -36,7 +39,8 @@ double evenSize(double total, double count) {
     return total > 0 ? evenPart / (1 - evenPart) * total / count : 1;
 }
 
-void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const double> activity, std::size_t count) {
+void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const double> activity,
+                          std::size_t count) {
     Sample sample{{}, static_cast<double>(pixels.size())};
     const std::vector<std::size_t> order = orderOf(activity);
     const double active = std::accumulate(activity.begin(), activity.end(), 0.0);
@@ -48,14 +52,15 @@ void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const do
         while (end < order.size() && (end == begin || sum < limit || number == strataCount))
             sum += activity[order[end++]] + even;
         const auto indices = std::span(order).subspan(begin, end - begin);
-        sample.strata.push_back({static_cast<double>(indices.size()) / sample.looked,
-                                 std::make_unique<Pilot>(renderer_, options_, some(pixels, indices, count / strataCount))});
+        sample.strata.push_back(
+            {static_cast<double>(indices.size()) / sample.looked,
+             std::make_unique<Pilot>(renderer_, options_, some(pixels, indices, count / strataCount))});
     }
     samples_.push_back(std::move(sample));
 }
 
-// Of all strata, by the mean square of each one's pixels. Cochran (12.32): within the strata by the pixels judged, between
-// them by the pixels looked at.
+// Of all strata, by the mean square of each one's pixels. Cochran (12.32): within the strata by the pixels
+// judged, between them by the pixels looked at.
 template <class SquaredError>
 ErrorEstimate StratifiedPilot::estimate(SquaredError squaredError) {
     MeanSquare all;
@@ -106,7 +111,8 @@ double StratifiedPilot::part(const Sample& sample) const {
 double StratifiedPilot::rays(const Setting& setting) {
     double rays = 0;
     for (Sample& sample : samples_)
-        for (Stratum& stratum : sample.strata) rays += part(sample) * stratum.share * stratum.pilot->rays(setting);
+        for (Stratum& stratum : sample.strata)
+            rays += part(sample) * stratum.share * stratum.pilot->rays(setting);
     return rays;
 }
 

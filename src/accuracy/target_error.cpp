@@ -10,39 +10,49 @@ namespace raytracer {
 
 namespace {
 
-// The error has two parts, which a pilot can measure apart since they hardly know of each other: of what rays bring that
-// are not followed (depth), and of what lies between the samples. Their squares add up.
+// The error has two parts, which a pilot can measure apart since they hardly know of each other: of what rays
+// bring that are not followed (depth), and of what lies between the samples. Their squares add up.
 struct Candidate {
     Setting setting;
-    double rays = 0;  // for each pixel, predicted up to a factor that is the same for all; 0 if it is rendered already
+    double rays =
+        0;  // for each pixel, predicted up to a factor that is the same for all; 0 if it is rendered already
     ErrorEstimate samples, depth;
     ErrorEstimate error() const { return together(samples, depth); }
 };
 
 constexpr double adaptiveSteps[] = {0.3, 0.1, 0.03, 0.01};
 
-constexpr double adaptivePart = 1.0 / 48;  // of the pixels, where adaptive may help: what it misses is in few pixels
-constexpr double leastLook = 0.25;         // of all pixels before: fewer would tell little more
+constexpr double adaptivePart =
+    1.0 / 48;                       // of the pixels, where adaptive may help: what it misses is in few pixels
+constexpr double leastLook = 0.25;  // of all pixels before: fewer would tell little more
 
 // What the best setting may cost, times this, is the most that all may cost, the pilot included.
 constexpr double promise = 1.5;
-// No look is begun after which all pilots together would have cost more than such a part of what the best setting costs, or
-// of what a cheaper one would save; nor for more than that part of what it would save itself.
+// No look is begun after which all pilots together would have cost more than such a part of what the best
+// setting costs, or of what a cheaper one would save; nor for more than that part of what it would save
+// itself.
 constexpr double pilotShare = 0.12, savedShare = 0.15, hope = 0.25;
 constexpr double checkShare = 0.09;  // for a look that would only make sure, instead of pilotShare
-constexpr double leastShare = 0.04;  // even where all seems to be sure: few pixels may all have missed the same thing
-constexpr double smallStep = 1.05;   // a setting dearer by no more than this is as good
+constexpr double leastShare =
+    0.04;  // even where all seems to be sure: few pixels may all have missed the same thing
+constexpr double smallStep = 1.05;  // a setting dearer by no more than this is as good
 
-constexpr double reachedMargin = 1;   // standard errors: above by no more than this is not said to be above
-constexpr double likelyExcess = 1.5;  // of the target: what is only likely within it may well be above, but not far
+constexpr double reachedMargin = 1;  // standard errors: above by no more than this is not said to be above
+constexpr double likelyExcess =
+    1.5;  // of the target: what is only likely within it may well be above, but not far
 
 class Search {
   public:
-    Search(const Renderer& renderer, const RenderOptions& options, double target, PixelSink& sink, const ChoiceSoFar& tell)
-        : area_(options.crop.area()), target_(target), tell_(tell), depths_(renderer, options, target),
+    Search(const Renderer& renderer, const RenderOptions& options, double target, PixelSink& sink,
+           const ChoiceSoFar& tell)
+        : area_(options.crop.area()),
+          target_(target),
+          tell_(tell),
+          depths_(renderer, options, target),
           samples_(renderer, options, target, depths_, sink) {}
 
-    // In looks at ever more pixels, until the choice is clear or more would cost too much of what it can save.
+    // In looks at ever more pixels, until the choice is clear or more would cost too much of what it can
+    // save.
     TargetChoice choose() {
         double all = 1, pixels = 1, before = depths_.raysSpent();
         samples_.look(1);
@@ -53,7 +63,8 @@ class Search {
         }
         for (;;) {
             TargetChoice choice = round();
-            const double each = (spent() - before) / pixels;  // rays, for as many pixels as the first look has
+            const double each =
+                (spent() - before) / pixels;  // rays, for as many pixels as the first look has
             if (depths_.widen(leastRays(choice))) choice = round();
             while (depths_.halve(choice.setting)) choice = round();
             if (samples_.judgePicture()) choice = round();
@@ -79,35 +90,46 @@ class Search {
     }
 
     // What the best setting may cost.
-    static double leastRays(const TargetChoice& choice) { return choice.cheaper ? choice.cheaperRays : choice.rays; }
+    static double leastRays(const TargetChoice& choice) {
+        return choice.cheaper ? choice.cheaperRays : choice.rays;
+    }
 
-    // Rays that may be spent on more pixels: they may lead to a cheaper setting (and to a part of what seems to be possible),
-    // or show that this one will not do.
+    // Rays that may be spent on more pixels: they may lead to a cheaper setting (and to a part of what seems
+    // to be possible), or show that this one will not do.
     double worthwhile(const TargetChoice& choice) const {
         const double best = leastRays(choice) * area_, chosen = choice.rays * area_;
         const double saved = chosen - best;
-        const double saving = std::min(std::max(pilotShare * best, savedShare * saved) - spent(), hope * saved);
+        const double saving =
+            std::min(std::max(pilotShare * best, savedShare * saved) - spent(), hope * saved);
         const bool isSure = isWithin({choice.error, choice.standardError}, sureMargin);
         return std::max(saving, (isSure ? leastShare : checkShare) * best - spent());
     }
 
     double spent() const { return depths_.raysSpent() + samples_.raysSpent(); }
 
-    bool isWithin(const ErrorEstimate& error, double errors) const { return raytracer::isWithin(error, errors, target_); }
-    bool isPossible(const ErrorEstimate& error) const { return error.rmse - sureMargin * error.standardError <= target_; }
-    bool isReached(const ErrorEstimate& error) const {  // with a standard error above the target nothing is known
+    bool isWithin(const ErrorEstimate& error, double errors) const {
+        return raytracer::isWithin(error, errors, target_);
+    }
+    bool isPossible(const ErrorEstimate& error) const {
+        return error.rmse - sureMargin * error.standardError <= target_;
+    }
+    bool isReached(
+        const ErrorEstimate& error) const {  // with a standard error above the target nothing is known
         return error.standardError <= target_ && error.rmse - reachedMargin * error.standardError <= target_;
     }
     bool isLikely(const ErrorEstimate& error) const {
         return error.rmse <= target_ && raytracer::isWithin(error, sureMargin, likelyExcess * target_);
     }
 
-    // And what the depth leaves out, of which the pilot's pixels see the part that the judged depth does not leave out itself.
+    // And what the depth leaves out, of which the pilot's pixels see the part that the judged depth does not
+    // leave out itself.
     ErrorEstimate measured(const Candidate& candidate) {
         const Setting& setting = candidate.setting;
         const DepthChoice depth = depths_.of(setting);
-        const bool isDeeper = depth.error < samples_.judgedDepth().error || (samples_.picture() && setting.samples == 1);
-        const ErrorEstimate error = samples_.error(isDeeper ? samples_.sampled(setting.samples, setting.adaptive) : setting);
+        const bool isDeeper =
+            depth.error < samples_.judgedDepth().error || (samples_.picture() && setting.samples == 1);
+        const ErrorEstimate error =
+            samples_.error(isDeeper ? samples_.sampled(setting.samples, setting.adaptive) : setting);
         const double shallow = isDeeper ? 0 : depths_.distance(depth, samples_.judgedDepth());
         const double unseen = std::sqrt(std::max(0.0, depth.error * depth.error - shallow * shallow));
         return together(error, {unseen, depth.error > 0 ? depth.standardError * unseen / depth.error : 0});
@@ -118,16 +140,20 @@ class Search {
         candidates_.clear();
         const int most = samples_.samples();
         int samples = most;
-        while (samples > 1 && samples_.error(samples_.sampled(samples)).rmse <= target_) samples = samples_.stepBelow(samples);
-        for (double enough = samples_.rays(samples_.sampled(most));; samples = samples_.stepFrom(samples + 1)) {
+        while (samples > 1 && samples_.error(samples_.sampled(samples)).rmse <= target_)
+            samples = samples_.stepBelow(samples);
+        for (double enough = samples_.rays(samples_.sampled(most));;
+             samples = samples_.stepFrom(samples + 1)) {
             if (samples <= most) addCandidates(samples_.sampled(samples));
-            if (!collectAdaptive(samples, enough) || samples >= 1.5 * most || samples == SampleSearch::sampleLimit) break;
+            if (!collectAdaptive(samples, enough) || samples >= 1.5 * most ||
+                samples == SampleSearch::sampleLimit)
+                break;
         }
         std::ranges::stable_sort(candidates_, {}, &Candidate::rays);
     }
 
-    // From the coarsest on, until one is good enough or dearer than what is: finer ones are dearer. Then half way back. Where
-    // the flat pixels alone are too far off, no others are rendered. False if all are dearer.
+    // From the coarsest on, until one is good enough or dearer than what is: finer ones are dearer. Then half
+    // way back. Where the flat pixels alone are too far off, no others are rendered. False if all are dearer.
     bool collectAdaptive(int samples, double& enough) {
         if (samples < 3) return true;
         double coarser = 1;
@@ -159,8 +185,8 @@ class Search {
         }
     }
 
-    // The cheapest that is within the target by the margin; one that costs hardly more and is surely within it; or, where that
-    // costs more than the promise allows, one that is likely within it.
+    // The cheapest that is within the target by the margin; one that costs hardly more and is surely within
+    // it; or, where that costs more than the promise allows, one that is likely within it.
     TargetChoice pick() {
         const Candidate *possible = nullptr, *likely = nullptr, *good = nullptr;
         for (const Candidate& candidate : candidates_) {
@@ -175,7 +201,9 @@ class Search {
             if (!good && isWithin(error, margin)) good = &candidate;
         }
         if (good || likely) return result(good ? *good : *likely, possible);
-        const auto accuracy = [](const Candidate& c) { return std::pair(c.setting.adaptive, c.error().rmse); };
+        const auto accuracy = [](const Candidate& c) {
+            return std::pair(c.setting.adaptive, c.error().rmse);
+        };
         return result(*std::ranges::min_element(candidates_, {}, accuracy), nullptr);
     }
 
@@ -188,7 +216,8 @@ class Search {
         choice.standardError = error.standardError;
         choice.sampleError = candidate.samples.rmse;
         choice.depthError = candidate.depth.rmse;
-        const double rendered = samples_.isRendered(choice.setting) ? rayCount(samples_.picture()->counts) : 0;
+        const double rendered =
+            samples_.isRendered(choice.setting) ? rayCount(samples_.picture()->counts) : 0;
         choice.rays = rendered > 0 ? rendered / area_ : candidate.rays;
         if (cheaper && cheaper->rays < candidate.rays) {
             choice.cheaper = cheaper->setting;
@@ -209,8 +238,8 @@ class Search {
 
 }  // namespace
 
-TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target, PixelSink& sink,
-                           const ChoiceSoFar& tell) {
+TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target,
+                           PixelSink& sink, const ChoiceSoFar& tell) {
     return Search(renderer, options, target, sink, tell).choose();
 }
 

@@ -7,9 +7,10 @@
 
 namespace raytracer {
 
-// What an error may be, some standard errors up. It comes from few pixels, as if from k equally wrong ones where the mean
-// square has a relative error of k^-1/2. Gehrels's upper limit of a count of k ("Confidence limits for small numbers of
-// events in astrophysical data", 1986, eq. 10 with its first term of 1/k): k + s sqrt(k + 3/4) + (s^2 + 3) / 4.
+// What an error may be, some standard errors up. It comes from few pixels, as if from k equally wrong ones
+// where the mean square has a relative error of k^-1/2. Gehrels's upper limit of a count of k ("Confidence
+// limits for small numbers of events in astrophysical data", 1986, eq. 10 with its first term of 1/k): k + s
+// sqrt(k + 3/4) + (s^2 + 3) / 4.
 inline double upperLimit(double error, double standardError, double s) {
     if (!(standardError > 0)) return error;
     if (!(error > 0)) return s * standardError;
@@ -17,8 +18,8 @@ inline double upperLimit(double error, double standardError, double s) {
     return error * std::sqrt(1 + (s * std::sqrt(k + 0.75) + (s * s + 3) / 4) / k);
 }
 
-// Standard errors. With some odds to spare, since only a picture in ten may be above, and the cheapest that seems to do is
-// likely to seem better than it is (Notes.txt).
+// Standard errors. With some odds to spare, since only a picture in ten may be above, and the cheapest that
+// seems to do is likely to seem better than it is (Notes.txt).
 inline constexpr double margin = 1.6, sureMargin = 2;
 
 inline bool isWithin(const ErrorEstimate& error, double errors, double target) {

@@ -40,9 +40,10 @@ std::vector<bool> contenders(std::span<const Trial> trials) {
     return contender;
 }
 
-// Until all that might be on the front have so many timings. All of them in turn, so that what disturbs the machine for a while
-// disturbs all alike.
-void repeatTimings(const Renderer& renderer, const RenderOptions& options, int repeats, std::vector<Trial>& trials) {
+// Until all that might be on the front have so many timings. All of them in turn, so that what disturbs the
+// machine for a while disturbs all alike.
+void repeatTimings(const Renderer& renderer, const RenderOptions& options, int repeats,
+                   std::vector<Trial>& trials) {
     for (bool isDone = false; !isDone;) {
         isDone = true;
         const std::vector<bool> again = contenders(trials);
@@ -80,7 +81,8 @@ struct Arithmetic {
 };
 
 // The defaults and sixteen samples, in each precision.
-std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderOptions& options, int repeats) {
+std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderOptions& options,
+                                    int repeats) {
     std::vector<Arithmetic> kinds;
     for (const Precision precision : {Precision::Extended, Precision::Double, Precision::Float})
         kinds.push_back({precision, makeRenderer(scene, precision)});
@@ -96,7 +98,8 @@ std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderO
             trials.push_back(trial);
         }
         for (int i = 1; i < repeats; ++i)
-            for (std::size_t k = 0; k < kinds.size(); ++k) perform(*kinds[k].renderer, options, trials[first + k]);
+            for (std::size_t k = 0; k < kinds.size(); ++k)
+                perform(*kinds[k].renderer, options, trials[first + k]);
     }
     return trials;
 }
@@ -108,22 +111,27 @@ ByteImage picture(const ImageSize& size, std::span<const glm::dvec3> colors) {
     return sink.image();
 }
 
-Exhibit exhibit(const Renderer& renderer, const RenderOptions& options, const Trial& trial, const Reference& reference) {
+Exhibit exhibit(const Renderer& renderer, const RenderOptions& options, const Trial& trial,
+                const Reference& reference) {
     ColorSink sink(options.crop);
     renderer.render(withSetting(options, trial.setting), sink);
     std::vector<glm::dvec3> difference;
     for (std::size_t i = 0; i < reference.colors.size(); ++i)
         difference.push_back(exhibitMagnification * glm::abs(glm::clamp(sink.colors()[i], 0.0, 1.0) -
                                                              glm::clamp(reference.colors[i], 0.0, 1.0)));
-    return {trial.setting, trial.error, picture(options.size, sink.colors()), picture(options.size, difference)};
+    return {trial.setting, trial.error, picture(options.size, sink.colors()),
+            picture(options.size, difference)};
 }
 
 // The front's points nearest to every half power of ten.
-std::vector<Exhibit> exhibits(const Renderer& renderer, const RenderOptions& options, const SceneTradeoff& measured) {
+std::vector<Exhibit> exhibits(const Renderer& renderer, const RenderOptions& options,
+                              const SceneTradeoff& measured) {
     std::vector<const Trial*> chosen;
     for (const double error : {0.1, 0.03, 0.01, 0.003, 0.001}) {
         const Trial* nearest = nullptr;
-        const auto distance = [&](const Trial& trial) { return std::abs(std::log(trial.error.rmse / error)); };
+        const auto distance = [&](const Trial& trial) {
+            return std::abs(std::log(trial.error.rmse / error));
+        };
         for (const Trial& trial : measured.truncation)
             if (trial.onFront && (!nearest || distance(trial) < distance(*nearest))) nearest = &trial;
         if (nearest && (chosen.empty() || chosen.back() != nearest)) chosen.push_back(nearest);
@@ -134,7 +142,8 @@ std::vector<Exhibit> exhibits(const Renderer& renderer, const RenderOptions& opt
 }
 
 bool hasTextures(const SceneDescription& scene) {
-    return std::ranges::any_of(scene.shapes, [&](const auto& s) { return scene.materials[s.material].use_diffuse_texture; });
+    return std::ranges::any_of(
+        scene.shapes, [&](const auto& s) { return scene.materials[s.material].use_diffuse_texture; });
 }
 
 }  // namespace
@@ -155,7 +164,8 @@ double fallRate(std::span<const CostAndError> points) {
     return -(n * xy - x * y) / (n * xx - x * x);
 }
 
-SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& scene, const TradeoffOptions& wanted) {
+SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& scene,
+                              const TradeoffOptions& wanted) {
     const auto tell = [&](const std::string& what) {
         if (wanted.tell) wanted.tell(name + ": " + what);
     };
@@ -168,7 +178,8 @@ SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& s
     options.threads = wanted.threads;
 
     tell("the reference");
-    result.reference = makeReference(*makeRenderer(scene, wanted.referencePrecision), options, wanted.samples);
+    result.reference =
+        makeReference(*makeRenderer(scene, wanted.referencePrecision), options, wanted.samples);
     result.reference.setting.precision = result.reference.half.precision = wanted.referencePrecision;
     result.referencePicture = picture(options.size, result.reference.colors);
 

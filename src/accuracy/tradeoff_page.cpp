@@ -1,15 +1,16 @@
 // The page: every scene's chart, front, pictures and arithmetic.
 #include <cstdio>
 
-#include "raytracer/util/html.h"
 #include "raytracer/accuracy/tradeoff_report.h"
+#include "raytracer/util/html.h"
 #include "tradeoff_style.h"
 
 namespace raytracer {
 
 namespace {
 
-constexpr const char* introduction = R"html(<p>Each point is a setting of <code>--samples</code>, <code>--adaptive</code>,
+constexpr const char* introduction =
+    R"html(<p>Each point is a setting of <code>--samples</code>, <code>--adaptive</code>,
 <code>--max-recursion</code>, <code>--cutoff</code> and <code>--texture-filter</code>: how long it takes, all threads together, and
 how far its picture is from a converged one (RMSE of 1, in linear light, before it is rounded to bytes).
 <i class="key front"></i> on the front: no other setting is both faster and closer.
@@ -27,28 +28,34 @@ std::string formatted(const char* format, Values... values) {
 // Lines break between options, never in one.
 std::string optionsOf(const Setting& setting) {
     std::string html = "<code>" + escaped(commandLine(setting)) + "</code>";
-    for (auto at = html.find(" --"); at != std::string::npos; at = html.find(" --", at + 1)) html.replace(at, 1, "</code> <code>");
+    for (auto at = html.find(" --"); at != std::string::npos; at = html.find(" --", at + 1))
+        html.replace(at, 1, "</code> <code>");
     return html;
 }
 
 std::string tableRow(const Trial& trial, double plain) {
-    return formatted("<tr><td>%.4f</td><td>%.2f</td><td>%.2e</td><td>%.1f</td><td>%.2e</td><td>%.2f</td><td>", trial.seconds(),
-                     trial.seconds() / plain, trial.error.rmse, trial.error.psnr, trial.error.maximum,
-                     100 * trial.error.shareOff) + optionsOf(trial.setting) + "</td></tr>\n";
+    return formatted("<tr><td>%.4f</td><td>%.2f</td><td>%.2e</td><td>%.1f</td><td>%.2e</td><td>%.2f</td><td>",
+                     trial.seconds(), trial.seconds() / plain, trial.error.rmse, trial.error.psnr,
+                     trial.error.maximum, 100 * trial.error.shareOff) +
+           optionsOf(trial.setting) + "</td></tr>\n";
 }
 
 template <class Wanted>
 std::string table(const SceneTradeoff& scene, std::span<const Trial> trials, Wanted wanted) {
-    std::string html = "<div class=\"scroll\"><table><thead><tr><th>seconds</th><th title=\"times what the defaults take\">&times;</th>"
-                       "<th>RMSE</th><th>PSNR</th><th>maximum</th>"
-                       "<th title=\"of the pixels, off by more than 1/255\">% off</th><th>setting</th></tr></thead><tbody>\n";
+    std::string html =
+        "<div class=\"scroll\"><table><thead><tr><th>seconds</th><th title=\"times what the defaults "
+        "take\">&times;</th>"
+        "<th>RMSE</th><th>PSNR</th><th>maximum</th>"
+        "<th title=\"of the pixels, off by more than 1/255\">% "
+        "off</th><th>setting</th></tr></thead><tbody>\n";
     for (const Trial& trial : trials)
         if (wanted(trial)) html += tableRow(trial, plainSeconds(scene));
     return html + "</tbody></table></div>\n";
 }
 
 std::string image(const char* kind, const std::string& alt, const ByteImage& picture) {
-    return std::string("<img class=\"") + kind + "\" alt=\"" + alt + "\" src=\"" + pngUri(encodePng(picture)) + "\">";
+    return std::string("<img class=\"") + kind + "\" alt=\"" + alt + "\" src=\"" +
+           pngUri(encodePng(picture)) + "\">";
 }
 
 std::string figure(char letter, const Exhibit& exhibit) {
@@ -60,19 +67,24 @@ std::string figure(char letter, const Exhibit& exhibit) {
 }
 
 std::string pictures(const SceneTradeoff& scene) {
-    std::string html = formatted("<h3>What such errors look like (right: the difference from the reference, %g times)</h3>\n",
-                                 exhibitMagnification) + "<div class=\"pictures\">\n<figure><div>" +
-                       image("reference", "the reference", scene.referencePicture) +
-                       "</div><figcaption><b>the reference</b></figcaption></figure>\n";
+    std::string html =
+        formatted(
+            "<h3>What such errors look like (right: the difference from the reference, %g times)</h3>\n",
+            exhibitMagnification) +
+        "<div class=\"pictures\">\n<figure><div>" +
+        image("reference", "the reference", scene.referencePicture) +
+        "</div><figcaption><b>the reference</b></figcaption></figure>\n";
     char letter = 'A';
     for (const Exhibit& exhibit : scene.exhibits) html += figure(letter++, exhibit);
     return html + "</div>\n";
 }
 
 std::string section(const SceneTradeoff& scene) {
-    return "<section id=\"" + escaped(scene.name) + "\"><h2>" + escaped(scene.name) + "</h2>\n<p class=\"about\">" +
-           escaped(describeReference(scene)) + "</p>\n<div class=\"both\"><div>" + tradeoffChart(scene) + "</div><div>" +
-           table(scene, scene.truncation, [](const Trial& trial) { return trial.onFront; }) + "</div></div>\n" + pictures(scene) +
+    return "<section id=\"" + escaped(scene.name) + "\"><h2>" + escaped(scene.name) +
+           "</h2>\n<p class=\"about\">" + escaped(describeReference(scene)) +
+           "</p>\n<div class=\"both\"><div>" + tradeoffChart(scene) + "</div><div>" +
+           table(scene, scene.truncation, [](const Trial& trial) { return trial.onFront; }) +
+           "</div></div>\n" + pictures(scene) +
            "<h3>The error of the arithmetic: the same samples, against extended precision</h3>\n" +
            table(scene, scene.arithmetic, [](const Trial&) { return true; }) + "</section>\n";
 }
@@ -80,11 +92,13 @@ std::string section(const SceneTradeoff& scene) {
 }  // namespace
 
 std::string tradeoffPage(std::span<const SceneTradeoff> scenes) {
-    std::string html = std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
-                                   "<title>Speed for accuracy</title>\n"
-                                   "<meta name=\"viewport\" content=\"width=device-width\">\n<style>") +
+    std::string html = std::string(
+                           "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
+                           "<title>Speed for accuracy</title>\n"
+                           "<meta name=\"viewport\" content=\"width=device-width\">\n<style>") +
                        chartColors + chartStyle + pageStyle +
-                       "</style></head>\n<body>\n<header class=\"head\"><h1>Speed for accuracy</h1>\n" + introduction + "<nav>";
+                       "</style></head>\n<body>\n<header class=\"head\"><h1>Speed for accuracy</h1>\n" +
+                       introduction + "<nav>";
     for (const SceneTradeoff& scene : scenes)
         html += "<a href=\"#" + escaped(scene.name) + "\">" + escaped(scene.name) + "</a>\n";
     html += "</nav></header>\n<main>\n";

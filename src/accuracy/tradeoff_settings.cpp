@@ -7,8 +7,8 @@ namespace raytracer {
 
 namespace {
 
-// The depths that are on the front of rays and error on their own, each at most half as far off as the one before, and the
-// plain ones that people ask for.
+// The depths that are on the front of rays and error on their own, each at most half as far off as the one
+// before, and the plain ones that people ask for.
 std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
     std::vector<double> cutoffs{0};
     cutoffs.insert(cutoffs.end(), std::begin(gridCutoffs), std::end(gridCutoffs));
@@ -23,7 +23,8 @@ std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
         if (chosen.empty() || choice.error < 0.5 * chosen.back().error) chosen.push_back(choice);
     for (const int depth : {1, 2, 3, 6}) chosen.push_back(measure(depth, 0));
     std::ranges::stable_sort(chosen, {}, &DepthChoice::rays);
-    const auto same = [](const DepthChoice& a, const DepthChoice& b) {  // the defaults are what all is measured by
+    const auto same = [](const DepthChoice& a,
+                         const DepthChoice& b) {  // the defaults are what all is measured by
         return a.rays == b.rays && !(b.max_recursion == Setting{}.max_recursion && b.cutoff == 0);
     };
     chosen.erase(std::unique(chosen.begin(), chosen.end(), same), chosen.end());
@@ -32,8 +33,8 @@ std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
 
 }  // namespace
 
-std::vector<Setting> settingsToTry(const Renderer& renderer, const RenderOptions& options, const Reference& reference,
-                                   bool hasTextures, int samples) {
+std::vector<Setting> settingsToTry(const Renderer& renderer, const RenderOptions& options,
+                                   const Reference& reference, bool hasTextures, int samples) {
     Pilot pilot(renderer, options, scatteredPixels(options.crop, 2500, 5));
     const std::vector<DepthChoice> depths = depthsToTry(pilot, reference);
     const DepthChoice& deep = *std::ranges::min_element(depths, {}, &DepthChoice::error);
@@ -47,7 +48,8 @@ std::vector<Setting> settingsToTry(const Renderer& renderer, const RenderOptions
         for (const DepthChoice& depth : depths) {
             if (n > 1 && depth.error > 3 * between) continue;  // more samples would not be seen
             for (const double adaptive : gridAdaptive)
-                if (adaptive == 0 || n > 2) settings.push_back({n, adaptive, depth.max_recursion, depth.cutoff});
+                if (adaptive == 0 || n > 2)
+                    settings.push_back({n, adaptive, depth.max_recursion, depth.cutoff});
             if (hasTextures) settings.push_back({n, 0, depth.max_recursion, depth.cutoff, true});
         }
     }

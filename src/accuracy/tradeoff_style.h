@@ -1,4 +1,5 @@
-// The fixed parts of the trade-off's charts and page: style and script. Plain SVG, HTML, CSS, JavaScript; no library.
+// The fixed parts of the trade-off's charts and page: style and script. Plain SVG, HTML, CSS, JavaScript; no
+// library.
 #pragma once
 
 namespace raytracer {

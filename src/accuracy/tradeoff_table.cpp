@@ -15,18 +15,23 @@ std::string formatted(const char* format, Values... values) {
 
 std::string csvLine(const std::string& scene, const char* question, const Trial& t) {
     const Setting& s = t.setting;
-    return scene + formatted(",%s,%s,%d,%g,%d,%g,%s,%.6f,%zu,", question, precisionName(s.precision), s.samples, s.adaptive,
-                             s.max_recursion, s.cutoff, s.bilinear ? "bilinear" : "nearest", t.seconds(), t.timings.size()) +
+    return scene +
+           formatted(",%s,%s,%d,%g,%d,%g,%s,%.6f,%zu,", question, precisionName(s.precision), s.samples,
+                     s.adaptive, s.max_recursion, s.cutoff, s.bilinear ? "bilinear" : "nearest", t.seconds(),
+                     t.timings.size()) +
            formatted("%llu,%llu,%llu,%llu,%llu,%.6g,", static_cast<unsigned long long>(t.counts.primary),
-                     static_cast<unsigned long long>(t.counts.shadow), static_cast<unsigned long long>(t.counts.reflection),
-                     static_cast<unsigned long long>(t.counts.refraction), static_cast<unsigned long long>(t.counts.tests),
-                     t.counts.cutoffBound) +
-           formatted("%.6g,%.4f,%.6g,%.6g,%d\n", t.error.rmse, t.error.psnr, t.error.maximum, t.error.shareOff, t.onFront);
+                     static_cast<unsigned long long>(t.counts.shadow),
+                     static_cast<unsigned long long>(t.counts.reflection),
+                     static_cast<unsigned long long>(t.counts.refraction),
+                     static_cast<unsigned long long>(t.counts.tests), t.counts.cutoffBound) +
+           formatted("%.6g,%.4f,%.6g,%.6g,%d\n", t.error.rmse, t.error.psnr, t.error.maximum,
+                     t.error.shareOff, t.onFront);
 }
 
 std::string tableLine(const Trial& t, double plainSeconds) {
-    return formatted("  %9.4f %7.2f  %9.2e %7.2f %9.2e %7.2f  %s\n", t.seconds(), t.seconds() / plainSeconds, t.error.rmse,
-                     t.error.psnr, t.error.maximum, 100 * t.error.shareOff, commandLine(t.setting).c_str());
+    return formatted("  %9.4f %7.2f  %9.2e %7.2f %9.2e %7.2f  %s\n", t.seconds(), t.seconds() / plainSeconds,
+                     t.error.rmse, t.error.psnr, t.error.maximum, 100 * t.error.shareOff,
+                     commandLine(t.setting).c_str());
 }
 
 }  // namespace
@@ -39,8 +44,10 @@ double plainSeconds(const SceneTradeoff& scene) {
 
 std::string tradeoffCsv(std::span<const SceneTradeoff> scenes) {
     std::string csv =
-        "scene,question,precision,samples,adaptive,max_recursion,cutoff,texture_filter,seconds,timings,primary_rays,shadow_rays,"
-        "reflection_rays,refraction_rays,intersection_tests,cutoff_bound,rmse,psnr,maximum,share_off,on_front\n";
+        "scene,question,precision,samples,adaptive,max_recursion,cutoff,texture_filter,seconds,timings,"
+        "primary_rays,shadow_rays,"
+        "reflection_rays,refraction_rays,intersection_tests,cutoff_bound,rmse,psnr,maximum,share_off,on_"
+        "front\n";
     for (const SceneTradeoff& scene : scenes) {
         for (const Trial& trial : scene.truncation) csv += csvLine(scene.name, "truncation", trial);
         for (const Trial& trial : scene.arithmetic) csv += csvLine(scene.name, "arithmetic", trial);
@@ -50,15 +57,21 @@ std::string tradeoffCsv(std::span<const SceneTradeoff> scenes) {
 
 std::string describeReference(const SceneTradeoff& scene) {
     const Reference& reference = scene.reference;
-    const std::string cutoff = reference.setting.cutoff > 0
-                                   ? formatted("its cutoff changed no pixel by more than %.1g", reference.cutoffBound)
-                                   : "no cutoff";
+    const std::string cutoff =
+        reference.setting.cutoff > 0
+            ? formatted("its cutoff changed no pixel by more than %.1g", reference.cutoffBound)
+            : "no cutoff";
     const std::string rate =
-        scene.sampleRate ? formatted(" The error between the samples falls like rays^-%.2f.", *scene.sampleRate) : "";
-    return formatted("%d x %d pixels. Reference: %s; %s. Half of its samples (%d x %d) are %.1e off it, so that it is closer than "
-                     "that to the truth.",
-                     scene.size.width, scene.size.height, commandLine(reference.setting).c_str(), cutoff.c_str(),
-                     reference.half.samples, reference.half.samples, reference.doublingError) + rate;
+        scene.sampleRate
+            ? formatted(" The error between the samples falls like rays^-%.2f.", *scene.sampleRate)
+            : "";
+    return formatted(
+               "%d x %d pixels. Reference: %s; %s. Half of its samples (%d x %d) are %.1e off it, so that it "
+               "is closer than "
+               "that to the truth.",
+               scene.size.width, scene.size.height, commandLine(reference.setting).c_str(), cutoff.c_str(),
+               reference.half.samples, reference.half.samples, reference.doublingError) +
+           rate;
 }
 
 std::string tradeoffTable(const SceneTradeoff& scene) {

@@ -19,7 +19,8 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-// Boxes further out than this are not put into a tree: products of three of its lengths and a count stay finite.
+// Boxes further out than this are not put into a tree: products of three of its lengths and a count stay
+// finite.
 constexpr float largestCoordinate = 0x1p40f;
 
 InstructionSet chooseInstructionSet() {
@@ -90,7 +91,9 @@ bool Bvh::usable(const FloatBox& box) {
     return result;
 }
 
-std::size_t Bvh::memory() const { return nodes_.capacity() * sizeof(BvhNode) + words_.capacity() * sizeof(words_[0]); }
+std::size_t Bvh::memory() const {
+    return nodes_.capacity() * sizeof(BvhNode) + words_.capacity() * sizeof(words_[0]);
+}
 
 BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) {
     tScale_ = chosen.prepare(state_, bvh.frame_, ray);
@@ -114,7 +117,8 @@ void BvhCursor::start(const Bvh& bvh) {
 bool BvhCursor::next(double limit) {
     if (state_.depth == 0) return false;
     // Rounded up; the factor is far more than the roundings of product and conversion.
-    const double scaled = std::clamp(limit * tScale_ * (1 + 0x1p-20), 0.0, double{std::numeric_limits<float>::max()});
+    const double scaled =
+        std::clamp(limit * tScale_ * (1 + 0x1p-20), 0.0, double{std::numeric_limits<float>::max()});
     return chosen.advance(state_, static_cast<float>(scaled));
 }
 

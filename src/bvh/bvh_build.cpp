@@ -1,5 +1,6 @@
-// Building the tree: top down, straight to eight children: the child with the largest surface is split (bvh_split.h) until
-// there are eight. The top is built by one thread that lets all of them bin; what lies below is shared out among them.
+// Building the tree: top down, straight to eight children: the child with the largest surface is split
+// (bvh_split.h) until there are eight. The top is built by one thread that lets all of them bin; what lies
+// below is shared out among them.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,8 +9,8 @@
 #include <glm/common.hpp>
 
 #include "bvh_split.h"
-#include "raytracer/util/parallel.h"
 #include "raytracer/bvh/bvh.h"
+#include "raytracer/util/parallel.h"
 
 namespace raytracer {
 
@@ -78,7 +79,8 @@ void BvhBuilder::build(std::span<const FloatBox> boxes, const BvhNames& names) {
     bvh_.frame_.balls = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
         const FloatBox& box = boxes[i];
-        PrimitiveReference reference{{{box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}}};
+        PrimitiveReference reference{
+            {{box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}}};
         return reference;
     });
 }
@@ -101,7 +103,7 @@ void BvhBuilder::build(std::span<const glm::dvec3> positions, std::span<const st
         const glm::dvec3 a = framePoint(3 * i), b = framePoint(3 * i + 1), c = framePoint(3 * i + 2);
         const glm::dvec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
         BuildBox box{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0},
-                {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z), 0}};
+                     {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z), 0}};
         // An ulp or two outwards, and something for 0.
         const auto outwards = [](Float4 v) { return (v < 0 ? -v : v) * 0x1p-23f + 0x1p-100f; };
         box.low -= outwards(box.low), box.high += outwards(box.high);
@@ -168,7 +170,8 @@ void BvhBuilder::assemble(Part& top, std::uint32_t root) {
             for (std::uint32_t& child : part.nodes[n].child) child = moved(child, i);
             bvh_.nodes_[nodeStart[i] + n] = part.nodes[n];
         }
-        if (!part.words.empty()) std::memcpy(&bvh_.words_[wordStart[i]], part.words.data(), 4 * part.words.size());
+        if (!part.words.empty())
+            std::memcpy(&bvh_.words_[wordStart[i]], part.words.data(), 4 * part.words.size());
         part = {};
     });
     bvh_.root_ = root;
@@ -235,7 +238,8 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
     const std::uint32_t count = range.size(), place = static_cast<std::uint32_t>(part.words.size());
     const Float4 size = range.box.high - range.box.low;
     const float largest = std::max(size[0], std::max(size[1], size[2]));
-    BvhBlock block{{range.box.low[0], range.box.low[1], range.box.low[2]}, 0, static_cast<std::uint16_t>(count)};
+    BvhBlock block{
+        {range.box.low[0], range.box.low[1], range.box.low[2]}, 0, static_cast<std::uint16_t>(count)};
     block.exponent = static_cast<std::int16_t>(std::min(15 - std::ilogb(largest * (1 + 0x1p-15f)), 100));
     const double scale = std::scalbn(1.0, block.exponent);
     part.words.resize(place + BvhBlock::words + count + (9 * count + 1) / 2);
@@ -263,11 +267,13 @@ Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int thr
     BvhBuilder(bvh, threads).build(boxes, names);
     for (const FloatBox& box : boxes)
         for (int axis = 0; axis < 3; ++axis)
-            bvh.frame_.extent = std::max({bvh.frame_.extent, std::abs(double{box.low[axis]}), std::abs(double{box.high[axis]})});
+            bvh.frame_.extent = std::max(
+                {bvh.frame_.extent, std::abs(double{box.low[axis]}), std::abs(double{box.high[axis]})});
     return bvh;
 }
 
-Bvh Bvh::ofTriangles(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices, int threads) {
+Bvh Bvh::ofTriangles(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices,
+                     int threads) {
     Bvh bvh;
     bvh.frame_.count = indices.size() / 3;
     BvhBuilder(bvh, threads).build(positions, indices);

@@ -24,8 +24,8 @@ constexpr double roundoff = 0x1p-24;  // of float
 // A ray from further out than this, in the tree's frame, would overflow.
 constexpr double largestOrigin = 0x1p60;
 
-// The least component of a normalised direction, so that its inverse is finite and 0 * infinity = NaN cannot occur. What it
-// turns the ray by is allowed for in the origin's box.
+// The least component of a normalised direction, so that its inverse is finite and 0 * infinity = NaN cannot
+// occur. What it turns the ray by is allowed for in the origin's box.
 constexpr double leastDirection = 0x1p-40;
 
 // A beam that may meet more primitives than this is followed sooner ray by ray (Notes.txt).
@@ -62,11 +62,21 @@ inline Lanes loadGrid(const std::uint16_t* p) {
     return result;
 }
 inline void store(float* p, const Lanes& a) { std::memcpy(p, a.v, sizeof a.v); }
-inline Lanes operator+(const Lanes& a, const Lanes& b) { return lanewise(a, b, [](float x, float y) { return x + y; }); }
-inline Lanes operator-(const Lanes& a, const Lanes& b) { return lanewise(a, b, [](float x, float y) { return x - y; }); }
-inline Lanes operator*(const Lanes& a, const Lanes& b) { return lanewise(a, b, [](float x, float y) { return x * y; }); }
-inline Lanes max(const Lanes& a, const Lanes& b) { return lanewise(a, b, [](float x, float y) { return x > y ? x : y; }); }
-inline Lanes min(const Lanes& a, const Lanes& b) { return lanewise(a, b, [](float x, float y) { return x < y ? x : y; }); }
+inline Lanes operator+(const Lanes& a, const Lanes& b) {
+    return lanewise(a, b, [](float x, float y) { return x + y; });
+}
+inline Lanes operator-(const Lanes& a, const Lanes& b) {
+    return lanewise(a, b, [](float x, float y) { return x - y; });
+}
+inline Lanes operator*(const Lanes& a, const Lanes& b) {
+    return lanewise(a, b, [](float x, float y) { return x * y; });
+}
+inline Lanes max(const Lanes& a, const Lanes& b) {
+    return lanewise(a, b, [](float x, float y) { return x > y ? x : y; });
+}
+inline Lanes min(const Lanes& a, const Lanes& b) {
+    return lanewise(a, b, [](float x, float y) { return x < y ? x : y; });
+}
 inline unsigned notAfter(const Lanes& a, const Lanes& b) {
     unsigned mask = 0;
     for (int i = 0; i < 8; ++i) mask |= unsigned{a.v[i] <= b.v[i]} << i;
@@ -93,8 +103,12 @@ inline Float4 offsetOf(Float4 origin, Float4) { return origin; }
 inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return (plane - offset) * inverse;
 }
-inline Lanes latest(const Lanes& a, const Lanes& b, const Lanes& c) { return max(max(a, b), max(c, broadcast(0))); }
-inline Lanes earliest(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) { return min(min(a, b), min(c, d)); }
+inline Lanes latest(const Lanes& a, const Lanes& b, const Lanes& c) {
+    return max(max(a, b), max(c, broadcast(0)));
+}
+inline Lanes earliest(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+    return min(min(a, b), min(c, d));
+}
 
 #include "bvh_kernel.inc"
 #undef RAYTRACER_TARGET
@@ -118,9 +132,15 @@ inline Lanes loadGrid(const std::uint16_t* p) {
     return {_mm_cvtepi32_ps(_mm_unpacklo_epi16(all, zero)), _mm_cvtepi32_ps(_mm_unpackhi_epi16(all, zero))};
 }
 inline void store(float* p, const Lanes& x) { _mm_storeu_ps(p, x.a), _mm_storeu_ps(p + 4, x.b); }
-inline Lanes operator+(const Lanes& x, const Lanes& y) { return {_mm_add_ps(x.a, y.a), _mm_add_ps(x.b, y.b)}; }
-inline Lanes operator-(const Lanes& x, const Lanes& y) { return {_mm_sub_ps(x.a, y.a), _mm_sub_ps(x.b, y.b)}; }
-inline Lanes operator*(const Lanes& x, const Lanes& y) { return {_mm_mul_ps(x.a, y.a), _mm_mul_ps(x.b, y.b)}; }
+inline Lanes operator+(const Lanes& x, const Lanes& y) {
+    return {_mm_add_ps(x.a, y.a), _mm_add_ps(x.b, y.b)};
+}
+inline Lanes operator-(const Lanes& x, const Lanes& y) {
+    return {_mm_sub_ps(x.a, y.a), _mm_sub_ps(x.b, y.b)};
+}
+inline Lanes operator*(const Lanes& x, const Lanes& y) {
+    return {_mm_mul_ps(x.a, y.a), _mm_mul_ps(x.b, y.b)};
+}
 inline Lanes max(const Lanes& x, const Lanes& y) { return {_mm_max_ps(x.a, y.a), _mm_max_ps(x.b, y.b)}; }
 inline Lanes min(const Lanes& x, const Lanes& y) { return {_mm_min_ps(x.a, y.a), _mm_min_ps(x.b, y.b)}; }
 inline unsigned notAfter(const Lanes& x, const Lanes& y) {
@@ -150,8 +170,12 @@ inline Float4 offsetOf(Float4 origin, Float4) { return origin; }
 inline Lanes planeDistance(const Lanes& plane, const Lanes& inverse, const Lanes& offset) {
     return (plane - offset) * inverse;
 }
-inline Lanes latest(const Lanes& a, const Lanes& b, const Lanes& c) { return max(max(a, b), max(c, broadcast(0))); }
-inline Lanes earliest(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) { return min(min(a, b), min(c, d)); }
+inline Lanes latest(const Lanes& a, const Lanes& b, const Lanes& c) {
+    return max(max(a, b), max(c, broadcast(0)));
+}
+inline Lanes earliest(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+    return min(min(a, b), min(c, d));
+}
 
 #include "bvh_kernel.inc"
 #undef RAYTRACER_TARGET
@@ -198,7 +222,8 @@ RAYTRACER_TARGET inline Lanes planeDistance(const Lanes& plane, const Lanes& inv
     return multiplySubtract(plane, inverse, offset);
 }
 
-// As integers, which is faster: floats that are not negative are in the same order, and a negative one is below these.
+// As integers, which is faster: floats that are not negative are in the same order, and a negative one is
+// below these.
 RAYTRACER_TARGET inline __m256i bits(const Lanes& x) { return _mm256_castps_si256(x.v); }
 RAYTRACER_TARGET inline Lanes latest(const Lanes& a, const Lanes& b, const Lanes& c) {
     const __m256i positive = _mm256_max_epi32(bits(c), _mm256_setzero_si256());

@@ -5,9 +5,9 @@
 
 namespace raytracer {
 
-#define RAYTRACER_BVH_KERNEL                                                            \
-    double prepare(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);          \
-    double prepareBeam(BvhTraversal& s, const BvhFrame& frame, const BvhBeam& beam);    \
+#define RAYTRACER_BVH_KERNEL                                                         \
+    double prepare(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);       \
+    double prepareBeam(BvhTraversal& s, const BvhFrame& frame, const BvhBeam& beam); \
     bool advance(BvhTraversal& s, float limit);
 
 namespace scalar {

@@ -28,8 +28,10 @@ struct RangeSplitter::Binning {
     explicit Binning(const Range& range) : low(range.centers.low) {
         const Float4 size = range.centers.high - range.centers.low;
         if (range.size() >= fewPrimitives) count = mostBins, firstAxis = lastAxis = longest(size);
-        const float bins = static_cast<float>(count) * (1 - 0x1p-20f);  // keeps the highest centre in the last one
-        for (int axis = 0; axis < 4; ++axis) scale[axis] = size[axis] > 0 ? std::min(bins / size[axis], 0x1p100f) : 0;
+        const float bins =
+            static_cast<float>(count) * (1 - 0x1p-20f);  // keeps the highest centre in the last one
+        for (int axis = 0; axis < 4; ++axis)
+            scale[axis] = size[axis] > 0 ? std::min(bins / size[axis], 0x1p100f) : 0;
     }
 
     Int4 operator()(const PrimitiveReference& reference) const {
@@ -60,10 +62,8 @@ struct RangeSplitter::Bins {
 void RangeSplitter::split(const Range& range, int depth, bool onAllThreads, Range& left, Range& right) const {
     const Binning binning(range);
     const Plane plane = depth < medianDepth ? best(range, binning, onAllThreads) : Plane{};
-    if (plane.axis >= 0)
-        partition(range, binning, plane, left, right);
-    else
-        halve(range, left, right);
+    if (plane.axis >= 0) partition(range, binning, plane, left, right);
+    else halve(range, left, right);
 }
 
 void RangeSplitter::bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const {
@@ -77,13 +77,15 @@ void RangeSplitter::bin(std::uint32_t begin, std::uint32_t end, const Binning& b
 }
 
 // None where all centres coincide.
-RangeSplitter::Plane RangeSplitter::best(const Range& range, const Binning& binning, bool onAllThreads) const {
+RangeSplitter::Plane RangeSplitter::best(const Range& range, const Binning& binning,
+                                         bool onAllThreads) const {
     Bins bins(binning.count);
     if (onAllThreads && range.size() >= parallelSize) {
         std::vector<Bins> pieces(mostPieces(threads_), Bins(mostBins));
-        parallelPieces(range.begin, range.end, threads_, [&](std::uint32_t piece, std::uint32_t begin, std::uint32_t end) {
-            bin(begin, end, binning, pieces[piece]);
-        });
+        parallelPieces(range.begin, range.end, threads_,
+                       [&](std::uint32_t piece, std::uint32_t begin, std::uint32_t end) {
+                           bin(begin, end, binning, pieces[piece]);
+                       });
         for (const Bins& piece : pieces) bins.add(piece);
     } else {
         bin(range.begin, range.end, binning, bins);
@@ -111,17 +113,16 @@ RangeSplitter::Plane RangeSplitter::best(const Range& range, const Binning& binn
     return best;
 }
 
-void RangeSplitter::partition(const Range& range, const Binning& binning, const Plane& plane, Range& left, Range& right) const {
+void RangeSplitter::partition(const Range& range, const Binning& binning, const Plane& plane, Range& left,
+                              Range& right) const {
     Range sides[2];
     std::uint32_t begin = range.begin, end = range.end;
     while (begin < end) {
         PrimitiveReference& reference = references_[begin];
         const bool isRight = binning(reference)[plane.axis] >= plane.bin;
         sides[isRight].add(reference);
-        if (isRight)
-            std::swap(reference, references_[--end]);
-        else
-            ++begin;
+        if (isRight) std::swap(reference, references_[--end]);
+        else ++begin;
     }
     left = sides[0], left.begin = range.begin, left.end = begin;
     right = sides[1], right.begin = begin, right.end = range.end;
@@ -130,8 +131,11 @@ void RangeSplitter::partition(const Range& range, const Binning& binning, const 
 void RangeSplitter::halve(const Range& range, Range& left, Range& right) const {
     const int axis = longest(range.centers.high - range.centers.low);
     const std::uint32_t middle = range.begin + range.size() / 2;
-    std::nth_element(references_.begin() + range.begin, references_.begin() + middle, references_.begin() + range.end,
-                     [&](const PrimitiveReference& a, const PrimitiveReference& b) { return a.center()[axis] < b.center()[axis]; });
+    std::nth_element(references_.begin() + range.begin, references_.begin() + middle,
+                     references_.begin() + range.end,
+                     [&](const PrimitiveReference& a, const PrimitiveReference& b) {
+                         return a.center()[axis] < b.center()[axis];
+                     });
     Range sides[2];
     for (std::uint32_t i = range.begin; i < range.end; ++i) sides[i >= middle].add(references_[i]);
     left = sides[0], left.begin = range.begin, left.end = middle;

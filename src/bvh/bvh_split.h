@@ -1,6 +1,6 @@
-// Where a range of primitives is best split in two, and the splitting: what the tree's builder (bvh_build.cpp) does again and
-// again. By the surface area heuristic over bins (Wald, On fast Construction of SAH-based Bounding Volume Hierarchies,
-// 2007).
+// Where a range of primitives is best split in two, and the splitting: what the tree's builder
+// (bvh_build.cpp) does again and again. By the surface area heuristic over bins (Wald, On fast Construction
+// of SAH-based Bounding Volume Hierarchies, 2007).
 #pragma once
 
 #include <bit>
@@ -53,10 +53,11 @@ struct Range {
 class RangeSplitter {
   public:
     // With more than one thread, they share the binning of a large range.
-    RangeSplitter(std::vector<PrimitiveReference>& references, int threads) : references_(references), threads_(threads) {}
+    RangeSplitter(std::vector<PrimitiveReference>& references, int threads)
+        : references_(references), threads_(threads) {}
 
-    // At the plane between two bins with the least surface area times primitives on both sides; from a certain depth on, or
-    // where all centres coincide, into halves. Sorts the references of the range.
+    // At the plane between two bins with the least surface area times primitives on both sides; from a
+    // certain depth on, or where all centres coincide, into halves. Sorts the references of the range.
     void split(const Range& range, int depth, bool onAllThreads, Range& left, Range& right) const;
 
   private:
@@ -70,7 +71,8 @@ class RangeSplitter {
 
     Plane best(const Range& range, const Binning& binning, bool onAllThreads) const;
     void bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const;
-    void partition(const Range& range, const Binning& binning, const Plane& plane, Range& left, Range& right) const;
+    void partition(const Range& range, const Binning& binning, const Plane& plane, Range& left,
+                   Range& right) const;
     void halve(const Range& range, Range& left, Range& right) const;
 
     std::vector<PrimitiveReference>& references_;

@@ -47,7 +47,9 @@ std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points) {
     if (points.empty()) return {};
     std::vector<Coded> order = coded(points), sorted(points.size());
     for (int pass = 0; pass < passes; ++pass) {
-        const auto digit = [&](const Coded& of) { return of.code >> pass * bitsOfPass & ((1u << bitsOfPass) - 1); };
+        const auto digit = [&](const Coded& of) {
+            return of.code >> pass * bitsOfPass & ((1u << bitsOfPass) - 1);
+        };
         std::vector<std::uint32_t> place((1u << bitsOfPass) + 1, 0);
         for (const Coded& one : order) ++place[digit(one) + 1];
         std::partial_sum(place.begin(), place.end(), place.begin());

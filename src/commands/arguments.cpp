@@ -13,7 +13,8 @@ std::optional<int> parseArguments(CLI::App& app, int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& end) {
         if (end.get_exit_code() == 0) return app.exit(end);
-        std::fprintf(stderr, "%s: %s (%s --help tells more)\n", app.get_name().c_str(), end.what(), app.get_name().c_str());
+        std::fprintf(stderr, "%s: %s (%s --help tells more)\n", app.get_name().c_str(), end.what(),
+                     app.get_name().c_str());
         return 2;
     }
     return std::nullopt;
@@ -33,7 +34,8 @@ int reportErrors(const std::function<int()>& command) {
 }
 
 void addThresholds(CLI::App& app, Thresholds& thresholds) {
-    app.add_option("--max-pixels", thresholds.maxPixels, "Exit status 1 where more pixels than this differ (0)");
+    app.add_option("--max-pixels", thresholds.maxPixels,
+                   "Exit status 1 where more pixels than this differ (0)");
     app.add_option("--tolerance", thresholds.tolerance,
                    "A pixel differs for --max-pixels where a channel does by more than this, of 255 (0)")
         ->check(CLI::Range(0, 255));

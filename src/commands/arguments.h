@@ -10,8 +10,8 @@
 
 namespace raytracer::commands {
 
-// Parses the command line. Where the process is to end with that, its exit status: 0 for --help, 2 for wrong usage
-// (CLI11 has numbers of its own above 100), which has been said on stderr.
+// Parses the command line. Where the process is to end with that, its exit status: 0 for --help, 2 for wrong
+// usage (CLI11 has numbers of its own above 100), which has been said on stderr.
 std::optional<int> parseArguments(CLI::App& app, int argc, char** argv);
 
 // Runs the command; bad input and usage end it with one line on stderr and 2.

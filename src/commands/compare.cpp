@@ -38,7 +38,8 @@ struct CompareArguments {
     void addTo(CLI::App& app) {
         app.add_option("A", a, "A picture: .png, or .pfm (linear float32)")->required();
         app.add_option("B", b, "A picture of the same size")->required();
-        app.add_option("--diff", diff, "Write the difference as a picture: black where equal, 64 + 8 d where off by d");
+        app.add_option("--diff", diff,
+                       "Write the difference as a picture: black where equal, 64 + 8 d where off by d");
         app.add_flag("--json", json, "Print the numbers as JSON");
         addThresholds(app, thresholds);
         app.footer(footer);
@@ -78,10 +79,8 @@ void printText(const Comparison& c) {
     printCount("by more than 8", c.pixelsOver(8), c);
     printCount("speckle", c.speckle, c);
     std::printf("  %-20s %10.6g\n  %-20s %10.6g\n", "mean", c.mean, "RMSE", c.rmse);
-    if (std::isinf(c.psnr))
-        std::printf("  %-20s %10s\n", "PSNR", c.psnr > 0 ? "infinite" : "-infinite");
-    else
-        std::printf("  %-20s %10.4g dB\n", "PSNR", c.psnr);
+    if (std::isinf(c.psnr)) std::printf("  %-20s %10s\n", "PSNR", c.psnr > 0 ? "infinite" : "-infinite");
+    else std::printf("  %-20s %10.4g dB\n", "PSNR", c.psnr);
     std::printf("  %-20s %10.6g  at (%d, %d)\n", "maximum", c.maximum, c.worstX, c.worstY);
     std::printf("  %-20s %10d\n", "score", c.score);
 }
@@ -99,10 +98,8 @@ int comparePictures(const CompareArguments& arguments) {
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
     if (!arguments.diff.empty()) writeDifference(arguments.diff, a, b);
-    if (arguments.json)
-        printJson(comparison, same);
-    else
-        printText(comparison);
+    if (arguments.json) printJson(comparison, same);
+    else printText(comparison);
     return same ? 0 : 1;
 }
 

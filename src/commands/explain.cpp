@@ -4,8 +4,8 @@
 
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
-#include "render_arguments.h"
 #include "raytracer/explain/explanation_text.h"
+#include "render_arguments.h"
 
 namespace raytracer::commands {
 
@@ -22,13 +22,14 @@ Examples:
 
 int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
     if (arguments.pass != "color" || arguments.samples != 1)
-        throw std::invalid_argument("explain follows the light along the ray through the pixel's centre: no --pass, no --samples");
+        throw std::invalid_argument(
+            "explain follows the light along the ray through the pixel's centre: no --pass, no --samples");
     SceneDescription scene = arguments.load();
     const RenderOptions options = arguments.prepare(scene);
     if (x < 0 || y < 0 || x >= options.size.width || y >= options.size.height)
-        throw std::invalid_argument("expected a pixel inside of the " + std::to_string(options.size.width) + " x " +
-                                    std::to_string(options.size.height) + " picture, found " + std::to_string(x) +
-                                    ", " + std::to_string(y));
+        throw std::invalid_argument("expected a pixel inside of the " + std::to_string(options.size.width) +
+                                    " x " + std::to_string(options.size.height) + " picture, found " +
+                                    std::to_string(x) + ", " + std::to_string(y));
     const auto renderer = makeRenderer(scene, arguments.precisionChosen(), arguments.buildOptions());
     const RayExplanation explanation = renderer->explain(options, x, y);
     const std::string text = json ? explanationJson(explanation, scene) : explanationText(explanation, scene);
@@ -47,7 +48,8 @@ int explain(int argc, char** argv) {
     app.add_option("X", x, "The pixel's column, 0 at the left")->required();
     app.add_option("Y", y, "The pixel's row, 0 at the top")->required();
     app.add_option("LONG_EDGE_PIXELS", arguments.longEdge, "Pixels along the longer side of the film")
-        ->required()->check(CLI::Range(1, 65536));
+        ->required()
+        ->check(CLI::Range(1, 65536));
     app.add_flag("--json", json, "As JSON");
     app.footer(footer);
     if (const auto status = parseArguments(app, argc, argv)) return *status;

@@ -6,17 +6,18 @@
 
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
-#include "render_arguments.h"
-#include "raytracer/util/file_bytes.h"
 #include "raytracer/grading/grade_report.h"
 #include "raytracer/pictures/picture.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/file_bytes.h"
+#include "render_arguments.h"
 
 namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* footer = R"(Every X.json in DIR that has a picture X.png or X-STAGE.png is painted and compared. The stages:
+constexpr const char* footer =
+    R"(Every X.json in DIR that has a picture X.png or X-STAGE.png is painted and compared. The stages:
   raycasting, normals, ambient, diffuse, specular, ambient_diffuse_specular,
   ambient_diffuse_specular_shadows, diffuse_reflections_recursions_3, raytracing (as X.png: everything)
 Another program is asked for the last of them, unless --stage says otherwise. If it crashes, hangs or
@@ -40,14 +41,17 @@ struct GradeArguments {
 
     void addTo(CLI::App& app) {
         app.add_option("DIR", scenes, "The folder of the scenes")->required();
-        app.add_option("--references", references, "The folder of the reference pictures, where it is not DIR");
+        app.add_option("--references", references,
+                       "The folder of the reference pictures, where it is not DIR");
         app.add_option("--size", size, "Pixels along the longer side (unless said, as the reference has)")
             ->check(CLI::Range(1, 65536));
-        app.add_option("--stage", stage, "Grade only the pictures of this stage")->check(CLI::IsMember(stageNames()));
+        app.add_option("--stage", stage, "Grade only the pictures of this stage")
+            ->check(CLI::IsMember(stageNames()));
         app.add_option("--report", report, "Write a page with all pictures: .html, complete in itself");
         app.add_option("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
         app.add_option("--timeout", timeout, "Seconds after which the program is stopped")
-            ->check(CLI::PositiveNumber)->capture_default_str();
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
         addThresholds(app, thresholds);
         app.footer(footer);
     }
@@ -78,12 +82,14 @@ GradePlan planFor(const GradeArguments& arguments) {
     GradePlan plan = planGrading(arguments.scenes, references);
     std::string stage = arguments.stage;
     if (stage.empty() && !arguments.program.empty()) stage = completeStage().name;
-    if (!stage.empty()) std::erase_if(plan.cases, [&](const GradeCase& test) { return test.stage->name != stage; });
+    if (!stage.empty())
+        std::erase_if(plan.cases, [&](const GradeCase& test) { return test.stage->name != stage; });
     return plan;
 }
 
 void printHead() {
-    std::printf("%5s %9s %9s %9s %9s %9s  %s\n", "score", "off", "by > 1", "by > 8", "speckle", "seconds", "picture");
+    std::printf("%5s %9s %9s %9s %9s %9s  %s\n", "score", "off", "by > 1", "by > 8", "speckle", "seconds",
+                "picture");
 }
 
 void printRow(const GradeResult& result) {
@@ -93,7 +99,8 @@ void printRow(const GradeResult& result) {
                     count(c->pixelsOver(1)), count(c->pixelsOver(8)), count(c->speckle), result.seconds,
                     result.test.name.c_str(), result.message.empty() ? "" : ": ", result.message.c_str());
     else
-        std::printf("%5d %49.2f  %s: %s\n", 0, result.seconds, result.test.name.c_str(), result.message.c_str());
+        std::printf("%5d %49.2f  %s: %s\n", 0, result.seconds, result.test.name.c_str(),
+                    result.message.c_str());
     std::fflush(stdout);
 }
 
@@ -121,19 +128,22 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
 }
 
 // True if all are as their references.
-bool printSummary(const std::vector<GradeResult>& results, const GradePlan& plan, const Thresholds& thresholds) {
+bool printSummary(const std::vector<GradeResult>& results, const GradePlan& plan,
+                  const Thresholds& thresholds) {
     const auto good = std::count_if(results.begin(), results.end(),
                                     [&](const GradeResult& result) { return within(result, thresholds); });
     double sum = 0;
     for (const GradeResult& result : results) sum += result.score();
-    std::printf("%lld of %zu pictures as the reference, mean score %.1f\n", static_cast<long long>(good), results.size(),
-                sum / static_cast<double>(results.size()));
-    for (const std::string& scene : plan.scenesWithoutReference) std::printf("no reference: %s\n", scene.c_str());
+    std::printf("%lld of %zu pictures as the reference, mean score %.1f\n", static_cast<long long>(good),
+                results.size(), sum / static_cast<double>(results.size()));
+    for (const std::string& scene : plan.scenesWithoutReference)
+        std::printf("no reference: %s\n", scene.c_str());
     return static_cast<std::size_t>(good) == results.size();
 }
 
 void writeReport(const GradeArguments& arguments, const std::vector<GradeResult>& results) {
-    const std::string title = (arguments.program.empty() ? "raytracer" : arguments.program) + " on " + arguments.scenes;
+    const std::string title =
+        (arguments.program.empty() ? "raytracer" : arguments.program) + " on " + arguments.scenes;
     const std::string html = gradeReport(results, arguments.thresholds, title);
     const std::span<const char> parts[] = {html};
     try {
@@ -154,7 +164,8 @@ int gradeFolder(const GradeArguments& arguments) {
     requireFolderOf(arguments.report);
     const GradePlan plan = planFor(arguments);
     if (plan.cases.empty())
-        throw std::runtime_error(arguments.scenes + ": no scene X.json that has a reference X.png or X-STAGE.png");
+        throw std::runtime_error(arguments.scenes +
+                                 ": no scene X.json that has a reference X.png or X-STAGE.png");
     const std::vector<GradeResult> results = gradeAll(plan, arguments);
     if (!arguments.report.empty()) writeReport(arguments, results);
     return printSummary(results, plan, arguments.thresholds) ? 0 : 1;
@@ -163,7 +174,8 @@ int gradeFolder(const GradeArguments& arguments) {
 }  // namespace
 
 int grade(int argc, char** argv) {
-    CLI::App app("Paints every scene of a folder that has a reference picture, and compares.", "raytracer grade");
+    CLI::App app("Paints every scene of a folder that has a reference picture, and compares.",
+                 "raytracer grade");
     GradeArguments arguments;
     arguments.addTo(app);
     if (const auto status = parseArguments(app, argc, argv)) return *status;

@@ -9,12 +9,12 @@
 
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
-#include "render_arguments.h"
-#include "target_error.h"
 #include "raytracer/explain/black_picture.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/pictures/picture.h"
 #include "raytracer/util/progress_bar.h"
+#include "render_arguments.h"
+#include "target_error.h"
 
 namespace raytracer::commands {
 
@@ -100,9 +100,11 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
 // What is wrong with the place to write to, before any work is done; empty if nothing is.
 std::string outputProblem(const std::filesystem::path& out) {
     const std::string ending = out.extension().string();
-    if (ending != ".png" && ending != ".pfm") return out.string() + ": expected a name that ends in .png or .pfm";
+    if (ending != ".png" && ending != ".pfm")
+        return out.string() + ": expected a name that ends in .png or .pfm";
     const std::filesystem::path folder = out.has_parent_path() ? out.parent_path() : ".";
-    if (!std::filesystem::is_directory(folder)) return out.string() + ": no folder " + folder.string() + " to write to";
+    if (!std::filesystem::is_directory(folder))
+        return out.string() + ": no folder " + folder.string() + " to write to";
     return {};
 }
 
@@ -136,7 +138,8 @@ void renderTo(Picture& picture, Write write) {
     Stopwatch watch;
     Sink sink(picture.options.crop);
     if (const double target = picture.wanted.targetError; target > 0)
-        picture.choice = chooseAndTell(picture.renderer, picture.options, target, sink, picture.arguments.quiet);
+        picture.choice =
+            chooseAndTell(picture.renderer, picture.options, target, sink, picture.arguments.quiet);
     picture.timings.choose = watch.lap();
     const bool isThere = picture.choice && picture.choice->rendered;
     picture.counts = isThere ? *picture.choice->rendered : renderInto(sink, picture);
@@ -175,14 +178,20 @@ int render(int argc, char** argv) {
     RenderArguments arguments;
     PictureArguments wanted;
     arguments.addTo(app);
-    app.add_option("IMAGE_OUT", wanted.out, "The picture: .png, or .pfm (linear float32, not clamped)")->required();
+    app.add_option("IMAGE_OUT", wanted.out, "The picture: .png, or .pfm (linear float32, not clamped)")
+        ->required();
     app.add_option("LONG_EDGE_PIXELS", arguments.longEdge, "Pixels along the longer side of the film")
-        ->required()->check(CLI::Range(1, 65536));
+        ->required()
+        ->check(CLI::Range(1, 65536));
     CLI::Option* target = app.add_option("--target-error", wanted.targetError,
-                   "Pick the cheapest samples, recursion and cutoff with an error (RMSE, of 1) of no more than this; exit "
-                   "status 1 where none has")->check(CLI::PositiveNumber);
-    for (const char* knob : {"--samples", "--adaptive", "--max-recursion", "--cutoff"}) target->excludes(app.get_option(knob));
-    app.add_flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
+                                         "Pick the cheapest samples, recursion and cutoff with an error "
+                                         "(RMSE, of 1) of no more than this; exit "
+                                         "status 1 where none has")
+                              ->check(CLI::PositiveNumber);
+    for (const char* knob : {"--samples", "--adaptive", "--max-recursion", "--cutoff"})
+        target->excludes(app.get_option(knob));
+    app.add_flag("--stats", wanted.stats,
+                 "Print counts of rays and tests, times and memory, as JSON on stdout");
     app.footer(footer);
     if (const auto status = parseArguments(app, argc, argv)) return *status;
     return reportErrors([&] { return renderPicture(arguments, wanted); });

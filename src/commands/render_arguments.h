@@ -13,11 +13,11 @@ struct RenderArguments {
     std::string scene;
     int longEdge = 0;
     int max_recursion = 3;
-    std::string only;          // comma-separated terms; empty: all
+    std::string only;  // comma-separated terms; empty: all
     bool opaque = false;
     std::string pass = "color";
     std::string precision = "double";
-    std::string crop;          // x0,y0,x1,y1; empty: the whole picture
+    std::string crop;  // x0,y0,x1,y1; empty: the whole picture
     int threads = 0;
     std::string accelerator = "bvh";
     int samples = 1;
@@ -34,8 +34,8 @@ struct RenderArguments {
     Precision precisionChosen() const;
     BuildOptions buildOptions() const;
 
-    // The scene of the file. Its warnings, the loader's and sceneAdvice's, go to stderr unless `quiet`; where `strict`,
-    // the first is a SceneError.
+    // The scene of the file. Its warnings, the loader's and sceneAdvice's, go to stderr unless `quiet`; where
+    // `strict`, the first is a SceneError.
     SceneDescription load() const;
 
     // Whether anyone hears what `warn` is told.
@@ -44,7 +44,8 @@ struct RenderArguments {
     // What is said about the scene as a whole, in the same way.
     void warn(const std::string& warning) const;
 
-    // Whether the picture is what the scene file describes: all of it, with all terms. Of no other can the scene be blamed.
+    // Whether the picture is what the scene file describes: all of it, with all terms. Of no other can the
+    // scene be blamed.
     bool isWhole() const { return pass == "color" && only.empty() && crop.empty(); }
 
     // Applies `only` and `opaque` to the scene and fills in the options for it. Throws std::invalid_argument.

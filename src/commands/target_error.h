@@ -5,8 +5,10 @@
 
 namespace raytracer::commands {
 
-// Picks the setting, says which and why, and puts it into the options. Shows how far it is on a terminal, unless `quiet`.
-TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, PixelSink& sink, bool quiet);
+// Picks the setting, says which and why, and puts it into the options. Shows how far it is on a terminal,
+// unless `quiet`.
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, PixelSink& sink,
+                           bool quiet);
 
 // After the render: the error that it is estimated to have, and whether that is what was asked for.
 bool tellOutcome(const TargetChoice& choice, double target);

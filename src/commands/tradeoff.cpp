@@ -4,16 +4,17 @@
 #include <filesystem>
 
 #include "arguments.h"
-#include "raytracer/commands/commands.h"
-#include "raytracer/util/file_bytes.h"
-#include "raytracer/scene/scene_loader.h"
 #include "raytracer/accuracy/tradeoff_report.h"
+#include "raytracer/commands/commands.h"
+#include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/file_bytes.h"
 
 namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* footer = R"(Renders each scene under many settings of --samples, --adaptive, --max-recursion, --cutoff and
+constexpr const char* footer =
+    R"(Renders each scene under many settings of --samples, --adaptive, --max-recursion, --cutoff and
 --texture-filter, and in each precision; holds every picture against a converged one; and says which
 settings are worth their time (the front: nothing is both faster and closer).
 
@@ -32,15 +33,21 @@ struct TradeoffArguments {
 
     void addTo(CLI::App& app) {
         app.add_option("SCENE", scenes, "Scenes, JSON files")->required();
-        app.add_option("--out", out, "The folder to write to; made where there is none")->capture_default_str();
+        app.add_option("--out", out, "The folder to write to; made where there is none")
+            ->capture_default_str();
         app.add_option("--size", options.size, "Pixels along the longer side of the film")
-            ->check(CLI::Range(16, 4096))->capture_default_str();
+            ->check(CLI::Range(16, 4096))
+            ->capture_default_str();
         app.add_option("--samples", options.samples, "The most samples, N x N; the reference has 2 N x 2 N")
-            ->check(CLI::Range(2, 16))->capture_default_str();
-        app.add_option("--repeats", options.repeats, "Timings of each setting near the front; the median counts")
-            ->check(CLI::Range(1, 1000))->capture_default_str();
+            ->check(CLI::Range(2, 16))
+            ->capture_default_str();
+        app.add_option("--repeats", options.repeats,
+                       "Timings of each setting near the front; the median counts")
+            ->check(CLI::Range(1, 1000))
+            ->capture_default_str();
         app.add_option("--threads", options.threads, "Number of threads; 0: one for each processor")
-            ->check(CLI::Range(0, 4096))->capture_default_str();
+            ->check(CLI::Range(0, 4096))
+            ->capture_default_str();
         app.add_flag("--quiet", quiet, "Say nothing on stderr about what is being done");
         app.footer(footer);
     }
@@ -57,7 +64,9 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 int measure(TradeoffArguments& arguments) {
     if (!arguments.quiet)
-        arguments.options.tell = [](const std::string& what) { std::fprintf(stderr, "%s ...\n", what.c_str()); };
+        arguments.options.tell = [](const std::string& what) {
+            std::fprintf(stderr, "%s ...\n", what.c_str());
+        };
     std::vector<LoadedScene> loaded;  // all first: a mistake in the last is told before an hour of work
     for (const std::string& scene : arguments.scenes) loaded.push_back(loadScene(scene, false));
     std::filesystem::create_directories(arguments.out);

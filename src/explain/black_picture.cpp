@@ -23,8 +23,8 @@ struct Pixel {
     int x = 0, y = 0;
 };
 
-// Takes a Pass::Normals picture and keeps, of each cell of a grid, the first pixel that hit something: the same ones for
-// any number of threads.
+// Takes a Pass::Normals picture and keeps, of each cell of a grid, the first pixel that hit something: the
+// same ones for any number of threads.
 class HitFinder final : public PixelSink {
   public:
     explicit HitFinder(const ImageSize& size) : size_(size) {}
@@ -45,14 +45,16 @@ class HitFinder final : public PixelSink {
   private:
     static constexpr int cellsAcross = 24;  // 576 explanations take milliseconds
 
-    // Pass::Normals has 54/255 for a miss, in the core's precision. The only unit normal with three components alike is
-    // 4e-4 from it.
+    // Pass::Normals has 54/255 for a miss, in the core's precision. The only unit normal with three
+    // components alike is 4e-4 from it.
     static bool isMiss(const glm::dvec3& color) {
         return glm::all(glm::lessThan(glm::abs(color - 54.0 / 255), glm::dvec3(1e-4)));
     }
 
     void keep(const Pixel& pixel) {
-        const auto cell = [](int place, int count) { return static_cast<std::size_t>(std::int64_t{place} * cellsAcross / count); };
+        const auto cell = [](int place, int count) {
+            return static_cast<std::size_t>(std::int64_t{place} * cellsAcross / count);
+        };
         auto& kept = cells_[cell(pixel.y, size_.height) * cellsAcross + cell(pixel.x, size_.width)];
         if (!kept || std::pair(pixel.y, pixel.x) < std::pair(kept->y, kept->x)) kept = pixel;
     }
@@ -88,7 +90,8 @@ struct Tally {
 std::string inShadow(const Tally& tally, const SceneDescription& scene) {
     if (tally.shadowedBy.size() != 1) return "all that is seen is in shadow";
     const std::size_t by = *tally.shadowedBy.begin();
-    return "all that is seen is in the shadow of /shapes/" + std::to_string(by) + ", a " + typeName(scene.shapes[by].type);
+    return "all that is seen is in the shadow of /shapes/" + std::to_string(by) + ", a " +
+           typeName(scene.shapes[by].type);
 }
 
 std::string mixed(const Tally& tally) {
@@ -103,9 +106,11 @@ std::string mixed(const Tally& tally) {
 }
 
 std::string unlit(const Tally& tally, const SceneDescription& scene) {
-    const bool noLight = std::ranges::all_of(scene.lights, [](const LightDescription& light) { return isBlack(light.color); });
+    const bool noLight =
+        std::ranges::all_of(scene.lights, [](const LightDescription& light) { return isBlack(light.color); });
     if (noLight) return "the color of every light is black";
-    if (tally.behind + tally.shadowed == 0) return "the materials that are seen have black color_diffuse and color_specular";
+    if (tally.behind + tally.shadowed == 0)
+        return "the materials that are seen have black color_diffuse and color_specular";
     if (tally.behind + tally.black == 0) return inShadow(tally, scene);
     if (tally.shadowed + tally.black == 0) return "the lights are behind all surfaces that are seen";
     return mixed(tally);
@@ -114,7 +119,9 @@ std::string unlit(const Tally& tally, const SceneDescription& scene) {
 std::string reason(const Tally& tally, const SceneDescription& scene) {
     if (tally.brightest <= 0) return unlit(tally, scene) + "; and there is no ambient light on it";
     char text[100];
-    std::snprintf(text, sizeof text, "it is too dark to be seen: the largest channel that was found is %.3g of 1", tally.brightest);
+    std::snprintf(text, sizeof text,
+                  "it is too dark to be seen: the largest channel that was found is %.3g of 1",
+                  tally.brightest);
     return text;
 }
 

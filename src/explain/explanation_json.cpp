@@ -1,6 +1,6 @@
 #include "raytracer/explain/explanation_text.h"
-#include "raytracer/pictures/image.h"
 #include "raytracer/json/json_writer.h"
+#include "raytracer/pictures/image.h"
 
 namespace raytracer {
 
@@ -46,18 +46,22 @@ void writeHit(JsonWriter& json, const RayExplanation& ray, const SceneDescriptio
     json.key("shape");
     writeShape(json, ray.shape, scene);
     json.key("part").value(ray.primitive);
-    if (const std::string face = faceName(scene.shapes[ray.shape].type, ray.primitive); !face.empty()) json.key("face").value(face);
+    if (const std::string face = faceName(scene.shapes[ray.shape].type, ray.primitive); !face.empty())
+        json.key("face").value(face);
     json.key("from_outside").value(ray.entering);
     json.key("t").value(ray.t);
     writeVector(json, "position", ray.position);
     writeVector(json, "normal", ray.normal);
-    if (ray.texCoord) json.key("texCoord").beginArray().value(ray.texCoord->x).value(ray.texCoord->y).endArray();
+    if (ray.texCoord)
+        json.key("texCoord").beginArray().value(ray.texCoord->x).value(ray.texCoord->y).endArray();
     writeVector(json, "K_D", ray.K_D);
     json.key("lights").beginArray();
     for (const LightExplanation& light : ray.lights) writeLight(json, light, scene);
     json.endArray();
-    if (ray.reflection != NotCast::Nothing) json.key("no_reflection").value(reasonNames[static_cast<int>(ray.reflection)]);
-    if (ray.refraction != NotCast::Nothing) json.key("no_refraction").value(reasonNames[static_cast<int>(ray.refraction)]);
+    if (ray.reflection != NotCast::Nothing)
+        json.key("no_reflection").value(reasonNames[static_cast<int>(ray.reflection)]);
+    if (ray.refraction != NotCast::Nothing)
+        json.key("no_refraction").value(reasonNames[static_cast<int>(ray.refraction)]);
     json.key("rays").beginArray();
     for (const RayExplanation& next : ray.rays) writeRay(json, next, scene);
     json.endArray();
@@ -85,7 +89,8 @@ std::string explanationJson(const RayExplanation& explanation, const SceneDescri
     writeRay(json, explanation, scene);
     writeVector(json, "clamped", glm::clamp(explanation.color, 0.0, 1.0));
     json.key("bytes").beginArray();
-    for (int channel = 0; channel < 3; ++channel) json.value(static_cast<int>(toByte(explanation.color[channel])));
+    for (int channel = 0; channel < 3; ++channel)
+        json.value(static_cast<int>(toByte(explanation.color[channel])));
     json.endArray();
     json.endObject();
     return json.text() + "\n";

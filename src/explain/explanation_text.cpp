@@ -62,19 +62,22 @@ class Writer {
     const std::string& text() const { return text_; }
 
   private:
-    const MaterialDescription& materialOf(std::size_t shape) const { return scene_->materials[scene_->shapes[shape].material]; }
+    const MaterialDescription& materialOf(std::size_t shape) const {
+        return scene_->materials[scene_->shapes[shape].material];
+    }
 
     std::string shapeName(std::size_t index) const {
         const ShapeDescription& shape = scene_->shapes[index];
         return "/shapes/" + std::to_string(index) + " (" + typeName(shape.type) + ", transform \"" +
-               scene_->transforms[shape.transform].name + "\", material \"" + scene_->materials[shape.material].name + "\")";
+               scene_->transforms[shape.transform].name + "\", material \"" +
+               scene_->materials[shape.material].name + "\")";
     }
 
     static std::string heading(const RayExplanation& ray) {
         const std::string depth = " ray, max_recursion " + std::to_string(ray.max_recursion);
         if (ray.kind == RayKind::Primary) return "primary" + depth;
-        return (ray.kind == RayKind::Reflection ? "reflected" : "refracted") + depth + ", counts in the pixel " +
-               triple(ray.weight) + " times";
+        return (ray.kind == RayKind::Reflection ? "reflected" : "refracted") + depth +
+               ", counts in the pixel " + triple(ray.weight) + " times";
     }
 
     void place(const RayExplanation& ray, int depth) {
@@ -82,13 +85,12 @@ class Writer {
         line(depth, "  hits " + shapeName(ray.shape) + (face.empty() ? face : ", " + face) +
                         (ray.entering ? ", from outside" : ", from inside"));
         line(depth, "  t = " + number(ray.t) + ", position " + triple(ray.position));
-        if (ray.entering)
-            line(depth, "  N = " + triple(ray.normal));
-        else
-            line(depth, "  N = " + triple(-ray.normal) + ", turned to face the ray");
+        if (ray.entering) line(depth, "  N = " + triple(ray.normal));
+        else line(depth, "  N = " + triple(-ray.normal) + ", turned to face the ray");
         if (ray.texCoord)
-            line(depth, "  K_D = " + triple(ray.K_D) + ", the texture's at texCoord (" + number(ray.texCoord->x) + ", " +
-                            number(ray.texCoord->y) + ") with color_diffuse " + triple(materialOf(ray.shape).color_diffuse));
+            line(depth, "  K_D = " + triple(ray.K_D) + ", the texture's at texCoord (" +
+                            number(ray.texCoord->x) + ", " + number(ray.texCoord->y) +
+                            ") with color_diffuse " + triple(materialOf(ray.shape).color_diffuse));
     }
 
     // A line "name = left right ... = result", the equals signs one below the other.
@@ -103,12 +105,16 @@ class Writer {
         const LightDescription& given = scene_->lights[index];
         const MaterialDescription& material = materialOf(ray.shape);
         line(depth, "  light " + std::to_string(index) + ": " + verdict(light));
-        term(depth, "K_A I_AL", triple(material.color_ambient) + " " + triple(given.color_ambient) + " = ", light.ambient);
+        term(depth, "K_A I_AL", triple(material.color_ambient) + " " + triple(given.color_ambient) + " = ",
+             light.ambient);
         if (light.N_L > 0) {
             const std::string shininess = number(material.shininess);
-            term(depth, "K_D I_L (N.L)", triple(ray.K_D) + " " + triple(given.color) + " " + number(light.N_L) + " = ", light.diffuse);
+            term(depth, "K_D I_L (N.L)",
+                 triple(ray.K_D) + " " + triple(given.color) + " " + number(light.N_L) + " = ",
+                 light.diffuse);
             term(depth, "K_S I_L (V.R)^" + shininess,
-                 triple(material.color_specular) + " " + triple(given.color) + " " + number(light.V_R) + "^" + shininess + " = ",
+                 triple(material.color_specular) + " " + triple(given.color) + " " + number(light.V_R) + "^" +
+                     shininess + " = ",
                  light.specular);
             term(depth, "S_L", "", light.S_L);
         }
@@ -118,7 +124,9 @@ class Writer {
     std::string verdict(const LightExplanation& light) const {
         if (!(light.N_L > 0)) return "behind the surface (N.L <= 0), so only ambient";
         const std::string angles = "N.L = " + number(light.N_L) + ", V.R = " + number(light.V_R) + ", ";
-        if (!light.asked) return angles + (light.diffuse + light.specular == glm::dvec3(0) ? "nothing to be shadowed" : "shadows are off");
+        if (!light.asked)
+            return angles + (light.diffuse + light.specular == glm::dvec3(0) ? "nothing to be shadowed"
+                                                                             : "shadows are off");
         if (!light.shadowedBy) return angles + "nothing in between";
         const bool clear = materialOf(*light.shadowedBy).refractive;
         return angles + (clear ? "coloured by " : "in the shadow of ") + shapeName(*light.shadowedBy);
@@ -128,10 +136,12 @@ class Writer {
     std::string onwards(const RayExplanation& ray, RayKind kind, NotCast reason, int depth) {
         const bool mirror = kind == RayKind::Reflection;
         const std::string term = mirror ? "K_R I_R" : "K_T I_T";
-        const glm::dvec3& factor = mirror ? materialOf(ray.shape).color_reflect : materialOf(ray.shape).color_refract;
+        const glm::dvec3& factor =
+            mirror ? materialOf(ray.shape).color_reflect : materialOf(ray.shape).color_refract;
         for (const RayExplanation& next : ray.rays) {
             if (next.kind != kind) continue;
-            line(depth, "  " + term + " = " + triple(factor) + " " + triple(next.color) + " = " + triple(factor * next.color));
+            line(depth, "  " + term + " = " + triple(factor) + " " + triple(next.color) + " = " +
+                            triple(factor * next.color));
             this->ray(next, depth + 1);
             return " + " + term;
         }
@@ -164,7 +174,8 @@ std::string faceName(ShapeDescription::Type type, std::size_t primitive) {
 std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene) {
     Writer writer(scene);
     writer.ray(explanation, 0);
-    writer.line(0, "clamped " + triple(glm::clamp(explanation.color, 0.0, 1.0)) + ", bytes " + bytes(explanation.color));
+    writer.line(0, "clamped " + triple(glm::clamp(explanation.color, 0.0, 1.0)) + ", bytes " +
+                       bytes(explanation.color));
     return writer.text();
 }
 

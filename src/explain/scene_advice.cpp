@@ -23,8 +23,8 @@ using Real = long double;
 using Vec = glm::vec<3, Real, glm::defaultp>;
 using Type = ShapeDescription::Type;
 
-// A unit vector written with three decimals is off by at most sqrt(3) * 0.0005 in length; the cosine between two, by
-// at most twice that.
+// A unit vector written with three decimals is off by at most sqrt(3) * 0.0005 in length; the cosine between
+// two, by at most twice that.
 constexpr Real lengthTolerance = 1e-3L, cosineTolerance = 2e-3L;
 
 // Far above what rounding does here, in units of the numbers that were added; far below what anyone sees.
@@ -70,8 +70,8 @@ struct View {
 };
 
 // The plane through the film's edge at `edge` along `axis`, that runs along `other`.
-Bound sideOf(bool perspective, const Vec& axis, const Vec& other, const Vec& forward, Real edge, Real opposite,
-             const char* beyond) {
+Bound sideOf(bool perspective, const Vec& axis, const Vec& other, const Vec& forward, Real edge,
+             Real opposite, const char* beyond) {
     Vec normal = glm::cross(other, perspective ? edge * axis + forward : forward);
     if (glm::dot(normal, axis) * (opposite - edge) < 0) normal = -normal;
     return {normal, perspective ? 0 : glm::dot(normal, edge * axis), beyond};
@@ -81,7 +81,8 @@ View viewOf(const CameraDescription& camera) {
     const bool perspective = camera.type == CameraDescription::Type::Perspective;
     const Vec v = camera.up, look = camera.look, u = glm::cross(v, -look);
     const Vec forward = perspective ? static_cast<Real>(camera.focal_length) * look : look;
-    const Real left = camera.film_left, right = camera.film_right, bottom = camera.film_bottom, top = camera.film_top;
+    const Real left = camera.film_left, right = camera.film_right, bottom = camera.film_bottom,
+               top = camera.film_top;
     View view{camera.eye, {}, {}, {}};
     for (std::size_t i = 0; i < 4; ++i) {
         const Vec corner = (i % 2 ? right : left) * u + (i / 2 ? top : bottom) * v;
@@ -131,11 +132,13 @@ Real largest(const Vec& v) { return std::max({std::abs(v.x), std::abs(v.y), std:
 
 PlacedShape placed(const SceneDescription& scene, const ShapeDescription& shape) {
     const Affine affine = compose(scene.transforms[shape.transform]);
-    const Vec translation(affine.translation[0], affine.translation[1], affine.translation[2]), eye = scene.camera.eye;
+    const Vec translation(affine.translation[0], affine.translation[1], affine.translation[2]),
+        eye = scene.camera.eye;
     return {&shape, affine, translation - eye, std::max(largest(translation), largest(eye))};
 }
 
-// How far the shape reaches in direction n, from its centre and in object space: the largest n . p of its points.
+// How far the shape reaches in direction n, from its centre and in object space: the largest n . p of its
+// points.
 Real reach(const ShapeDescription& shape, const Vec& n, MeshBoxes& boxes) {
     const Real around = std::sqrt(n.x * n.x + n.y * n.y);
     switch (shape.type) {
@@ -157,8 +160,10 @@ Real reach(const ShapeDescription& shape, const Vec& n, MeshBoxes& boxes) {
 const char* whereBeyond(const PlacedShape& placed, const View& view, MeshBoxes& boxes) {
     for (const Bound& bound : view.bounds) {
         const Vec& n = bound.normal;
-        const Real radius = reach(*placed.shape, n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2), boxes);
-        const Real doubt = margin * (glm::length(n) * placed.place + std::abs(radius) + std::abs(bound.least));
+        const Real radius =
+            reach(*placed.shape, n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2), boxes);
+        const Real doubt =
+            margin * (glm::length(n) * placed.place + std::abs(radius) + std::abs(bound.least));
         if (glm::dot(n, placed.center) + radius < bound.least - doubt) return bound.beyond;
     }
     return nullptr;
@@ -170,7 +175,8 @@ bool isBehind(const PlacedShape& plane, const View& view) {
     const Vec normal(inverse->entry[2][0], inverse->entry[2][1], inverse->entry[2][2]);
     Real away = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const Real height = glm::dot(normal, view.starts[i] - plane.center), climb = glm::dot(normal, view.directions[i]);
+        const Real height = glm::dot(normal, view.starts[i] - plane.center),
+                   climb = glm::dot(normal, view.directions[i]);
         const Real doubt = margin * glm::length(normal) * (largest(view.starts[i]) + plane.place);
         if (std::abs(height) <= doubt || height * climb < 0 || height * away < 0) return false;
         if (std::abs(climb) > margin * glm::length(normal) * largest(view.directions[i])) away = climb;
@@ -189,7 +195,8 @@ bool showsOthers(const MaterialDescription& material) { return material.reflecti
 
 bool anyShowsOthers(const SceneDescription& scene, const View& view, MeshBoxes& boxes) {
     return std::ranges::any_of(scene.shapes, [&](const ShapeDescription& shape) {
-        return showsOthers(scene.materials[shape.material]) && !whereUnseen(placed(scene, shape), view, boxes);
+        return showsOthers(scene.materials[shape.material]) &&
+               !whereUnseen(placed(scene, shape), view, boxes);
     });
 }
 
@@ -207,7 +214,8 @@ Real depth(Type type, const Vec& p) {
     return 0;
 }
 
-// `point` relative to the eye. Most are outside of the world box of the object space's cube, for which no inverse is needed.
+// `point` relative to the eye. Most are outside of the world box of the object space's cube, for which no
+// inverse is needed.
 bool isInside(const PlacedShape& solid, const Vec& point) {
     const Vec from = point - solid.center;
     for (int i = 0; i < 3; ++i) {
@@ -217,31 +225,40 @@ bool isInside(const PlacedShape& solid, const Vec& point) {
     const auto inverse = inverseLinear(solid.affine);
     Vec object;
     for (int i = 0; i < 3; ++i)
-        object[i] = inverse->entry[i][0] * from.x + inverse->entry[i][1] * from.y + inverse->entry[i][2] * from.z;
+        object[i] =
+            inverse->entry[i][0] * from.x + inverse->entry[i][1] * from.y + inverse->entry[i][2] * from.z;
     return depth(solid.shape->type, object) > margin;
 }
 
 void adviseOnCamera(const CameraDescription& camera, Lines& lines) {
     const Vec look = camera.look, up = camera.up;
-    const Real lookLength = glm::length(look), upLength = glm::length(up), cosine = glm::dot(look, up) / lookLength / upLength;
+    const Real lookLength = glm::length(look), upLength = glm::length(up),
+               cosine = glm::dot(look, up) / lookLength / upLength;
     if (std::abs(lookLength - 1) <= lengthTolerance && std::abs(upLength - 1) <= lengthTolerance &&
         std::abs(cosine) <= cosineTolerance)
         return;
-    const Real degrees = std::atan2(glm::length(glm::cross(look, up)), glm::dot(look, up)) * 180 / std::numbers::pi_v<Real>;
-    lines.add("/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at 90 "
-              "degrees, found lengths " + number(lookLength) + " and " + number(upLength) + " at " + number(degrees) + " degrees");
+    const Real degrees =
+        std::atan2(glm::length(glm::cross(look, up)), glm::dot(look, up)) * 180 / std::numbers::pi_v<Real>;
+    lines.add(
+        "/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at "
+        "90 "
+        "degrees, found lengths " +
+        number(lookLength) + " and " + number(upLength) + " at " + number(degrees) + " degrees");
 }
 
 std::string pointer(const char* list, std::size_t index) { return list + std::to_string(index); }
 
-void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std::size_t index, const View& view, Lines& lines) {
+void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std::size_t index,
+                    const View& view, Lines& lines) {
     if (scene.materials[solid.shape->material].refractive) return;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const LightDescription& light = scene.lights[i];
         if (light.color == glm::dvec3(0) || !isInside(solid, Vec(light.position) - view.eye)) continue;
-        if (std::ranges::any_of(view.starts, [&](const Vec& start) { return isInside(solid, start); })) continue;  // a room
-        lines.add(pointer("/lights/", i) + ": the light is inside of " + pointer("/shapes/", index) + ", an opaque " +
-                  typeName(solid.shape->type) + ", and the camera is not: it lights nothing outside but by color_ambient");
+        if (std::ranges::any_of(view.starts, [&](const Vec& start) { return isInside(solid, start); }))
+            continue;  // a room
+        lines.add(pointer("/lights/", i) + ": the light is inside of " + pointer("/shapes/", index) +
+                  ", an opaque " + typeName(solid.shape->type) +
+                  ", and the camera is not: it lights nothing outside but by color_ambient");
     }
 }
 

@@ -13,7 +13,8 @@ bool isListedBefore(const Hit& a, const Hit& b) {
 
 void HitQuery::consider(const Hit& hit) {
     if (point_) return considerCoincident(hit);
-    if (end_ && hit.t >= 1 - coincidenceWindow && hit.shape->touches(end_->position, Vec3(0), hit.primitive)) return;
+    if (end_ && hit.t >= 1 - coincidenceWindow && hit.shape->touches(end_->position, Vec3(0), hit.primitive))
+        return;
     if (found()) {
         const Real window = 1 + coincidenceWindow;
         if (hit.t <= nearest_.t * window && nearest_.t <= hit.t * window) contended_ = true;
@@ -24,7 +25,8 @@ void HitQuery::consider(const Hit& hit) {
 }
 
 void HitQuery::considerCoincident(const Hit& hit) {
-    if (isListedBefore(hit, nearest_) && hit.shape->touches(*point_, *pointError_, hit.primitive)) nearest_ = hit;
+    if (isListedBefore(hit, nearest_) && hit.shape->touches(*point_, *pointError_, hit.primitive))
+        nearest_ = hit;
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -23,7 +23,8 @@ int sideOfEdge(Real px, Real py, Real qx, Real qy) {
 
 bool isWithin(const Vec3& x, const Vec3& y) {
     const int side = sideOfEdge(x[2], y[2], x[1], y[1]);
-    return side != 0 && side == sideOfEdge(x[0], y[0], x[2], y[2]) && side == sideOfEdge(x[1], y[1], x[0], y[0]);
+    return side != 0 && side == sideOfEdge(x[0], y[0], x[2], y[2]) &&
+           side == sideOfEdge(x[1], y[1], x[0], y[0]);
 }
 
 Vec3 exactEdges(const Vec3& x, const Vec3& y) {
@@ -41,8 +42,10 @@ ShearAxes shearAxes(const Vec3& direction) {
     return axes;
 }
 
-TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options) : data_(std::move(data)) {
-    if constexpr (!std::is_same_v<Real, double>) positions_.assign(data_->positions.begin(), data_->positions.end());
+TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options)
+    : data_(std::move(data)) {
+    if constexpr (!std::is_same_v<Real, double>)
+        positions_.assign(data_->positions.begin(), data_->positions.end());
     Vec3 low(infinity), high(-infinity);
     for (std::uint32_t i = 0; i < data_->positions.size(); ++i) {
         low = glm::min(low, position(i));
@@ -97,7 +100,8 @@ void Mesh::intersectAll(const MeshRay<Real>& ray, HitQuery& query) const {
 }
 
 bool Mesh::bounds(FloatBox& box) const {
-    return widened(triangles_->center(), triangles_->size(), abs(transform_.linear()) * triangles_->size(), box);
+    return widened(triangles_->center(), triangles_->size(), abs(transform_.linear()) * triangles_->size(),
+                   box);
 }
 
 Intersection Mesh::surfaceAt(const Ray& ray, const Hit& hit) const {

@@ -14,7 +14,8 @@ bool isUniform(const Mat3& m) {
     const Mat3 squares = glm::transpose(m) * m;
     Real off = 0;
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) off = std::max(off, std::abs(squares[i][j] - (i == j ? squares[0][0] : 0)));
+        for (int j = 0; j < 3; ++j)
+            off = std::max(off, std::abs(squares[i][j] - (i == j ? squares[0][0] : 0)));
     return off <= squares[0][0] / 1024;
 }
 
@@ -27,16 +28,18 @@ Intersection Shape::rayIntersect(const Ray& ray) const {
 }
 
 bool Shape::widened(const Vec3& centerObject, const Vec3& sizeObject, const Vec3& half, FloatBox& box) const {
-    constexpr Real worst = 1 << 20;  // a worse transform would widen the whole tree's rays: better no box for this one
+    constexpr Real worst =
+        1 << 20;  // a worse transform would widen the whole tree's rays: better no box for this one
     const Mat3 sizes = abs(transform_.linear());
     const Real conditioning = transform_.conditioning();
     if (!(conditioning <= worst)) return false;
-    // A hit may lie off the surface by as much as a root of the roundoff (at a cone's apex), in units of the shape's size; and
-    // by some roundings of the numbers that place it.
+    // A hit may lie off the surface by as much as a root of the roundoff (at a cone's apex), in units of the
+    // shape's size; and by some roundings of the numbers that place it.
     const Vec3 size = sizes * sizeObject;
     const Real place = maxComponent(abs(transform_.translation()) + sizes * abs(centerObject) + size);
     const Vec3 margin = 16 * coincidenceWindow * size + gamma(32) * conditioning * place;
-    const Vec3 center = transform_.pointToWorld(centerObject), low = center - half - margin, high = center + half + margin;
+    const Vec3 center = transform_.pointToWorld(centerObject), low = center - half - margin,
+               high = center + half + margin;
     for (int axis = 0; axis < 3; ++axis) {
         box.low[axis] = floatBelow(static_cast<double>(low[axis]));
         box.high[axis] = floatAbove(static_cast<double>(high[axis]));

@@ -47,10 +47,8 @@ BvhNames ShapeTree::nameBoxed() const {
         fits = fits && distance % BvhNames::unit == 0 && distance / BvhNames::unit < BvhNames::limit;
         names.names.push_back(static_cast<std::uint32_t>(distance / BvhNames::unit));
     }
-    if (fits)
-        names.start = reinterpret_cast<const char*>(first);
-    else
-        std::iota(names.names.begin(), names.names.end(), 0u);
+    if (fits) names.start = reinterpret_cast<const char*>(first);
+    else std::iota(names.names.begin(), names.names.end(), 0u);
     return names;
 }
 

@@ -17,9 +17,7 @@ Transform::Transform(const Affine& worldFromObject) {
     }
 }
 
-Real Transform::conditioning() const {
-    return maxComponent(abs(linear_) * (abs(inverse_) * Vec3(1)));
-}
+Real Transform::conditioning() const { return maxComponent(abs(linear_) * (abs(inverse_) * Vec3(1))); }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

@@ -51,7 +51,8 @@ Totals totalsOf(const Image& a, const Image& b) {
     Totals totals;
     for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
         double difference[3];
-        for (std::size_t c = 0; c < 3; ++c) difference[c] = sampleDifference(a.pixels[i + c], b.pixels[i + c]);
+        for (std::size_t c = 0; c < 3; ++c)
+            difference[c] = sampleDifference(a.pixels[i + c], b.pixels[i + c]);
         totals.add(difference, i / 3);
     }
     return totals;
@@ -60,7 +61,8 @@ Totals totalsOf(const Image& a, const Image& b) {
 void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImage& b) {
     for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
         int largest = 0;
-        for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a.pixels[i + c] - b.pixels[i + c]));
+        for (std::size_t c = 0; c < 3; ++c)
+            largest = std::max(largest, std::abs(a.pixels[i + c] - b.pixels[i + c]));
         ++comparison.pixelsByDifference[static_cast<std::size_t>(largest)];
     }
 }
@@ -140,7 +142,8 @@ ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
     result.pixels.reserve(a.pixels.size());
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         const int difference = std::abs(a.pixels[i] - b.pixels[i]);
-        result.pixels.push_back(static_cast<std::uint8_t>(difference ? std::min(255, base + gain * difference) : 0));
+        result.pixels.push_back(
+            static_cast<std::uint8_t>(difference ? std::min(255, base + gain * difference) : 0));
     }
     return result;
 }
@@ -148,7 +151,8 @@ ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
 bool within(const Comparison& comparison, const Thresholds& thresholds) {
     if (thresholds.minScore && comparison.score < *thresholds.minScore) return false;
     const bool scoreAlone = thresholds.minScore && !thresholds.maxPixels && !thresholds.tolerance;
-    return scoreAlone || comparison.pixelsOver(thresholds.tolerance.value_or(0)) <= thresholds.maxPixels.value_or(0);
+    return scoreAlone ||
+           comparison.pixelsOver(thresholds.tolerance.value_or(0)) <= thresholds.maxPixels.value_or(0);
 }
 
 }  // namespace raytracer

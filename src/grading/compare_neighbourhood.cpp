@@ -1,5 +1,6 @@
-// The comparisons that look at a pixel's 3 x 3 neighbourhood. Rows of planar bytes and no branch inside of them: the
-// compiler makes SIMD of every loop here, and a pair of four million pixels takes a tenth of a second or two.
+// The comparisons that look at a pixel's 3 x 3 neighbourhood. Rows of planar bytes and no branch inside of
+// them: the compiler makes SIMD of every loop here, and a pair of four million pixels takes a tenth of a
+// second or two.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -31,8 +32,8 @@ struct Planes {
 
 int absoluteDifference(std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); }
 
-// Calls visit(dx, yTo, x0, x1) for each of the 3 x 3 offsets: the pixels x0 <= x < x1 of row y have their neighbour
-// (x + dx, yTo) inside of the picture.
+// Calls visit(dx, yTo, x0, x1) for each of the 3 x 3 offsets: the pixels x0 <= x < x1 of row y have their
+// neighbour (x + dx, yTo) inside of the picture.
 template <class Visit>
 void forEachOffset(int width, int height, int y, Visit visit) {
     for (int yTo = std::max(0, y - 1); yTo <= std::min(height - 1, y + 1); ++yTo)
@@ -57,7 +58,8 @@ void nearestDistances(const Planes& from, const Planes& to, int y, Distances& ne
 
 // For each pixel of the row: 0 where it stands alone (see speckleCount), else 1.
 void findCompany(const Planes& planes, int y, std::vector<std::uint8_t>& company) {
-    constexpr int unlike = 8;  // of 255: well over rounding and smooth shading, well under what the eye picks out
+    constexpr int unlike =
+        8;  // of 255: well over rounding and smooth shading, well under what the eye picks out
     company.assign(company.size(), 0);
     const std::uint8_t *r = planes.row(0, y), *g = planes.row(1, y), *b = planes.row(2, y);
     forEachOffset(planes.width, planes.height, y, [&](int dx, int yTo, int x0, int x1) {
@@ -66,8 +68,9 @@ void findCompany(const Planes& planes, int y, std::vector<std::uint8_t>& company
         const std::uint8_t* toG = planes.row(1, yTo) + dx;
         const std::uint8_t* toB = planes.row(2, yTo) + dx;
         for (int x = x0; x < x1; ++x) {
-            const int difference = std::max({absoluteDifference(r[x], toR[x]), absoluteDifference(g[x], toG[x]),
-                                             absoluteDifference(b[x], toB[x])});
+            const int difference =
+                std::max({absoluteDifference(r[x], toR[x]), absoluteDifference(g[x], toG[x]),
+                          absoluteDifference(b[x], toB[x])});
             company[x] |= static_cast<std::uint8_t>(difference <= unlike);
         }
     });

@@ -32,7 +32,8 @@ constexpr Stage stageTable[] = {
 };
 
 std::string firstWord(const std::string& name) {
-    const auto end = std::find_if_not(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c); });
+    const auto end =
+        std::find_if_not(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c); });
     return end == name.begin() ? name : std::string(name.begin(), end);
 }
 
@@ -106,7 +107,8 @@ void paint(GradeResult& result, const Painter& painter, int longEdge, const std:
     result.message = std::move(painted.message);
     result.output = std::move(painted.output);
     if (painted.failed) throw ImageError(result.message);
-    if (!fs::exists(out)) throw ImageError(result.message + (result.message.empty() ? "" : ", ") + "wrote no picture");
+    if (!fs::exists(out))
+        throw ImageError(result.message + (result.message.empty() ? "" : ", ") + "wrote no picture");
 }
 
 void gradePicture(GradeResult& result, const Painter& painter, int longEdge) {
@@ -139,7 +141,8 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
 Painter programPainter(std::string command, double timeoutSeconds) {
     return [=](const GradeCase& test, int longEdge, const std::string& out) {
         const std::string log = out + ".log";
-        const ProcessEnd end = runProcess(command, {test.scene, out, std::to_string(longEdge)}, log, timeoutSeconds);
+        const ProcessEnd end =
+            runProcess(command, {test.scene, out, std::to_string(longEdge)}, log, timeoutSeconds);
         std::string output = endOf(log);
         dropShellsRemark(output, end);
         // A program that says it failed but wrote a picture is graded by the picture, as the course does.
@@ -164,7 +167,8 @@ bool within(const GradeResult& result, const Thresholds& thresholds) {
 
 bool isWorse(const GradeResult& a, const GradeResult& b) {
     const auto rank = [](const GradeResult& result) {
-        return std::tuple(result.score(), result.comparison ? -result.comparison->rmse : -256.0, result.test.name);
+        return std::tuple(result.score(), result.comparison ? -result.comparison->rmse : -256.0,
+                          result.test.name);
     };
     return rank(a) < rank(b);
 }

@@ -36,10 +36,10 @@ std::string ring(const GradeResult& result) {
 
 std::string picture(const char* kind, const std::string& png, const std::string& overlay = {}) {
     if (png.empty())
-        return std::string("<div class=\"picture\"><span class=\"none\">no picture</span>") + kind + "</div>\n";
+        return std::string("<div class=\"picture\"><span class=\"none\">no picture</span>") + kind +
+               "</div>\n";
     return std::string("<button class=\"picture\" data-kind=\"") + kind + "\"><span><img alt=\"" + kind +
-           "\" decoding=\"async\" src=\"" + pngUri(png) + "\">" + overlay + "</span>" + kind +
-           "</button>\n";
+           "\" decoding=\"async\" src=\"" + pngUri(png) + "\">" + overlay + "</span>" + kind + "</button>\n";
 }
 
 std::string numberRow(const char* name, const std::string& value) {
@@ -57,7 +57,8 @@ std::string numbers(const GradeResult& result) {
         html += numberRow("mean", number(c->mean));
         html += numberRow("RMSE", number(c->rmse));
         html += numberRow("PSNR", number(c->psnr) + " dB");
-        const std::string place = " at (" + std::to_string(c->worstX) + ", " + std::to_string(c->worstY) + ")";
+        const std::string place =
+            " at (" + std::to_string(c->worstX) + ", " + std::to_string(c->worstY) + ")";
         html += numberRow("maximum", number(c->maximum) + (c->maximum > 0 ? place : ""));
     }
     return html + numberRow("time", number(result.seconds, "%.2f") + " s") + "</dl>\n";
@@ -66,15 +67,17 @@ std::string numbers(const GradeResult& result) {
 std::string message(const GradeResult& result) {
     std::string html;
     if (!result.message.empty()) html += "<p class=\"message\">" + escaped(result.message) + "</p>\n";
-    if (!result.message.empty() && !result.output.empty()) html += "<pre>" + escaped(result.output) + "</pre>\n";
+    if (!result.message.empty() && !result.output.empty())
+        html += "<pre>" + escaped(result.output) + "</pre>\n";
     return html;
 }
 
 // What the script sorts by and zooms to.
 std::string attributes(const GradeResult& result) {
-    std::string html = attribute("data-name", result.test.name) + attribute("data-group", result.test.group) +
-                       attribute("data-score", std::to_string(result.score())) +
-                       attribute("data-error", number(result.comparison ? result.comparison->rmse : 256, "%.9g"));
+    std::string html =
+        attribute("data-name", result.test.name) + attribute("data-group", result.test.group) +
+        attribute("data-score", std::to_string(result.score())) +
+        attribute("data-error", number(result.comparison ? result.comparison->rmse : 256, "%.9g"));
     if (const auto& c = result.comparison)
         html += attribute("data-worst", std::to_string(c->worstX) + "," + std::to_string(c->worstY));
     return html;
@@ -91,8 +94,8 @@ std::string card(const GradeResult& result, const Thresholds& thresholds) {
            escaped(result.test.name) + "</h3><output title=\"the autograder's score, of 100\">" +
            std::to_string(result.score()) + "</output></header>\n<div class=\"pictures\">" +
            picture("reference", result.referencePng) + picture("ours", result.ourPng) +
-           picture("difference", result.differencePng, ring(result)) + "</div>\n" + numbers(result) + message(result) +
-           "</article>\n";
+           picture("difference", result.differencePng, ring(result)) + "</div>\n" + numbers(result) +
+           message(result) + "</article>\n";
 }
 
 using Group = std::vector<const GradeResult*>;
@@ -118,17 +121,20 @@ std::string summary(std::span<const GradeResult> results, const Thresholds& thre
     const double sum = std::accumulate(results.begin(), results.end(), 0.0,
                                        [](double total, const GradeResult& r) { return total + r.score(); });
     const double mean = results.empty() ? 0 : sum / static_cast<double>(results.size());
-    return "<p class=\"summary\"><b>" + std::to_string(good) + "</b> of <b>" + std::to_string(results.size()) +
-           "</b> pictures as the reference, mean score <b>" + number(mean, "%.1f") + "</b></p>\n";
+    return "<p class=\"summary\"><b>" + std::to_string(good) + "</b> of <b>" +
+           std::to_string(results.size()) + "</b> pictures as the reference, mean score <b>" +
+           number(mean, "%.1f") + "</b></p>\n";
 }
 
 }  // namespace
 
-std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds, const std::string& title) {
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>" + escaped(title) +
-                       "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + reportStyle +
-                       "</style></head>\n<body>\n<header class=\"page\"><h1>" + escaped(title) + "</h1>\n" +
-                       summary(results, thresholds) + reportControls + "</header>\n<main>\n";
+std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds,
+                        const std::string& title) {
+    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>" +
+                       escaped(title) +
+                       "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" +
+                       reportStyle + "</style></head>\n<body>\n<header class=\"page\"><h1>" + escaped(title) +
+                       "</h1>\n" + summary(results, thresholds) + reportControls + "</header>\n<main>\n";
     for (const Group& group : groupsOf(results)) {
         html += "<section><h2>" + escaped(group.front()->test.group) + "</h2>\n";
         for (const GradeResult* result : group) html += card(*result, thresholds);

@@ -1,4 +1,5 @@
-// The fixed parts of the grading report: style, controls and script. Plain HTML, CSS and JavaScript, no library.
+// The fixed parts of the grading report: style, controls and script. Plain HTML, CSS and JavaScript, no
+// library.
 #pragma once
 
 namespace raytracer {

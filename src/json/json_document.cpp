@@ -6,14 +6,16 @@
 
 namespace raytracer {
 
-// Down from the root. A container that is not complete has an end beyond all nodes, and so contains the last one.
+// Down from the root. A container that is not complete has an end beyond all nodes, and so contains the last
+// one.
 std::string JsonDocument::pointer(std::uint32_t node) const {
     std::string pointer;
     for (std::uint32_t at = 0; at != node;) {
         const bool isObject = nodes_[at].kind == Kind::Object;
         std::uint32_t child = at + 1 + isObject, position = 0;
         for (; end(child) <= node; ++position) child = end(child) + isObject;
-        pointer = pointerToMember(std::move(pointer), isObject ? string(child - 1) : std::to_string(position));
+        pointer =
+            pointerToMember(std::move(pointer), isObject ? string(child - 1) : std::to_string(position));
         at = child;
     }
     return pointer;
@@ -28,7 +30,9 @@ std::string inQuotes(std::string_view text) {
     constexpr std::size_t longest = 60;
     if (text.size() <= longest) return jsonString(text);
     std::size_t end = longest;
-    const auto isInCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // UTF-8
+    const auto isInCharacter = [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+    };  // UTF-8
     while (end > 0 && isInCharacter(text[end])) --end;
     return jsonString(text.substr(0, end)) + "...";
 }

@@ -63,8 +63,8 @@ class JsonNodes {
     std::vector<const Node*> keys_;
 };
 
-// The usual text of a scene, fast: false, and nothing said, where there is anything else in it (an escape sequence, a
-// letter beyond ASCII, an error of any kind), so that nlohmann's parser must look at it.
+// The usual text of a scene, fast: false, and nothing said, where there is anything else in it (an escape
+// sequence, a letter beyond ASCII, an error of any kind), so that nlohmann's parser must look at it.
 bool scanPlainJson(std::string_view text, JsonNodes& nodes);
 
 }  // namespace raytracer

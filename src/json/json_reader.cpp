@@ -1,5 +1,5 @@
-// JsonDocument from text: from what is plain by json_scanner.cpp; from all else, errors included, by the events of
-// nlohmann's parser.
+// JsonDocument from text: from what is plain by json_scanner.cpp; from all else, errors included, by the
+// events of nlohmann's parser.
 #include <algorithm>
 #include <limits>
 
@@ -10,8 +10,9 @@
 namespace raytracer {
 namespace {
 
-// "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'text'; expected this":
-// the library's own words, without its preamble and without a quotation that may be as long as the file.
+// "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'text';
+// expected this": the library's own words, without its preamble and without a quotation that may be as long
+// as the file.
 std::string shortened(std::string message) {
     if (const auto reason = message.find(" - "); reason != message.npos) message.erase(0, reason + 3);
     const auto quotation = message.find("; last read: '");
@@ -21,8 +22,9 @@ std::string shortened(std::string message) {
     return message.substr(0, quotation) + rest;
 }
 
-// The parser's position is behind what it does not like: a token, named by its first character here, or the last
-// character of something that is no token. Only of strings and numbers is the text that it keeps the token's alone.
+// The parser's position is behind what it does not like: a token, named by its first character here, or the
+// last character of something that is no token. Only of strings and numbers is the text that it keeps the
+// token's alone.
 std::size_t charactersBack(std::string_view message, std::string_view token) {
     const bool isText = message.starts_with("unexpected string") || message.starts_with("unexpected number");
     return isText ? token.size() : 1;
@@ -30,7 +32,8 @@ std::size_t charactersBack(std::string_view message, std::string_view token) {
 
 // What Windows writes as "Unicode" is no JSON, and the parser would only see a strange character.
 void requireNoUtf16(std::string_view text) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) throw JsonError(": expected UTF-8, found UTF-16");
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw JsonError(": expected UTF-8, found UTF-16");
 }
 
 // ":LINE:COLUMN: ", both from 1, the column in characters, as editors count.
@@ -44,7 +47,8 @@ std::string placeInText(std::string_view text, std::size_t offset) {
     return ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
 }
 
-// The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it throws.
+// The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it
+// throws.
 class JsonEvents {
     using Kind = JsonDocument::Kind;
 
@@ -85,18 +89,21 @@ bool JsonEvents::addText(Kind kind, const std::string& text) {
 
 bool JsonEvents::end_object() {
     if (const JsonDocument::Node* key = nodes_.twice())
-        document_.fail(nodes_.innermost(), "expected each key once, found " + inQuotes({key->text, key->length}) + " twice");
+        document_.fail(nodes_.innermost(),
+                       "expected each key once, found " + inQuotes({key->text, key->length}) + " twice");
     return end_array();
 }
 
-bool JsonEvents::parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error) {
+bool JsonEvents::parse_error(std::size_t position, const std::string& token,
+                             const nlohmann::json::exception& error) {
     constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
     if (error.id == numberOverflow) {
         null();  // in its place
         document_.fail(nodes_.last(), "expected a finite number, found " + token.substr(0, 40));
     }
     const std::string message = shortened(error.what());
-    throw JsonError(placeInText(text_, position - std::min(position, charactersBack(message, token))) + message);
+    throw JsonError(placeInText(text_, position - std::min(position, charactersBack(message, token))) +
+                    message);
 }
 
 }  // namespace
@@ -105,7 +112,8 @@ bool JsonEvents::parse_error(std::size_t position, const std::string& token, con
 const JsonDocument::Node* JsonNodes::twice() {
     constexpr std::size_t few = 8;  // as most objects have: not worth sorting
     keys_.clear();
-    for (std::uint32_t key = innermost() + 1; key < size(); key = document_.end(key + 1)) keys_.push_back(&nodes_[key]);
+    for (std::uint32_t key = innermost() + 1; key < size(); key = document_.end(key + 1))
+        keys_.push_back(&nodes_[key]);
     const auto text = [](const Node* key) { return std::string_view(key->text, key->length); };
     if (keys_.size() > few) {
         std::ranges::sort(keys_, {}, text);
@@ -113,7 +121,9 @@ const JsonDocument::Node* JsonNodes::twice() {
         return twice == keys_.end() ? nullptr : *twice;
     }
     for (auto key = keys_.begin(); key != keys_.end(); ++key)
-        if (std::find_if(keys_.begin(), key, [&](const Node* other) { return text(other) == text(*key); }) != key) return *key;
+        if (std::find_if(keys_.begin(), key, [&](const Node* other) { return text(other) == text(*key); }) !=
+            key)
+            return *key;
     return nullptr;
 }
 

@@ -1,5 +1,6 @@
-// JSON without anything that is rare. A scene of a million shapes has twenty million values; nlohmann's lexer, which copies
-// each token letter by letter and asks strtod, takes most of the time that such a scene takes to load (Notes.txt).
+// JSON without anything that is rare. A scene of a million shapes has twenty million values; nlohmann's
+// lexer, which copies each token letter by letter and asks strtod, takes most of the time that such a scene
+// takes to load (Notes.txt).
 #include <charconv>
 
 #include "json_nodes.h"
@@ -9,16 +10,18 @@ namespace {
 
 using Kind = JsonDocument::Kind;
 
-// A quotient of two whole numbers that double holds exactly is rounded once, so right (Clinger, How to Read Floating Point
-// Numbers Accurately, 1990): 15 digits over 10^15 are.
+// A quotient of two whole numbers that double holds exactly is rounded once, so right (Clinger, How to Read
+// Floating Point Numbers Accurately, 1990): 15 digits over 10^15 are.
 constexpr std::ptrdiff_t mostExactDigits = 15;
-constexpr double powersOfTen[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+constexpr double powersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                  1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 class Scanner {
   public:
-    Scanner(std::string_view text, JsonNodes& nodes) : p_(text.data()), end_(p_ + text.size()), nodes_(nodes) {}
+    Scanner(std::string_view text, JsonNodes& nodes)
+        : p_(text.data()), end_(p_ + text.size()), nodes_(nodes) {}
 
     bool scan();
 
@@ -51,7 +54,9 @@ class Scanner {
 bool Scanner::scan() {
     while (!whole_) {
         const char first = peekBehindBlanks();
-        const bool taken = first == '{' ? open(Kind::Object) : first == '[' ? open(Kind::Array) : scalar(first) && goOn();
+        const bool taken = first == '{'   ? open(Kind::Object)
+                           : first == '[' ? open(Kind::Array)
+                                          : scalar(first) && goOn();
         if (!taken) return false;
     }
     peekBehindBlanks();
@@ -95,8 +100,10 @@ bool Scanner::key() {
 
 bool Scanner::text(Kind kind) {
     const char* const begin = ++p_;
-    while (p_ != end_ && static_cast<signed char>(*p_) >= ' ' && *p_ != '"' && *p_ != '\\') ++p_;  // beyond ASCII is below 0
-    if (peek() != '"' || static_cast<std::size_t>(p_ - begin) > std::numeric_limits<std::uint32_t>::max()) return false;
+    while (p_ != end_ && static_cast<signed char>(*p_) >= ' ' && *p_ != '"' && *p_ != '\\')
+        ++p_;  // beyond ASCII is below 0
+    if (peek() != '"' || static_cast<std::size_t>(p_ - begin) > std::numeric_limits<std::uint32_t>::max())
+        return false;
     nodes_.addText(kind, {begin, p_});
     return ++p_, true;
 }
@@ -125,7 +132,8 @@ bool Scanner::number() {
     double value = 0;
     if (!hasExponent && p_ - begin <= mostExactDigits) {
         value = static_cast<double>(digitsAsOne) / powersOfTen[isWhole ? 0 : p_ - point - 1];
-        if (negative) value = isWhole ? 0 - value : -value;  // to nlohmann, -0 is an integer, which has no sign
+        if (negative)
+            value = isWhole ? 0 - value : -value;  // to nlohmann, -0 is an integer, which has no sign
     } else if (!longNumber(begin, value)) {
         return false;
     }
@@ -145,8 +153,6 @@ bool Scanner::longNumber(const char* begin, double& value) {
 
 }  // namespace
 
-bool scanPlainJson(std::string_view text, JsonNodes& nodes) {
-    return Scanner(text, nodes).scan();
-}
+bool scanPlainJson(std::string_view text, JsonNodes& nodes) { return Scanner(text, nodes).scan(); }
 
 }  // namespace raytracer

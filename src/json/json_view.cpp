@@ -42,7 +42,8 @@ std::string_view JsonView::string() const {
 }
 
 void JsonView::numbers(std::span<double> out) const {
-    if (node().kind != Kind::Array || size() != out.size()) failExpected(std::to_string(out.size()) + " numbers");
+    if (node().kind != Kind::Array || size() != out.size())
+        failExpected(std::to_string(out.size()) + " numbers");
     std::size_t i = 0;
     for (const JsonView element : elements()) out[i++] = element.number();
 }
@@ -75,7 +76,8 @@ JsonView::Children JsonView::members() const {
 std::size_t JsonView::size() const {
     if (node().kind != Kind::Array && node().kind != Kind::Object) return 0;
     std::size_t count = 0;
-    for (const JsonView child : node().kind == Kind::Array ? elements() : members()) static_cast<void>(child), ++count;
+    for (const JsonView child : node().kind == Kind::Array ? elements() : members())
+        static_cast<void>(child), ++count;
     return count;
 }
 
@@ -89,9 +91,7 @@ JsonView JsonView::element(std::size_t index) const {
     return *element;
 }
 
-std::string_view JsonView::key() const {
-    return document_->string(node_ - 1);
-}
+std::string_view JsonView::key() const { return document_->string(node_ - 1); }
 
 std::optional<JsonView> JsonView::find(std::string_view key) const {
     for (const JsonView member : members())

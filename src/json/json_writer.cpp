@@ -19,14 +19,10 @@ std::string unicodeEscape(char c) {
 std::string jsonString(std::string_view text) {
     std::string quoted = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\')
-            quoted += {'\\', c};
-        else if (c == '\n')
-            quoted += "\\n";
-        else if (static_cast<unsigned char>(c) < 0x20 || c == '<')
-            quoted += unicodeEscape(c);
-        else
-            quoted += c;
+        if (c == '"' || c == '\\') quoted += {'\\', c};
+        else if (c == '\n') quoted += "\\n";
+        else if (static_cast<unsigned char>(c) < 0x20 || c == '<') quoted += unicodeEscape(c);
+        else quoted += c;
     }
     return quoted + '"';
 }
@@ -42,7 +38,8 @@ JsonWriter& JsonWriter::value(std::string_view text) { return plain(jsonString(t
 
 JsonWriter& JsonWriter::value(double number) {
     if (!std::isfinite(number)) return null();
-    // The shortest text that reads back as this double (0.1, where %.17g has 0.10000000000000001), in every locale.
+    // The shortest text that reads back as this double (0.1, where %.17g has 0.10000000000000001), in every
+    // locale.
     char digits[32];
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
     return plain({digits, end});

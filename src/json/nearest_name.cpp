@@ -11,15 +11,14 @@ namespace {
 // Text that is longer is no misspelled name, and comparing takes the product of the lengths.
 constexpr std::size_t longestName = 100;
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 bool areSwapped(std::string_view a, std::string_view b, std::size_t i, std::size_t j) {
     return i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
 }
 
-// distance(i, j) of the first i and j letters, row by row: the least of one less in a, one less in b, one less in both.
+// distance(i, j) of the first i and j letters, row by row: the least of one less in a, one less in b, one
+// less in both.
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -42,7 +41,8 @@ std::size_t lengthDifference(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-NearestName::NearestName(std::string_view name) : name_(name), limit_(std::max<std::size_t>(1, name.size() / 3) + 1) {
+NearestName::NearestName(std::string_view name)
+    : name_(name), limit_(std::max<std::size_t>(1, name.size() / 3) + 1) {
     if (name.size() > longestName) limit_ = 0;
 }
 

@@ -26,8 +26,8 @@ constexpr int deflateLevel = 1;
 constexpr std::size_t channels = 3;
 constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
 
-// stb 2.27 refuses a JPEG that stops in the middle, 2.29 reads it as if it were whole (its issue 1608). In a picture's
-// data 0xff is never followed by 0xd9, so those two are its end marker.
+// stb 2.27 refuses a JPEG that stops in the middle, 2.29 reads it as if it were whole (its issue 1608). In a
+// picture's data 0xff is never followed by 0xd9, so those two are its end marker.
 bool isTruncatedJpeg(std::string_view file) {
     return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
 }
@@ -42,14 +42,15 @@ std::uint32_t bigEndian(std::string_view bytes) {
 constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t chunkFrame = 12;
 
-// The chunk, whole, that the text begins with; empty where it is cut short or its checksum is wrong, which stb does not look
-// at: a flipped bit would pass for another colour.
+// The chunk, whole, that the text begins with; empty where it is cut short or its checksum is wrong, which
+// stb does not look at: a flipped bit would pass for another colour.
 std::string_view firstChunk(std::string_view text) {
     if (text.size() < chunkFrame) return {};
     const std::size_t length = bigEndian(text);
     if (length > text.size() - chunkFrame) return {};
     const std::uint32_t crc = libdeflate_crc32(0, text.data() + 4, 4 + length);
-    return crc == bigEndian(text.substr(8 + length)) ? text.substr(0, chunkFrame + length) : std::string_view{};
+    return crc == bigEndian(text.substr(8 + length)) ? text.substr(0, chunkFrame + length)
+                                                     : std::string_view{};
 }
 
 std::vector<std::string_view> readChunks(std::string_view png) {
@@ -57,16 +58,19 @@ std::vector<std::string_view> readChunks(std::string_view png) {
     do {
         png.remove_prefix(chunks.empty() ? pngSignature.size() : chunks.back().size());
         chunks.push_back(firstChunk(png));
-        if (chunks.back().empty()) throw ImageError("broken PNG picture: it is cut short, or a checksum in it is wrong");
+        if (chunks.back().empty())
+            throw ImageError("broken PNG picture: it is cut short, or a checksum in it is wrong");
     } while (chunks.back().substr(4, 4) != "IEND");
     return chunks;
 }
 
-// A texel beyond the palette is for stb whatever its memory holds. So before the file's own palette comes one of 256 colours that
-// are transparent; what the file says of transparency is left out, for the colours that it has are not to be so.
+// A texel beyond the palette is for stb whatever its memory holds. So before the file's own palette comes one
+// of 256 colours that are transparent; what the file says of transparency is left out, for the colours that
+// it has are not to be so.
 std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     const auto chunk = [](std::string_view head, std::size_t size) {
-        return std::string(head) + std::string(size + 4, '\0');  // black, or transparent; and a checksum that is not looked at
+        return std::string(head) +
+               std::string(size + 4, '\0');  // black, or transparent; and a checksum that is not looked at
     };
     std::string png(pngSignature);
     for (const std::string_view& own : chunks) {
@@ -85,8 +89,9 @@ using Decoded = std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>;
 
 Decoded decode(std::string_view file, int wanted, int& width, int& height) {
     int channelsInFile = 0;
-    stbi_uc* const pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()),
-                                                  &width, &height, &channelsInFile, wanted);
+    stbi_uc* const pixels =
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()),
+                              &width, &height, &channelsInFile, wanted);
     if (!pixels) throw ImageError(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
     return {pixels, &stbi_image_free};
 }
@@ -111,13 +116,14 @@ ByteImage decode(std::string_view file) {
     }
     ByteImage image;
     const Decoded pixels = decode(file, static_cast<int>(channels), image.width, image.height);
-    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
+    const auto count =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
     image.pixels.assign(pixels.get(), pixels.get() + count);
     return image;
 }
 
-// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a little
-// larger than both, so half of what int holds is surely enough.
+// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a
+// little larger than both, so half of what int holds is surely enough.
 void requireEncodable(const ByteImage& image) {
     const std::size_t rowBytes = static_cast<std::size_t>(image.width) * channels + 1;
     if (rowBytes * static_cast<std::size_t>(image.height) > largestStbSize / 2)
@@ -130,8 +136,9 @@ void write(const std::string& path, std::span<const std::span<const char>> parts
     throw ImageError(error.what());
 }
 
-// The header of a PFM: "PF", width, height, scale, whose sign tells the byte order (negative: little endian) and whose
-// size is a unit that no program agrees on, so it is read past; one blank; then the rows, bottom row first.
+// The header of a PFM: "PF", width, height, scale, whose sign tells the byte order (negative: little endian)
+// and whose size is a unit that no program agrees on, so it is read past; one blank; then the rows, bottom
+// row first.
 struct PfmHeader {
     int width = 0, height = 0;
     std::endian order = std::endian::little;
@@ -157,7 +164,8 @@ Number parseWhole(std::string_view word, const char* what) {
 
 PfmHeader readPfmHeader(const FileBytes& file) {
     const char* p = file.begin();
-    if (nextWord(p, file.end()) != "PF") throw ImageError("not a colour PFM picture: it does not begin with \"PF\"");
+    if (nextWord(p, file.end()) != "PF")
+        throw ImageError("not a colour PFM picture: it does not begin with \"PF\"");
     PfmHeader header;
     header.width = parseWhole<int>(nextWord(p, file.end()), "width");
     header.height = parseWhole<int>(nextWord(p, file.end()), "height");
@@ -169,7 +177,8 @@ PfmHeader readPfmHeader(const FileBytes& file) {
 }
 
 std::size_t pixelBytes(const PfmHeader& header) {
-    return static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) * channels * sizeof(float);
+    return static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) * channels *
+           sizeof(float);
 }
 
 // GCC and Clang see the byte swap in this.

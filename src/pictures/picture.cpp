@@ -9,7 +9,8 @@ Image blank(const PixelRectangle& crop) {
     Image image;
     image.width = crop.width();
     image.height = crop.height();
-    image.pixels.resize(std::size_t{3} * static_cast<std::size_t>(crop.width()) * static_cast<std::size_t>(crop.height()));
+    image.pixels.resize(std::size_t{3} * static_cast<std::size_t>(crop.width()) *
+                        static_cast<std::size_t>(crop.height()));
     return image;
 }
 

@@ -18,8 +18,9 @@ struct SineCosine {
     Real sine, cosine;
 };
 
-// Quarter turns are exact. Any other angle is brought to radians in double, as the course framework's glm::radians does:
-// its rounding is part of what references were made with (a cylinder turned by 45 degrees shows it in its normals).
+// Quarter turns are exact. Any other angle is brought to radians in double, as the course framework's
+// glm::radians does: its rounding is part of what references were made with (a cylinder turned by 45 degrees
+// shows it in its normals).
 SineCosine sineCosine(double degrees) {
     int quarters = 0;
     if (std::remquo(degrees, 90.0, &quarters) == 0) {
@@ -118,8 +119,8 @@ void Elimination::choosePivot(int step) {
     std::swap(pivotColumn[step], pivotColumn[best]);
 }
 
-// Higham, Theorem 9.3: elimination of 3 x 3 is backward stable to gamma_3 |L||U|, which full pivoting keeps below
-// 3 * 3 * 2.25 times the largest entry; another two for the roundings in compose().
+// Higham, Theorem 9.3: elimination of 3 x 3 is backward stable to gamma_3 |L||U|, which full pivoting keeps
+// below 3 * 3 * 2.25 times the largest entry; another two for the roundings in compose().
 bool Elimination::isRoundingError(Real pivot) const {
     constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
     return std::abs(pivot) <= 2 * 3 * 3 * Real(2.25) * unitRoundoff * largestPivot;
@@ -132,7 +133,8 @@ void Elimination::eliminate(int step) {
     for (int row = 0; row < 3; ++row) {
         if (row == step) continue;
         const Real factor = left[row][column];
-        for (int j = 0; j < 3; ++j) left[row][j] -= factor * left[step][j], right[row][j] -= factor * right[step][j];
+        for (int j = 0; j < 3; ++j)
+            left[row][j] -= factor * left[step][j], right[row][j] -= factor * right[step][j];
     }
 }
 
@@ -161,7 +163,8 @@ Affine compose(const TransformDescription& transform) {
 std::optional<Matrix3> inverseLinear(const Affine& affine) {
     const Rows& a = affine.linear;
     // What the elimination comes to, without its cost.
-    if (isPositiveDiagonal(a)) return Matrix3{{{1 / a[0][0], 0, 0}, {0, 1 / a[1][1], 0}, {0, 0, 1 / a[2][2]}}};
+    if (isPositiveDiagonal(a))
+        return Matrix3{{{1 / a[0][0], 0, 0}, {0, 1 / a[1][1], 0}, {0, 0, 1 / a[2][2]}}};
     Balanced b = balanced(affine.linear);
     Elimination elimination{b.entry};
     for (int step = 0; step < 3; ++step) {
@@ -174,7 +177,8 @@ std::optional<Matrix3> inverseLinear(const Affine& affine) {
     Matrix3 inverse;
     for (int step = 0; step < 3; ++step) {
         const int row = elimination.pivotColumn[step];
-        for (int j = 0; j < 3; ++j) inverse.entry[row][j] = b.column[row] * elimination.right[step][j] * b.row[j];
+        for (int j = 0; j < 3; ++j)
+            inverse.entry[row][j] = b.column[row] * elimination.right[step][j] * b.row[j];
     }
     return inverse;
 }

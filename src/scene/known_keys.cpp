@@ -10,9 +10,7 @@ namespace {
 constexpr std::size_t mostWarnings = 20;  // what fits a terminal
 }
 
-bool JsonObject::knows(std::string_view key) const {
-    return std::ranges::find(known_, key) != known_.end();
-}
+bool JsonObject::knows(std::string_view key) const { return std::ranges::find(known_, key) != known_.end(); }
 
 JsonView JsonObject::operator[](std::string_view key) const {
     if (const auto member = find(key)) return *member;

@@ -1,5 +1,6 @@
-// Objects whose keys the format knows. A key that it does not know is a warning with the nearest one that it knows, or
-// an error when strict; a required key that is missing is an error with the unknown one that may have been meant.
+// Objects whose keys the format knows. A key that it does not know is a warning with the nearest one that it
+// knows, or an error when strict; a required key that is missing is an error with the unknown one that may
+// have been meant.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +38,8 @@ class KnownKeys {
     // `known` must outlive the result.
     JsonObject check(JsonView json, std::span<const std::string_view> known);
 
-    // In the form of JsonError's what(). After the first few only how many more there are: a scene of a million shapes
-    // may have a comment in each.
+    // In the form of JsonError's what(). After the first few only how many more there are: a scene of a
+    // million shapes may have a comment in each.
     std::vector<std::string> warnings() const;
 
   private:

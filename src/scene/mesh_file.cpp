@@ -13,13 +13,15 @@
 namespace raytracer {
 namespace {
 
-// Some milliseconds of parsing: much longer than a thread takes to start, and small enough to be shared out evenly.
+// Some milliseconds of parsing: much longer than a thread takes to start, and small enough to be shared out
+// evenly.
 constexpr std::size_t chunkBytes = std::size_t{1} << 20;
 
 // The first line that begins after `from` and is not the rest of one that a backslash continues.
 std::size_t nextLineBegin(std::string_view text, std::size_t from) {
     std::size_t newline = text.find('\n', from);
-    while (newline != text.npos && endsInBackslash(text.substr(0, newline))) newline = text.find('\n', newline + 1);
+    while (newline != text.npos && endsInBackslash(text.substr(0, newline)))
+        newline = text.find('\n', newline + 1);
     return newline == text.npos ? text.size() : newline + 1;
 }
 
@@ -54,13 +56,16 @@ void requireUsable(const ObjCounts& whole) {
 void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh) {
     std::size_t corners = 0;
     for (const ObjTriangles& chunk : chunks) corners += chunk.positionIndex.size();
-    const bool textured = std::ranges::any_of(chunks, [](const auto& chunk) { return !chunk.texCoordIndex.empty(); });
+    const bool textured =
+        std::ranges::any_of(chunks, [](const auto& chunk) { return !chunk.texCoordIndex.empty(); });
     mesh.positionIndex.reserve(corners);
     mesh.texCoordIndex.reserve(textured ? corners : 0);
     for (ObjTriangles& taken : chunks) {
         const ObjTriangles chunk = std::move(taken);
-        mesh.positionIndex.insert(mesh.positionIndex.end(), chunk.positionIndex.begin(), chunk.positionIndex.end());
-        mesh.texCoordIndex.insert(mesh.texCoordIndex.end(), chunk.texCoordIndex.begin(), chunk.texCoordIndex.end());
+        mesh.positionIndex.insert(mesh.positionIndex.end(), chunk.positionIndex.begin(),
+                                  chunk.positionIndex.end());
+        mesh.texCoordIndex.insert(mesh.texCoordIndex.end(), chunk.texCoordIndex.begin(),
+                                  chunk.texCoordIndex.end());
         if (textured) mesh.texCoordIndex.resize(mesh.positionIndex.size(), MeshData::noTexCoord);
     }
     if (!textured) mesh.texCoords = {};
@@ -80,7 +85,8 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount) {
     mesh.positions.resize(whole.positions);
     mesh.texCoords.resize(whole.texCoords);
     std::vector<ObjTriangles> triangles(chunkCount);
-    parallelFor(jobs, 0, [&](std::uint32_t i) { triangles[i] = parseObjChunk(chunks[i], above[i], whole, mesh); });
+    parallelFor(jobs, 0,
+                [&](std::uint32_t i) { triangles[i] = parseObjChunk(chunks[i], above[i], whole, mesh); });
     appendTriangles(triangles, mesh);
     return mesh;
 }

@@ -11,8 +11,8 @@ void NameTable::add(std::string_view name, JsonView owner) {
     if (slots_.size() <= 2 * entries_.size()) grow();
     Slot& slot = slotOf(name);
     if (slot.index != none)
-        owner.fail(std::string("expected a name that no other ") + kind_ + " has, found " + inQuotes(name) + " as in " +
-                   entries_[slot.index].owner.pointer());
+        owner.fail(std::string("expected a name that no other ") + kind_ + " has, found " + inQuotes(name) +
+                   " as in " + entries_[slot.index].owner.pointer());
     slot.index = static_cast<std::uint32_t>(entries_.size());
     entries_.push_back({name, owner});
 }

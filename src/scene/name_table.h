@@ -17,7 +17,8 @@ class NameTable {
     // `kind` is for messages: no material named ...
     explicit NameTable(const char* kind) : kind_(kind) {}
 
-    // Gives the next index, from 0, to `name`, which must outlive the table; an error at `owner` if it has one already.
+    // Gives the next index, from 0, to `name`, which must outlive the table; an error at `owner` if it has
+    // one already.
     void add(std::string_view name, JsonView owner);
 
     // The index of the name that this string is; an error with the nearest one if it is none.

@@ -8,7 +8,8 @@
 namespace raytracer {
 namespace {
 
-// The index, from 0, that a face means by `written`: from 1 among all of the file's, or, below 0, back from the face.
+// The index, from 0, that a face means by `written`: from 1 among all of the file's, or, below 0, back from
+// the face.
 std::uint32_t resolve(const ObjLine& line, std::int64_t written, std::size_t above, std::size_t whole,
                       const char* what) {
     const auto count = static_cast<std::int64_t>(written > 0 ? whole : above);
@@ -19,7 +20,7 @@ std::uint32_t resolve(const ObjLine& line, std::int64_t written, std::size_t abo
 }
 
 class ChunkParser {
-public:
+  public:
     ChunkParser(const ObjCounts& above, const ObjCounts& whole, MeshData& mesh)
         : above_(above), whole_(whole), mesh_(mesh) {}
 
@@ -31,7 +32,7 @@ public:
         return std::move(triangles_);
     }
 
-private:
+  private:
     struct Corner {
         std::uint32_t position = 0, texCoord = MeshData::noTexCoord;
         bool hasNormal = false;
@@ -47,7 +48,9 @@ private:
             case ObjKeyword::position: return parsePosition(line);
             case ObjKeyword::texCoord: return parseTexCoord(line);
             case ObjKeyword::face: return parseFace(line);
-            case ObjKeyword::normal: ++above_.normals; return;  // not read: our normals are the triangles' own
+            case ObjKeyword::normal:
+                ++above_.normals;
+                return;  // not read: our normals are the triangles' own
             case ObjKeyword::other: return;
         }
     }
@@ -57,7 +60,8 @@ private:
         const double x = line.number(), y = line.number(), z = line.number();
         mesh_.positions[above_.positions++] = {x, y, z};
         const int count = 3 + skipNumbers(line);
-        if (count == 5 || count > 7) line.fail("a vertex has 3, 4, 6 or 7 numbers, found " + std::to_string(count));
+        if (count == 5 || count > 7)
+            line.fail("a vertex has 3, 4, 6 or 7 numbers, found " + std::to_string(count));
     }
 
     // u, u v or u v w.
@@ -90,9 +94,11 @@ private:
     Corner takeCorner(ObjLine& line, std::size_t count) const {
         if (line.atEnd()) line.fail("a face has at least 3 corners, found " + std::to_string(count));
         const ObjLine::Corner written = line.corner();
-        Corner corner{.position = resolve(line, written.position, above_.positions, whole_.positions, "vertex")};
+        Corner corner{.position =
+                          resolve(line, written.position, above_.positions, whole_.positions, "vertex")};
         if (written.texCoord != 0)
-            corner.texCoord = resolve(line, written.texCoord, above_.texCoords, whole_.texCoords, "texture coordinate");
+            corner.texCoord =
+                resolve(line, written.texCoord, above_.texCoords, whole_.texCoords, "texture coordinate");
         corner.hasNormal = written.normal != 0;
         if (corner.hasNormal) resolve(line, written.normal, above_.normals, whole_.normals, "normal");
         return corner;
@@ -101,7 +107,8 @@ private:
     void addTriangle(const Corner& a, const Corner& b, const Corner& c) {
         auto& [positionIndex, texCoordIndex] = triangles_;
         if (a.texCoord != MeshData::noTexCoord) {
-            texCoordIndex.resize(positionIndex.size(), MeshData::noTexCoord);  // catches up with triangles without
+            texCoordIndex.resize(positionIndex.size(),
+                                 MeshData::noTexCoord);  // catches up with triangles without
             texCoordIndex.insert(texCoordIndex.end(), {a.texCoord, b.texCoord, c.texCoord});
         }
         positionIndex.insert(positionIndex.end(), {a.position, b.position, c.position});
@@ -138,7 +145,8 @@ ObjCounts countObjChunk(std::string_view chunk) {
     return counts;
 }
 
-ObjTriangles parseObjChunk(std::string_view chunk, const ObjCounts& above, const ObjCounts& whole, MeshData& mesh) {
+ObjTriangles parseObjChunk(std::string_view chunk, const ObjCounts& above, const ObjCounts& whole,
+                           MeshData& mesh) {
     return ChunkParser(above, whole, mesh).parse(chunk);
 }
 

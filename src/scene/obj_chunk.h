@@ -1,6 +1,6 @@
-// One chunk of an OBJ file: whole lines of its text. Every chunk is first counted, then parsed knowing what stands
-// above it and in the whole file, so that chunks can be parsed at the same time, in any order, with the errors of one
-// pass.
+// One chunk of an OBJ file: whole lines of its text. Every chunk is first counted, then parsed knowing what
+// stands above it and in the whole file, so that chunks can be parsed at the same time, in any order, with
+// the errors of one pass.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,9 @@ struct ObjTriangles {
 
 ObjCounts countObjChunk(std::string_view chunk);
 
-// Fills the chunk's own part of mesh.positions and mesh.texCoords, which have their final sizes, and returns its
-// triangles. Throws MeshError at the chunk's first line that is to blame.
-ObjTriangles parseObjChunk(std::string_view chunk, const ObjCounts& above, const ObjCounts& whole, MeshData& mesh);
+// Fills the chunk's own part of mesh.positions and mesh.texCoords, which have their final sizes, and returns
+// its triangles. Throws MeshError at the chunk's first line that is to blame.
+ObjTriangles parseObjChunk(std::string_view chunk, const ObjCounts& above, const ObjCounts& whole,
+                           MeshData& mesh);
 
 }  // namespace raytracer

@@ -47,7 +47,8 @@ double ObjLine::number() {
     p_ = stop;
     if (error == std::errc::invalid_argument || !isAtWordEnd()) failWord("expected a number, found ");
     // Too large or too near to 0, and it does not say which.
-    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(begin, stop).c_str(), nullptr);
+    if (error == std::errc::result_out_of_range)
+        value = std::strtod(std::string(begin, stop).c_str(), nullptr);
     if (!std::isfinite(value)) failWord("expected a finite number, found ");
     return value;
 }
@@ -67,7 +68,8 @@ std::int64_t ObjLine::index() {
     std::int64_t value = 0;
     const auto [stop, error] = std::from_chars(p_, end_, value);
     p_ = stop;
-    if (error == std::errc::invalid_argument) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
+    if (error == std::errc::invalid_argument)
+        failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
     if (error == std::errc::result_out_of_range || value == 0)
         failWord("indices count from 1, or from -1 backwards; found ");
     return value;
@@ -90,7 +92,8 @@ void ObjLine::failWord(const char* message) const {
     std::string word(word_, rest.p_);
     const bool isLong = word.size() > longest;
     word.resize(std::min(word.size(), longest));
-    std::ranges::replace_if(word, [](char c) { return c < ' ' || c > '~'; }, '?');
+    std::ranges::replace_if(
+        word, [](char c) { return c < ' ' || c > '~'; }, '?');
     fail(message + ('"' + word) + (isLong ? "\"..." : "\""));
 }
 

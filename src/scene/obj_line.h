@@ -1,5 +1,5 @@
-// The lines of an OBJ file and the words of a line. A line that ends in a backslash goes on in the next, unless the
-// backslash is in a comment (the end of a path, say).
+// The lines of an OBJ file and the words of a line. A line that ends in a backslash goes on in the next,
+// unless the backslash is in a comment (the end of a path, say).
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,15 @@ enum class ObjKeyword { position, texCoord, normal, face, other };
 
 bool endsInBackslash(std::string_view physicalLine);
 
-// Takes the first line from `text`, without its line end, and says in `physicalLines` how many it spans in the file.
+// Takes the first line from `text`, without its line end, and says in `physicalLines` how many it spans in
+// the file.
 std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines);
 
 // Reads a line from left to right. Throws MeshError with the line's number.
 class ObjLine {
-public:
-    ObjLine(std::string_view line, std::size_t number) : p_(line.data()), end_(p_ + line.size()), number_(number) {}
+  public:
+    ObjLine(std::string_view line, std::size_t number)
+        : p_(line.data()), end_(p_ + line.size()), number_(number) {}
 
     ObjKeyword keyword();
     // Skips blanks; a comment ends the line too.
@@ -39,7 +41,7 @@ public:
 
     [[noreturn]] void fail(const std::string& message) const;
 
-private:
+  private:
     std::int64_t index();
     bool takeSlash() { return p_ != end_ && *p_ == '/' && ++p_; }
     // Inside a line, a line end is one that a backslash takes back.

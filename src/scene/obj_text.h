@@ -1,5 +1,5 @@
-// The text of a whole OBJ file, in chunks that are parsed at the same time. The answer, errors included, does not
-// depend on how many there are.
+// The text of a whole OBJ file, in chunks that are parsed at the same time. The answer, errors included, does
+// not depend on how many there are.
 #pragma once
 
 #include <cstddef>

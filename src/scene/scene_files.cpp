@@ -1,8 +1,8 @@
 #include "scene_files.h"
 
-#include "raytracer/util/file_bytes.h"
-#include "raytracer/pictures/image.h"
 #include "raytracer/json/json_writer.h"
+#include "raytracer/pictures/image.h"
+#include "raytracer/util/file_bytes.h"
 
 namespace raytracer {
 namespace {
@@ -24,7 +24,8 @@ Texture readTexture(const std::string& file) {
 
 }  // namespace
 
-SceneFiles::SceneFiles(const std::string& scenePath) : folder_(std::filesystem::path(scenePath).parent_path()) {}
+SceneFiles::SceneFiles(const std::string& scenePath)
+    : folder_(std::filesystem::path(scenePath).parent_path()) {}
 
 std::shared_ptr<const MeshData> SceneFiles::mesh(JsonView path) {
     const std::string file = resolve(path);

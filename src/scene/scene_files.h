@@ -7,12 +7,13 @@
 #include <unordered_map>
 
 #include "raytracer/json/json_view.h"
-#include "raytracer/scene/mesh_file.h"
 #include "raytracer/pictures/texture.h"
+#include "raytracer/scene/mesh_file.h"
 
 namespace raytracer {
 
-// Paths are strings of the scene, relative to its own file. What is wrong with a file is a JsonError at its path.
+// Paths are strings of the scene, relative to its own file. What is wrong with a file is a JsonError at its
+// path.
 class SceneFiles {
   public:
     explicit SceneFiles(const std::string& scenePath);

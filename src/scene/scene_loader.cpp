@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "raytracer/json/json_document.h"
-#include "raytracer/json/json_view.h"
 #include "known_keys.h"
 #include "name_table.h"
+#include "raytracer/json/json_document.h"
+#include "raytracer/json/json_view.h"
 #include "raytracer/util/file_bytes.h"
 #include "scene_files.h"
 #include "scene_parts.h"
@@ -51,7 +51,8 @@ void SceneReader::read(JsonView view) {
     description_.camera = readCamera(scene["camera"], keys_);
     if (const auto textures = scene.find("textures")) readTextures(*textures);
     readMaterials(scene["materials"]);
-    for (const JsonView light : scene["lights"].elements()) description_.lights.push_back(readLight(light, keys_));
+    for (const JsonView light : scene["lights"].elements())
+        description_.lights.push_back(readLight(light, keys_));
     readTransforms(scene["transforms"]);
     readShapes(scene["shapes"]);
 }
@@ -70,7 +71,8 @@ void SceneReader::readMaterials(JsonView materials) {
         const MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
         materials_.add(name ? name->string() : defaultMaterialName, name.value_or(json));
-        // One that is not textured may name whatever it likes; readMaterial has seen that one that is names something.
+        // One that is not textured may name whatever it likes; readMaterial has seen that one that is names
+        // something.
         auto& texture = textureOfMaterial_.emplace_back();
         if (material.use_diffuse_texture) texture = textures_.find(*json.find("diffuse_texture"));
     }

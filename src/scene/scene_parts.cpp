@@ -60,7 +60,8 @@ void readFrame(const JsonObject& json, CameraDescription& camera) {
     read(json["eye"], camera.eye);
     camera.look = direction(json["look"]);
     camera.up = direction(json["up"]);
-    if (areParallel(camera.look, camera.up)) json["up"].fail("expected another direction than look's, found the same");
+    if (areParallel(camera.look, camera.up))
+        json["up"].fail("expected another direction than look's, found the same");
 }
 
 glm::dvec3 scaleFactors(JsonView scale) {
@@ -112,8 +113,9 @@ glm::dvec3 readPosition(JsonView json) {
 }  // namespace
 
 CameraDescription readCamera(JsonView view, KnownKeys& keys) {
-    static constexpr std::array known = {"type"sv,      "focal_length"sv, "eye"sv,         "look"sv,    "up"sv,
-                                         "film_left"sv, "film_right"sv,   "film_bottom"sv, "film_top"sv};
+    static constexpr std::array known = {"type"sv,       "focal_length"sv, "eye"sv,
+                                         "look"sv,       "up"sv,           "film_left"sv,
+                                         "film_right"sv, "film_bottom"sv,  "film_top"sv};
     static constexpr std::array types = {"perspective"sv, "orthographic"sv};
     const JsonObject json = keys.check(view, known);
     CameraDescription camera;
@@ -127,8 +129,8 @@ CameraDescription readCamera(JsonView view, KnownKeys& keys) {
 
 MaterialDescription readMaterial(JsonView view, KnownKeys& keys) {
     static constexpr std::array known = {
-        "name"sv,          "color_ambient"sv, "color_diffuse"sv, "color_specular"sv,
-        "shininess"sv,     "reflective"sv,    "color_reflect"sv, "refractive"sv,
+        "name"sv,          "color_ambient"sv,       "color_diffuse"sv,       "color_specular"sv,
+        "shininess"sv,     "reflective"sv,          "color_reflect"sv,       "refractive"sv,
         "color_refract"sv, "index_of_refraction"sv, "use_diffuse_texture"sv, "diffuse_texture"sv};
     const JsonObject json = keys.check(view, known);
     MaterialDescription material;

@@ -1,8 +1,8 @@
 // The parts of a scene that stand for themselves, each from its JSON object. Throws JsonError.
 #pragma once
 
-#include "raytracer/json/json_view.h"
 #include "known_keys.h"
+#include "raytracer/json/json_view.h"
 #include "raytracer/scene/scene_description.h"
 
 namespace raytracer {

@@ -70,7 +70,8 @@ class Recorder final : public Observer {
     }
 
     static glm::dvec3 scaled(const Vec3& v, int exponent) {
-        return {static_cast<double>(std::scalbn(v.x, exponent)), static_cast<double>(std::scalbn(v.y, exponent)),
+        return {static_cast<double>(std::scalbn(v.x, exponent)),
+                static_cast<double>(std::scalbn(v.y, exponent)),
                 static_cast<double>(std::scalbn(v.z, exponent))};
     }
 

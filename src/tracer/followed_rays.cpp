@@ -16,19 +16,21 @@ static bool isWorthIt(const FollowedRay& ray, const glm::dvec3& brightest, doubl
            std::abs(ray.weight.z) * brightest.z >= cutoff;
 }
 
-// A ray that is worth it comes from one that was, since it can change no more; with more max_recursion left it can change no
-// less.
+// A ray that is worth it comes from one that was, since it can change no more; with more max_recursion left
+// it can change no less.
 int followedFrom(const FollowedRays& followed, const FollowedRay& ray, double cutoff) {
     if (ray.depth == 0) return 0;
     const auto& brightest = followed.brightest;
-    const auto least = std::ranges::partition_point(brightest, [&](const auto& each) { return !isWorthIt(ray, each, cutoff); });
+    const auto least = std::ranges::partition_point(
+        brightest, [&](const auto& each) { return !isWorthIt(ray, each, cutoff); });
     return least == brightest.end() ? neverFollowed : ray.depth + static_cast<int>(least - brightest.begin());
 }
 
 PixelAndRays shallower(const FollowedRays& followed, std::size_t pixel, int max_recursion, double cutoff) {
     const auto isFollowed = [&](const FollowedRay& ray) {
         const int left = max_recursion - ray.depth;
-        return ray.depth == 0 || (left >= 0 && isWorthIt(ray, followed.brightest[static_cast<std::size_t>(left)], cutoff));
+        return ray.depth == 0 ||
+               (left >= 0 && isWorthIt(ray, followed.brightest[static_cast<std::size_t>(left)], cutoff));
     };
     PixelAndRays result;
     for (const FollowedRay& ray : followed.of(pixel))

@@ -8,13 +8,13 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 namespace lanes_plain {
 void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context);
 void meetPacket(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end, std::span<Hit> hits);
-}
+}  // namespace lanes_plain
 #endif
 #if defined(RAYTRACER_AVX2_LANES)
 namespace lanes_avx2 {
 void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context);
 void meetPacket(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end, std::span<Hit> hits);
-}
+}  // namespace lanes_avx2
 #endif
 
 namespace {

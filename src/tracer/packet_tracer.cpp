@@ -1,9 +1,10 @@
-// Packets (packet_tracer.h). Compiled once for each instruction set, into a namespace of its own; nothing but templates on
-// Lanes may be compiled here that another file might share, or it would run where the instruction set is not.
+// Packets (packet_tracer.h). Compiled once for each instruction set, into a namespace of its own; nothing but
+// templates on Lanes may be compiled here that another file might share, or it would run where the
+// instruction set is not.
 #include "raytracer/tracer/packet_tracer.h"
 
-#include "raytracer/geometry/packet_traversal.h"
 #include "ray_follower.h"
+#include "raytracer/geometry/packet_traversal.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -26,12 +27,14 @@ class PacketTracer {
     ColorLanes hitColor(const RayLanes& ray, const PacketQuery& query, LaneBits alike, const RayPath& path);
     ColorLanes oneByOne(const RayLanes& ray, const PacketQuery& query, LaneBits lanes, const RayPath& path);
     ColorLanes lightColor(const ShadingPointT<Lanes>& point, LaneBits lanes);
-    ColorLanes shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight, const Light& light, LaneBits lanes);
+    ColorLanes shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight, const Light& light,
+                      LaneBits lanes);
     ColorLanes reflectedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
     ColorLanes refractedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path);
     template <class Function>
     void forEachFollower(LaneBits lanes, Function function) {
-        if (RayFollower* followers = context_->followers) forEach(lanes, [&](int lane) { function(followers[lane], lane); });
+        if (RayFollower* followers = context_->followers)
+            forEach(lanes, [&](int lane) { function(followers[lane], lane); });
     }
     bool isCast(NotCast reason, LaneBits lanes, const RayPath& onwards);
 
@@ -57,13 +60,16 @@ ColorLanes PacketTracer::rayColor(const RayLanes& ray, LaneBits asked, const Ray
         const LaneBits alike = query.alike(left);
         left &= ~alike;
         const bool together = std::popcount(alike) >= PointPacket::least;
-        color = select<Lanes>(maskOf(alike), (together ? hitColor(ray, query, alike, path) : oneByOne(ray, query, alike, path)), color);
+        color = select<Lanes>(
+            maskOf(alike), (together ? hitColor(ray, query, alike, path) : oneByOne(ray, query, alike, path)),
+            color);
     }
     forEachFollower(asked, [](RayFollower& follower, int) { follower.leave(); });
     return color;
 }
 
-ColorLanes PacketTracer::oneByOne(const RayLanes& ray, const PacketQuery& query, LaneBits lanes, const RayPath& path) {
+ColorLanes PacketTracer::oneByOne(const RayLanes& ray, const PacketQuery& query, LaneBits lanes,
+                                  const RayPath& path) {
     ColorLanes color(0);
     forEach(lanes, [&](int lane) {
         context_->dropped = 0;
@@ -87,7 +93,8 @@ IntersectionT<Lanes> surfaceAt(const RayLanes& ray, const HitT<Lanes>& hit, cons
     return static_cast<const Mesh&>(shape).surface(ray, hit, axes);
 }
 
-ColorLanes PacketTracer::hitColor(const RayLanes& ray, const PacketQuery& query, LaneBits alike, const RayPath& path) {
+ColorLanes PacketTracer::hitColor(const RayLanes& ray, const PacketQuery& query, LaneBits alike,
+                                  const RayPath& path) {
     RayLanes some;
     if (alike != allLanes) some = filled(ray, alike);
     const RayLanes& together = alike == allLanes ? ray : some;
@@ -122,7 +129,8 @@ ColorLanes PacketTracer::lightColor(const ShadingPointT<Lanes>& point, LaneBits 
 }
 
 // S_L.
-ColorLanes PacketTracer::shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight, const Light& light, LaneBits lanes) {
+ColorLanes PacketTracer::shadow(const ShadingPointT<Lanes>& point, const Vec3Lanes& toLight,
+                                const Light& light, LaneBits lanes) {
     context_->counts.shadow += static_cast<std::uint64_t>(std::popcount(lanes));
     const RayEnd end{light.position};
     PacketQuery query(lanes, end, !scene_->hasRefractiveShape());
@@ -142,7 +150,8 @@ bool PacketTracer::isCast(NotCast reason, LaneBits lanes, const RayPath& onwards
     return reason == NotCast::Nothing;
 }
 
-ColorLanes PacketTracer::reflectedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path) {
+ColorLanes PacketTracer::reflectedColor(const ShadingPointT<Lanes>& point, LaneBits lanes,
+                                        const RayPath& path) {
     const Material& material = *point.hit->material;
     const RayPath onwards{path.weight * material.color_reflect, path.max_recursion - 1, RayKind::Reflection};
     if (!isCast(scene_->whyNotReflected(material, onwards, *context_), lanes, onwards)) return ColorLanes(0);
@@ -151,7 +160,8 @@ ColorLanes PacketTracer::reflectedColor(const ShadingPointT<Lanes>& point, LaneB
     return ColorLanes(material.color_reflect) * rayColor(reflected, lanes, onwards);
 }
 
-ColorLanes PacketTracer::refractedColor(const ShadingPointT<Lanes>& point, LaneBits lanes, const RayPath& path) {
+ColorLanes PacketTracer::refractedColor(const ShadingPointT<Lanes>& point, LaneBits lanes,
+                                        const RayPath& path) {
     if (!context_->options->refraction) return ColorLanes(0);
     const Material& material = *point.hit->material;
     const RayPath onwards{path.weight * material.color_refract, path.max_recursion - 1, RayKind::Refraction};
@@ -163,19 +173,23 @@ ColorLanes PacketTracer::refractedColor(const ShadingPointT<Lanes>& point, LaneB
     context_->counts.refraction += static_cast<std::uint64_t>(std::popcount(lanes));
     if (lanes != allLanes) direction = filled(direction, lanes);
     const RayLanes refracted = point.leave(direction, ShadingPointT<Lanes>::Side::Far);
-    return select<Lanes>(maskOf(lanes), ColorLanes(material.color_refract) * rayColor(refracted, lanes, onwards), ColorLanes(0));
+    return select<Lanes>(maskOf(lanes),
+                         ColorLanes(material.color_refract) * rayColor(refracted, lanes, onwards),
+                         ColorLanes(0));
 }
 
 }  // namespace
 
 void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context) {
     const RenderOptions& options = *context.options;
-    for (int lane = points.count; lane < laneCount; ++lane) points.x[lane] = points.x[0], points.y[lane] = points.y[0];
-    const auto uv = scene.camera.getPixelUV(lanesOf(points.x), lanesOf(points.y), options.size.width, options.size.height);
+    for (int lane = points.count; lane < laneCount; ++lane)
+        points.x[lane] = points.x[0], points.y[lane] = points.y[0];
+    const auto uv = scene.camera.getPixelUV(lanesOf(points.x), lanesOf(points.y), options.size.width,
+                                            options.size.height);
     PacketTracer tracer(scene, context);
     context.counts.primary += static_cast<std::uint64_t>(points.count);
-    const ColorLanes color =
-        tracer.rayColor(scene.camera.getRay(uv), allLanes >> (laneCount - points.count), {Color(1), options.max_recursion});
+    const ColorLanes color = tracer.rayColor(scene.camera.getRay(uv), allLanes >> (laneCount - points.count),
+                                             {Color(1), options.max_recursion});
     store(color.x, points.color[0]);
     store(color.y, points.color[1]);
     store(color.z, points.color[2]);

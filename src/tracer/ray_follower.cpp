@@ -22,7 +22,9 @@ void RayFollower::leave() { open_.pop_back(); }
 
 void RayFollower::enter(const Ray&, const RayPath& path) { enter(path); }
 void RayFollower::meet(const ShadingPoint&) {}
-void RayFollower::light(const DirectLight&, const Shadow* shadow, const Color& sum) { light(shadow != nullptr, sum); }
+void RayFollower::light(const DirectLight&, const Shadow* shadow, const Color& sum) {
+    light(shadow != nullptr, sum);
+}
 void RayFollower::notCast(RayKind, NotCast) {}
 void RayFollower::leave(const Color&) { leave(); }
 

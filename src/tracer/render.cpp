@@ -3,8 +3,8 @@
 #include <mutex>
 #include <vector>
 
-#include "raytracer/tracer/packet_tracer.h"
 #include "ray_follower.h"
+#include "raytracer/tracer/packet_tracer.h"
 #include "raytracer/util/parallel.h"
 
 namespace raytracer {
@@ -26,8 +26,12 @@ PixelRectangle tileOf(const PixelRectangle& crop, int index) {
 class PixelGroup {
   public:
     PixelGroup(const Scene& scene, std::span<const PixelPlace> pixels, RenderContext& context)
-        : scene_(scene), pixels_(pixels), context_(context), samples_(context.options->samples),
-          cell_(1 / static_cast<Real>(samples_)), tolerance_(static_cast<Real>(context.options->adaptive)) {
+        : scene_(scene),
+          pixels_(pixels),
+          context_(context),
+          samples_(context.options->samples),
+          cell_(1 / static_cast<Real>(samples_)),
+          tolerance_(static_cast<Real>(context.options->adaptive)) {
         for (int pixel = 0; pixel < count(); ++pixel) {
             Sum& sum = sums_[pixel];
             sum.color = Color(0), sum.taken = 0, sum.dropped = 0;
@@ -95,7 +99,9 @@ class PixelGroup {
         points_.count = 0;
     }
 
-    bool isFlat(const Sum& sum) const { return tolerance_ > 0 && maxComponent(sum.high - sum.low) <= tolerance_; }
+    bool isFlat(const Sum& sum) const {
+        return tolerance_ > 0 && maxComponent(sum.high - sum.low) <= tolerance_;
+    }
 
     const Scene& scene_;
     std::span<const PixelPlace> pixels_;
@@ -123,13 +129,15 @@ void renderTile(const Scene& scene, const PixelRectangle& tile, RenderContext& c
             for (int y = 0; y < height; ++y)
                 for (int x = left; x < right; ++x) rows[y][x - tile.x0] = glm::dvec3(*color++);
         }
-        for (int y = 0; y < height; ++y) sink.write(tile.x0, top + y, {rows[y], static_cast<std::size_t>(tile.width())});
+        for (int y = 0; y < height; ++y)
+            sink.write(tile.x0, top + y, {rows[y], static_cast<std::size_t>(tile.width())});
     }
 }
 
 // Does work(job, context) for every job, on options.threads threads.
 template <class Work>
-RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::size_t jobs, ProgressListener* progress, Work work) {
+RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::size_t jobs,
+                      ProgressListener* progress, Work work) {
     std::mutex mutex;
     RenderCounts counts;
     std::size_t done = 0;
@@ -163,7 +171,8 @@ Color Scene::pointColor(Real x, Real y, RenderContext& context) const {
 
 void Scene::pointColors(PointPacket& points, RenderContext& context) const {
     const TracePacket tracePacket = packetTracer();
-    if (usesPackets_ && tracePacket && context.options->pass == Pass::Color && points.count >= PointPacket::least)
+    if (usesPackets_ && tracePacket && context.options->pass == Pass::Color &&
+        points.count >= PointPacket::least)
         return tracePacket(*this, points, context);
     for (int i = 0; i < points.count; ++i) {
         context.dropped = 0;
@@ -174,7 +183,8 @@ void Scene::pointColors(PointPacket& points, RenderContext& context) const {
     }
 }
 
-void Scene::pixelColors(std::span<const PixelPlace> pixels, std::span<Color> colors, RenderContext& context) const {
+void Scene::pixelColors(std::span<const PixelPlace> pixels, std::span<Color> colors,
+                        RenderContext& context) const {
     if (context.options->samples > 1) return PixelGroup(*this, pixels, context).render(colors);
     PointPacket points;
     for (const PixelPlace& pixel : pixels)
@@ -188,7 +198,9 @@ void Scene::pixelColors(std::span<const PixelPlace> pixels, std::span<Color> col
 
 RenderCounts Scene::render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const {
     const PixelRectangle& crop = options.crop;
-    const auto work = [&](std::uint32_t job, RenderContext& context) { renderTile(*this, tileOf(crop, static_cast<int>(job)), context, sink); };
+    const auto work = [&](std::uint32_t job, RenderContext& context) {
+        renderTile(*this, tileOf(crop, static_cast<int>(job)), context, sink);
+    };
     const auto tiles = static_cast<std::size_t>(tileCount(crop.width()) * tileCount(crop.height()));
     return shareOut(*this, options, tiles, progress, work);
 }
@@ -210,7 +222,8 @@ RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const P
     return shareOut(*this, options, (pixels.size() + batch - 1) / batch, nullptr, work);
 }
 
-RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPlace> pixels, FollowedRays& followed) const {
+RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                           FollowedRays& followed) const {
     RenderOptions once = options;
     once.samples = 1;
     once.pass = Pass::Color;

@@ -16,7 +16,8 @@ namespace extended_precision {
 std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
 }
 
-std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision, const BuildOptions& options) {
+std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision,
+                                       const BuildOptions& options) {
     switch (precision) {
         case Precision::Float: return float_precision::makeCoreRenderer(scene, options);
         case Precision::Extended: return extended_precision::makeCoreRenderer(scene, options);
@@ -28,7 +29,9 @@ std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision 
 ImageSize imageSize(const CameraDescription& camera, int longEdge) {
     const double width = std::abs(camera.film_right - camera.film_left);
     const double height = std::abs(camera.film_top - camera.film_bottom);
-    const auto shortEdge = [&](double ratio) { return std::max(1, static_cast<int>(std::lround(longEdge * ratio))); };
+    const auto shortEdge = [&](double ratio) {
+        return std::max(1, static_cast<int>(std::lround(longEdge * ratio)));
+    };
     if (width >= height) return {longEdge, shortEdge(height / width)};
     return {shortEdge(width / height), longEdge};
 }

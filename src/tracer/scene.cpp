@@ -66,8 +66,10 @@ Color Scene::lightColor(const ShadingPoint& point, RenderContext& context) const
     return color;
 }
 
-// S_L: only the closest hit before the light counts; where none is refractive, any will do, but for who asks which.
-Shadow Scene::castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const {
+// S_L: only the closest hit before the light counts; where none is refractive, any will do, but for who asks
+// which.
+Shadow Scene::castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light,
+                         RenderContext& context) const {
     ++context.counts.shadow;
     const Ray ray = point.leave(toLight, ShadingPoint::Side::Near);
     const RayEnd end{light.position};
@@ -108,13 +110,15 @@ Color Scene::notCast(const RayPath& path, NotCast reason, RenderContext& context
     return Color(0);
 }
 
-NotCast Scene::whyNotReflected(const Material& material, const RayPath& onwards, const RenderContext& context) const {
+NotCast Scene::whyNotReflected(const Material& material, const RayPath& onwards,
+                               const RenderContext& context) const {
     if (onwards.max_recursion < 0) return NotCast::MaxRecursion;
     if (isBlack(material.color_reflect)) return NotCast::Black;
     return isWorthCasting(onwards, context) ? NotCast::Nothing : NotCast::Cutoff;
 }
 
-NotCast Scene::whyNotRefracted(const Material& material, const RayPath& onwards, const RenderContext& context) const {
+NotCast Scene::whyNotRefracted(const Material& material, const RayPath& onwards,
+                               const RenderContext& context) const {
     if (onwards.max_recursion < 0) return NotCast::MaxRecursion;
     if (isBlack(material.color_refract)) return NotCast::Black;
     return isWorthCasting(onwards, context) ? NotCast::Nothing : NotCast::Cutoff;
@@ -140,7 +144,8 @@ std::vector<Color> Scene::brightestColors(int max_recursion) const {
     for (Color onwards(0); static_cast<int>(brightest.size()) <= max_recursion; onwards = brightest.back()) {
         Color most(0);
         for (const Material& m : materials) {
-            Color color = abs(m.color_ambient) * ambient + (abs(m.color_diffuse) + abs(m.color_specular)) * lit * shadow;
+            Color color = abs(m.color_ambient) * ambient +
+                          (abs(m.color_diffuse) + abs(m.color_specular)) * lit * shadow;
             if (m.reflective) color += abs(m.color_reflect) * onwards;
             if (m.refractive) color += abs(m.color_refract) * onwards;
             most = glm::max(most, color);

@@ -6,18 +6,18 @@
 #include <map>
 #include <numeric>
 
-#include "raytracer/tracer/explain.h"
-#include "raytracer/geometry/mesh.h"
-#include "raytracer/tracer/renderer.h"
 #include "raytracer/bvh/spatial_order.h"
+#include "raytracer/geometry/mesh.h"
+#include "raytracer/tracer/explain.h"
+#include "raytracer/tracer/renderer.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// A colour, so limited that no product of a few overflows: infinity times black would be no number. No picture shows the
-// difference; an eighth of the exponents lets eight factors meet.
+// A colour, so limited that no product of a few overflows: infinity times black would be no number. No
+// picture shows the difference; an eighth of the exponents lets eight factors meet.
 Color buildColor(const glm::dvec3& color) {
     constexpr int exponent = std::numeric_limits<Real>::max_exponent / 8;
     const auto limit = static_cast<double>(std::scalbn(1.0, std::min(exponent, 1000)));
@@ -44,15 +44,17 @@ Material buildMaterial(const MaterialDescription& description, const SceneDescri
 Light buildLight(const LightDescription& description, const SceneFrame& frame) {
     long double position[3];
     frame.pointToFrame(description.position, position);
-    return {Vec3(static_cast<Real>(position[0]), static_cast<Real>(position[1]), static_cast<Real>(position[2])),
-            buildColor(description.color), buildColor(description.color_ambient)};
+    return {
+        Vec3(static_cast<Real>(position[0]), static_cast<Real>(position[1]), static_cast<Real>(position[2])),
+        buildColor(description.color), buildColor(description.color_ambient)};
 }
 
 // Shapes that name the same OBJ file share its triangles.
 using MeshCache = std::map<const MeshData*, std::shared_ptr<const TriangleMesh>>;
 
 std::unique_ptr<Shape> buildShape(const ShapeDescription& description, const Transform& transform,
-                                  const Material& material, std::uint32_t index, const BuildOptions& options, MeshCache& meshes) {
+                                  const Material& material, std::uint32_t index, const BuildOptions& options,
+                                  MeshCache& meshes) {
     switch (description.type) {
         case ShapeDescription::Type::Sphere: return std::make_unique<Sphere>(transform, material, index);
         case ShapeDescription::Type::Plane: return std::make_unique<Plane>(transform, material, index);
@@ -66,8 +68,8 @@ std::unique_ptr<Shape> buildShape(const ShapeDescription& description, const Tra
     return std::make_unique<Mesh>(transform, material, index, triangles);
 }
 
-// The order in which many shapes are made, and so lie in memory: those that are near each other, which the same rays
-// meet, side by side.
+// The order in which many shapes are made, and so lie in memory: those that are near each other, which the
+// same rays meet, side by side.
 std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
     constexpr std::size_t many = 1000;  // fewer stay in a processor's cache
     std::vector<std::uint32_t> order(description.shapes.size());
@@ -76,9 +78,11 @@ std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
     std::vector<glm::vec3> places;
     places.reserve(order.size());
     for (const ShapeDescription& shape : description.shapes) {
-        // A matrix may put the shape elsewhere, and the place may be beyond float: then the order is a worse one.
+        // A matrix may put the shape elsewhere, and the place may be beyond float: then the order is a worse
+        // one.
         const glm::vec3 place(description.transforms[shape.transform].translate.value_or(glm::dvec3(0)));
-        places.push_back(glm::clamp(place, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max()));
+        places.push_back(
+            glm::clamp(place, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max()));
     }
     return spatialOrder(places);
 }
@@ -88,8 +92,10 @@ void prefetch(const SceneDescription& description, const std::vector<std::uint32
     constexpr std::size_t ahead = 8;
     if (i + 2 * ahead < order.size()) __builtin_prefetch(&description.shapes[order[i + 2 * ahead]]);
     if (i + ahead >= order.size()) return;
-    const auto* transform = reinterpret_cast<const char*>(&description.transforms[description.shapes[order[i + ahead]].transform]);
-    for (std::size_t byte = 0; byte < sizeof(TransformDescription); byte += 64) __builtin_prefetch(transform + byte);
+    const auto* transform = reinterpret_cast<const char*>(
+        &description.transforms[description.shapes[order[i + ahead]].transform]);
+    for (std::size_t byte = 0; byte < sizeof(TransformDescription); byte += 64)
+        __builtin_prefetch(transform + byte);
 }
 
 class SceneRenderer final : public Renderer {
@@ -97,7 +103,8 @@ class SceneRenderer final : public Renderer {
     SceneRenderer(const SceneDescription& description, const BuildOptions& options)
         : scene_(buildScene(description, options)) {}
 
-    RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress) const override {
+    RenderCounts render(const RenderOptions& options, PixelSink& sink,
+                        ProgressListener* progress) const override {
         return scene_->render(options, sink, progress);
     }
 
@@ -129,7 +136,8 @@ std::unique_ptr<Scene> buildScene(const SceneDescription& description, const Bui
     for (const TextureDescription& texture : description.textures) scene->textures.push_back(texture.texture);
     for (const MaterialDescription& material : description.materials)
         scene->materials.push_back(buildMaterial(material, description));
-    for (const LightDescription& light : description.lights) scene->lights.push_back(buildLight(light, frame));
+    for (const LightDescription& light : description.lights)
+        scene->lights.push_back(buildLight(light, frame));
     MeshCache meshes;
     scene->shapes.reserve(description.shapes.size());
     const std::vector<std::uint32_t> order = orderOfMaking(description);
@@ -139,7 +147,8 @@ std::unique_ptr<Scene> buildScene(const SceneDescription& description, const Bui
         const ShapeDescription& shape = description.shapes[index];
         // Composed anew: cheaper than to keep what was composed for the frame.
         const Transform transform(frame.toFrame(compose(description.transforms[shape.transform])));
-        scene->shapes.push_back(buildShape(shape, transform, scene->materials[shape.material], index, options, meshes));
+        scene->shapes.push_back(
+            buildShape(shape, transform, scene->materials[shape.material], index, options, meshes));
     }
     scene->index(options);
     return scene;

@@ -12,8 +12,8 @@ Color texel(const Texture& texture, Real column, Real row) {
     const auto within = [](Real place, int count) {
         return static_cast<std::size_t>(glm::clamp(place, Real(0), static_cast<Real>(count - 1)));
     };
-    const std::size_t index = within(row, texture.height) * static_cast<std::size_t>(texture.width) +
-                              within(column, texture.width);
+    const std::size_t index =
+        within(row, texture.height) * static_cast<std::size_t>(texture.width) + within(column, texture.width);
     const std::uint8_t* rgb = &texture.texels[3 * index];
     return Color(rgb[0], rgb[1], rgb[2]) / Real(255);
 }

@@ -34,8 +34,8 @@ void killGroupAndDie(int signal) {
     std::raise(signal);
 }
 
-// The child is in a process group of its own, so that all of it can be killed; the terminal's Ctrl-C no longer reaches
-// it there, so it is passed on.
+// The child is in a process group of its own, so that all of it can be killed; the terminal's Ctrl-C no
+// longer reaches it there, so it is passed on.
 class GroupGuard {
   public:
     explicit GroupGuard(pid_t group) {
@@ -83,7 +83,8 @@ pid_t spawn(const std::vector<std::string>& words, const std::string& output, co
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                     0600);
     posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
@@ -100,7 +101,8 @@ pid_t spawn(const std::vector<std::string>& words, const std::string& output, co
 // True once the child has ended; it stays a zombie, so that its number and its group's are still its own.
 bool hasEnded(pid_t child) {
     siginfo_t info{};
-    return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == child;
+    return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           info.si_pid == child;
 }
 
 bool endsBefore(pid_t child, Clock::time_point deadline) {
@@ -114,11 +116,13 @@ bool endsBefore(pid_t child, Clock::time_point deadline) {
 
 int reap(pid_t child) {
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
     return status;
 }
 
-// A shell that waited for a program that a signal killed says so by 128 + signal (POSIX leaves it at "over 128").
+// A shell that waited for a program that a signal killed says so by 128 + signal (POSIX leaves it at "over
+// 128").
 void readStatus(int status, ProcessEnd& end) {
     constexpr int lastSignal = 31;
     if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
@@ -130,19 +134,15 @@ void readStatus(int status, ProcessEnd& end) {
 
 std::string ProcessEnd::description() const {
     std::ostringstream text;
-    if (timedOut)
-        text << "hung: stopped after " << seconds << " s";
-    else if (signal)
-        text << "crashed: " << strsignal(signal);
-    else if (exitStatus == 127)
-        text << "could not be started";
-    else if (exitStatus)
-        text << "exit status " << exitStatus;
+    if (timedOut) text << "hung: stopped after " << seconds << " s";
+    else if (signal) text << "crashed: " << strsignal(signal);
+    else if (exitStatus == 127) text << "could not be started";
+    else if (exitStatus) text << "exit status " << exitStatus;
     return text.str();
 }
 
-ProcessEnd runProcess(const std::string& command, const std::vector<std::string>& arguments, const std::string& output,
-                      double timeoutSeconds) {
+ProcessEnd runProcess(const std::string& command, const std::vector<std::string>& arguments,
+                      const std::string& output, double timeoutSeconds) {
     std::vector<std::string> words{"sh", "-c", shellPrefix + command + " \"$@\"", "sh"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const Clock::time_point start = Clock::now();

@@ -20,7 +20,7 @@ namespace {
 }
 
 class Descriptor {
-public:
+  public:
     Descriptor(const std::string& path, int flags, const char* whatFailed)
         : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
         if (fd_ < 0) fail(whatFailed, errno);
@@ -38,7 +38,7 @@ public:
         if (::close(std::exchange(fd_, -1)) != 0) fail("cannot write", errno);
     }
 
-private:
+  private:
     int fd_;
 };
 
@@ -67,10 +67,12 @@ void writeParts(const std::string& path, int flags, std::span<const std::span<co
     file.close();
 }
 
-// In the target's folder, for a rename cannot cross file systems; short, whatever the length of the target's name.
+// In the target's folder, for a rename cannot cross file systems; short, whatever the length of the target's
+// name.
 std::filesystem::path temporaryBeside(const std::filesystem::path& target) {
     static std::atomic<unsigned> serial = 0;
-    const std::string name = ".raytracer-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
+    const std::string name =
+        ".raytracer-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
     return target.parent_path() / name;
 }
 

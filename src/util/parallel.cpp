@@ -15,7 +15,7 @@ struct Jobs {
     std::uint32_t count;
     std::atomic<std::uint32_t> next{0};
     std::mutex mutex;
-    std::exception_ptr error;
+    std::exception_ptr error{};
     std::uint32_t errorJob = 0;
 };
 
@@ -74,7 +74,8 @@ void parallelFor(std::uint32_t jobs, int threads, const std::function<void(std::
 void parallelPieces(std::uint32_t begin, std::uint32_t end, int threads,
                     const std::function<void(std::uint32_t, std::uint32_t, std::uint32_t)>& work) {
     const std::uint32_t size = end - begin;
-    const std::uint32_t pieces = size < parallelSize ? 1 : std::min(size / (parallelSize / 4), mostPieces(threads) - 1);
+    const std::uint32_t pieces =
+        size < parallelSize ? 1 : std::min(size / (parallelSize / 4), mostPieces(threads) - 1);
     parallelFor(pieces, threads, [&](std::uint32_t piece) {
         const auto at = [&](std::uint32_t i) {
             return begin + static_cast<std::uint32_t>(std::uint64_t{size} * i / pieces);

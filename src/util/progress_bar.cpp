@@ -8,8 +8,8 @@
 namespace raytracer {
 
 namespace {
-constexpr int barWidth = 40;                                   // characters
-constexpr std::chrono::milliseconds quietStart{1000};          // shorter work needs no bar
+constexpr int barWidth = 40;                           // characters
+constexpr std::chrono::milliseconds quietStart{1000};  // shorter work needs no bar
 constexpr std::chrono::milliseconds betweenFrames{100};
 }  // namespace
 
@@ -32,7 +32,9 @@ void TerminalLine::show(const std::string& text) {
     std::fflush(stderr);
 }
 
-double TerminalLine::elapsedSeconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+double TerminalLine::elapsedSeconds() const {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+}
 
 void ProgressBar::progress(double fraction) {
     if (line_.isDue()) line_.show(line(fraction, line_.elapsedSeconds()));
@@ -43,7 +45,8 @@ std::string ProgressBar::line(double fraction, double elapsedSeconds) {
     const double left = fraction > 0 ? elapsedSeconds * (1 - fraction) / fraction : 0;
     const long seconds = std::lround(left);
     char tail[64];
-    std::snprintf(tail, sizeof tail, "] %3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
+    std::snprintf(tail, sizeof tail, "] %3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60,
+                  seconds % 60);
     std::string bar(static_cast<std::size_t>(barWidth), ' ');
     bar.replace(0, static_cast<std::size_t>(filled), static_cast<std::size_t>(filled), '#');
     return '[' + bar + tail;

@@ -10,7 +10,8 @@ namespace raytracer {
 
 TemporaryFolder::TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "raytracer-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error(name + ": cannot make the folder: " + std::strerror(errno));
+    if (!mkdtemp(name.data()))
+        throw std::runtime_error(name + ": cannot make the folder: " + std::strerror(errno));
     path_ = name;
 }
 

@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 #include <glm/common.hpp>
 
+#include "../support/scene_files.h"
 #include "raytracer/accuracy/picture_error.h"
 #include "raytracer/accuracy/setting.h"
-#include "../support/scene_files.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -65,7 +65,8 @@ SceneDescription facingMirrors(double reflect, double ambient) {
     scene.transforms.resize(2);
     scene.transforms[0].translate = glm::dvec3(0, 0, 1);
     scene.transforms[1].translate = glm::dvec3(0, 0, -1);
-    for (std::size_t i = 0; i < 2; ++i) scene.shapes.push_back({ShapeDescription::Type::Plane, i, 0, nullptr});
+    for (std::size_t i = 0; i < 2; ++i)
+        scene.shapes.push_back({ShapeDescription::Type::Plane, i, 0, nullptr});
     return scene;
 }
 
@@ -97,8 +98,8 @@ TEST_CASE("a cutoff that no ray falls below changes nothing") {
 }
 
 TEST_CASE("facing mirrors, 64 deep, with a cutoff cost what their visible bounces cost") {
-    // The mirror's own light is 1/2, and all that it shows at most 1 = sum 1/2^k / 2, so that the k-th reflection can change
-    // its pixel by 1/2^k: the eighth by 1/256.
+    // The mirror's own light is 1/2, and all that it shows at most 1 = sum 1/2^k / 2, so that the k-th
+    // reflection can change its pixel by 1/2^k: the eighth by 1/256.
     const SceneDescription scene = facingMirrors(0.5, 0.5);
     const auto renderer = makeRenderer(scene, Precision::Double);
     const RenderOptions options = wholePicture(scene, 16);
@@ -124,7 +125,9 @@ TEST_CASE("the mirror corridor, 64 deep, with a cutoff costs what its visible bo
         const Shot cut = shoot(*renderer, options, {.max_recursion = 64, .cutoff = cutoff});
         int visible = 0;  // the bounces that a depth limit needs to be as close
         const double error = pictureError(cut.colors, deep.colors).rmse;
-        while (pictureError(shoot(*renderer, options, {.max_recursion = visible}).colors, deep.colors).rmse > error) ++visible;
+        while (pictureError(shoot(*renderer, options, {.max_recursion = visible}).colors, deep.colors).rmse >
+               error)
+            ++visible;
         INFO("as close with --max-recursion " << visible);
         CHECK(cut.rays() <= 1.01 * shoot(*renderer, options, {.max_recursion = visible}).rays());
     }
@@ -145,10 +148,13 @@ TEST_CASE("counts are monotone in each knob") {
             }
         };
         checkGrowing({{.max_recursion = 0}, {.max_recursion = 1}, {}, {.max_recursion = 6}});
-        checkGrowing({{.max_recursion = 0, .cutoff = 0.1}, {.cutoff = 0.1}, {.max_recursion = 6, .cutoff = 0.1}});
+        checkGrowing(
+            {{.max_recursion = 0, .cutoff = 0.1}, {.cutoff = 0.1}, {.max_recursion = 6, .cutoff = 0.1}});
         checkGrowing({{.cutoff = 1}, {.cutoff = 0.1}, {.cutoff = 0.01}, {}});
         checkGrowing({{}, {.samples = 2}, {.samples = 3}, {.samples = 4}});
-        checkGrowing({{.samples = 4, .adaptive = 1}, {.samples = 4, .adaptive = 0.1}, {.samples = 4, .adaptive = 0.01},
+        checkGrowing({{.samples = 4, .adaptive = 1},
+                      {.samples = 4, .adaptive = 0.1},
+                      {.samples = 4, .adaptive = 0.01},
                       {.samples = 4}});
         checkGrowing({{}, {.bilinear = true}});  // a black texel needs no shadow ray
     });
@@ -176,7 +182,8 @@ TEST_CASE("some pixels alone are those of the whole picture") {
 }
 
 // The mean over n x n of its pixels for each pixel of a picture; over the four at a pixel's corners alone.
-std::vector<glm::dvec3> shrunk(const std::vector<glm::dvec3>& colors, const ImageSize& size, int n, bool onlyCorners) {
+std::vector<glm::dvec3> shrunk(const std::vector<glm::dvec3>& colors, const ImageSize& size, int n,
+                               bool onlyCorners) {
     const auto isOuter = [&](int k) { return k == 0 || k == n - 1; };
     std::vector<glm::dvec3> means;
     for (int y = 0; y < size.height; ++y)

@@ -7,11 +7,11 @@
 #include <catch2/catch.hpp>
 
 #include "../../src/accuracy/depth_search.h"
+#include "../support/scene_files.h"
 #include "raytracer/accuracy/judged_picture.h"
 #include "raytracer/accuracy/stratified_pilot.h"
 #include "raytracer/accuracy/target_error.h"
 #include "raytracer/accuracy/tradeoff_report.h"
-#include "../support/scene_files.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -36,7 +36,8 @@ std::vector<PixelPlace> allPixels(const RenderOptions& options) {
 std::vector<CostAndError> errorsOfSamples(Pilot& picture) {
     std::vector<CostAndError> points;
     for (const int samples : {1, 2, 4})
-        points.push_back({static_cast<double>(samples) * samples, picture.error({.samples = samples}, {.samples = 12}).rmse});
+        points.push_back({static_cast<double>(samples) * samples,
+                          picture.error({.samples = samples}, {.samples = 12}).rmse});
     return points;
 }
 
@@ -49,21 +50,25 @@ double meanActivity(Pilot& pilot, std::vector<double>& activity) {
 
 }  // namespace
 
-TEST_CASE("on every scene the error falls with the samples, at least like that of edges along the pixels' grid") {
+TEST_CASE(
+    "on every scene the error falls with the samples, at least like that of edges along the pixels' grid") {
     forEveryScene(24, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         Pilot picture(renderer, options, allPixels(options));
         const std::vector<CostAndError> points = errorsOfSamples(picture);
         for (std::size_t i = 1; i < points.size(); ++i) CHECK(points[i].error < points[i - 1].error);
-        CHECK(fallRate(points) > 0.45);  // edges along the grid: 1/2 for each ray; at an angle: 3/4; smooth light: more
+        CHECK(fallRate(points) >
+              0.45);  // edges along the grid: 1/2 for each ray; at an angle: 3/4; smooth light: more
     });
 }
 
 TEST_CASE("the error falls with the samples at the rate that the chart claims") {
     for (const char* name : {"spheres_cylinder", "checker_horizon"}) {
         INFO(name);
-        const SceneDescription scene = loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json", true).description;
-        const SceneTradeoff chart = measureTradeoff(name, scene, {.size = 24, .samples = 4, .repeats = 1,
-                                                                  .referencePrecision = Precision::Double, .tell = {}});
+        const SceneDescription scene =
+            loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json", true).description;
+        const SceneTradeoff chart = measureTradeoff(
+            name, scene,
+            {.size = 24, .samples = 4, .repeats = 1, .referencePrecision = Precision::Double, .tell = {}});
         const auto renderer = makeRenderer(scene, Precision::Double);
         const RenderOptions options = wholePicture(scene, 32);
         Pilot picture(*renderer, options, allPixels(options));
@@ -76,8 +81,9 @@ TEST_CASE("the error falls with the samples at the rate that the chart claims") 
 
 TEST_CASE("one number of samples tells no rate, and none is claimed") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
-    const SceneTradeoff chart = measureTradeoff("one", scene, {.size = 12, .samples = 1, .repeats = 1,
-                                                               .referencePrecision = Precision::Double, .tell = {}});
+    const SceneTradeoff chart = measureTradeoff(
+        "one", scene,
+        {.size = 12, .samples = 1, .repeats = 1, .referencePrecision = Precision::Double, .tell = {}});
     CHECK(!chart.sampleRate);
     CHECK(tradeoffTable(chart).find("falls like") == std::string::npos);
     CHECK(tradeoffSvg(std::span(&chart, 1)).find("between the samples") == std::string::npos);
@@ -95,9 +101,12 @@ TEST_CASE("the front has what no other point beats") {
     CHECK(paretoFront({}).empty());
 }
 
-TEST_CASE("a measured scene: its front is one, its errors are apart, its reference is trusted no more than it says") {
+TEST_CASE(
+    "a measured scene: its front is one, its errors are apart, its reference is trusted no more than it "
+    "says") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
-    const SceneTradeoff measured = measureTradeoff("spheres", scene, {.size = 24, .samples = 3, .repeats = 3, .tell = {}});
+    const SceneTradeoff measured =
+        measureTradeoff("spheres", scene, {.size = 24, .samples = 3, .repeats = 3, .tell = {}});
     const Trial* last = nullptr;
     for (const Trial& trial : measured.truncation) {
         CHECK(trial.setting.precision == Precision::Double);
@@ -111,10 +120,12 @@ TEST_CASE("a measured scene: its front is one, its errors are apart, its referen
     CHECK(measured.reference.setting.precision == Precision::Extended);
     CHECK(measured.reference.doublingError < last->error.rmse);
     for (const Trial& trial : measured.arithmetic) {
-        CHECK(trial.setting.max_recursion == Setting{}.max_recursion);  // the same samples, so that only arithmetic differs
+        CHECK(trial.setting.max_recursion ==
+              Setting{}.max_recursion);  // the same samples, so that only arithmetic differs
         if (trial.setting.precision == Precision::Extended) CHECK(trial.error.rmse == 0);
         if (trial.setting.precision == Precision::Double) CHECK(trial.error.rmse < 1e-12);
-        if (trial.setting.precision == Precision::Float) CHECK((trial.error.rmse > 1e-10 && trial.error.rmse < 1e-3));
+        if (trial.setting.precision == Precision::Float)
+            CHECK((trial.error.rmse > 1e-10 && trial.error.rmse < 1e-3));
     }
     CHECK(!measured.exhibits.empty());
 }
@@ -135,7 +146,8 @@ TEST_CASE("a reference has no cutoff, but where glass would take many times the 
     CHECK(cut == 1);  // nested_glass
 }
 
-TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one that its standard error tells") {
+TEST_CASE(
+    "a stratified pilot of all pixels has the picture's error, of few one that its standard error tells") {
     int far = 0, scenes = 0;
     forEveryScene(32, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const std::vector<PixelPlace> pixels = allPixels(options);
@@ -153,7 +165,8 @@ TEST_CASE("a stratified pilot of all pixels has the picture's error, of few one 
         some.add(pixels, activity, 160);
         CHECK(some.pixelCount() <= 160);
         const ErrorEstimate estimate = some.error(setting, truth);
-        INFO("activity " << mean << ", error " << whole.rmse << ", estimated " << estimate.rmse << " +- " << estimate.standardError);
+        INFO("activity " << mean << ", error " << whole.rmse << ", estimated " << estimate.rmse << " +- "
+                         << estimate.standardError);
         CHECK(std::abs(estimate.rmse - whole.rmse) < 4 * estimate.standardError);
         far += std::abs(estimate.rmse - whole.rmse) > 2 * estimate.standardError;
         ++scenes;
@@ -169,10 +182,12 @@ TEST_CASE("a pilot's adaptive pixels are the render's, and cost about as many ra
             const Setting setting{.samples = 4, .adaptive = adaptive};
             INFO(adaptive);
             std::vector<glm::dvec3> colors(pixels.size());
-            const double rays = rayCount(renderer.renderPixels(withSetting(options, setting), pixels, colors));
+            const double rays =
+                rayCount(renderer.renderPixels(withSetting(options, setting), pixels, colors));
             const std::vector<glm::dvec3>& combined = pilot.colors(setting);
             std::size_t off = 0;
-            for (std::size_t i = 0; i < colors.size(); ++i) off += squaredError(combined[i], colors[i]) > 1e-16;
+            for (std::size_t i = 0; i < colors.size(); ++i)
+                off += squaredError(combined[i], colors[i]) > 1e-16;
             CHECK(off <= colors.size() / 500);  // where a point is rounded to the other side of an edge
             CHECK(pilot.rays(setting) == Approx(rays / static_cast<double>(pixels.size())).epsilon(0.25));
         }
@@ -186,11 +201,14 @@ TEST_CASE("followed rays tell every shallower picture, and its rays") {
         FollowedRays followed;
         renderer.follow(withSetting(options, deepest), pixels, followed);
         REQUIRE(followed.pixelCount() == pixels.size());
-        for (const Setting& setting : {deepest, Setting{.max_recursion = 9, .cutoff = 0.3}, Setting{.max_recursion = 2, .cutoff = 0.02},
-                                       Setting{.max_recursion = 1, .cutoff = 0.1}, Setting{.max_recursion = 0, .cutoff = 1}}) {
+        for (const Setting& setting :
+             {deepest, Setting{.max_recursion = 9, .cutoff = 0.3},
+              Setting{.max_recursion = 2, .cutoff = 0.02}, Setting{.max_recursion = 1, .cutoff = 0.1},
+              Setting{.max_recursion = 0, .cutoff = 1}}) {
             INFO(commandLine(setting));
             std::vector<glm::dvec3> colors(pixels.size());
-            const double rays = rayCount(renderer.renderPixels(withSetting(options, setting), pixels, colors));
+            const double rays =
+                rayCount(renderer.renderPixels(withSetting(options, setting), pixels, colors));
             double counted = 0;
             double off = 0;
             for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -253,7 +271,8 @@ TEST_CASE("a truth of two noisy estimates gives the error without bias") {
         for (const int n : {2, 3}) {  // of 2 x 2 samples, then of 3 x 3 more
             picture.sampleTruth(setting, n);
             const MeanSquare estimate = picture.squaredError(setting);
-            INFO(n << ": " << truth << ", estimated " << estimate.mean << " +- " << std::sqrt(estimate.variance));
+            INFO(n << ": " << truth << ", estimated " << estimate.mean << " +- "
+                   << std::sqrt(estimate.variance));
             CHECK(std::abs(estimate.mean - truth) < 4 * std::sqrt(estimate.variance));
             off += (estimate.mean - truth) / std::sqrt(estimate.variance);
             ++estimates;
@@ -267,12 +286,15 @@ TEST_CASE("a truth that grows takes other samples, and no more than it lacks") {
     class Places : public Renderer {
       public:
         RenderCounts render(const RenderOptions&, PixelSink&, ProgressListener*) const override { return {}; }
-        RenderCounts follow(const RenderOptions&, std::span<const PixelPlace>, FollowedRays&) const override { return {}; }
+        RenderCounts follow(const RenderOptions&, std::span<const PixelPlace>, FollowedRays&) const override {
+            return {};
+        }
         RayExplanation explain(const RenderOptions&, int, int) const override { return {}; }
         RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                   std::span<glm::dvec3>) const override {
             for (const PixelPlace& pixel : pixels)
-                places.emplace_back((pixel.x + 0.5) / options.size.width, (pixel.y + 0.5) / options.size.height);
+                places.emplace_back((pixel.x + 0.5) / options.size.width,
+                                    (pixel.y + 0.5) / options.size.height);
             return {};
         }
         mutable std::vector<std::pair<double, double>> places;
@@ -297,15 +319,15 @@ TEST_CASE("a judged picture is the render's, and tells its own error without bia
     forEveryScene(64, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const Setting setting{.max_recursion = 2, .cutoff = 0.1};
         ColorSink sink(options.crop), other(options.crop);
-        const JudgedPicture judged =
-            renderJudged(renderer, options, setting, sink, 500, [](const ErrorEstimate&) { return Judgement::Unclear; });
+        const JudgedPicture judged = renderJudged(renderer, options, setting, sink, 500,
+                                                  [](const ErrorEstimate&) { return Judgement::Unclear; });
         const RenderCounts counts = renderer.render(withSetting(options, setting), other);
         CHECK(sink.colors() == other.colors());
         CHECK(rayCount(judged.counts) == rayCount(counts));
         CHECK(judged.isWhole);
         CHECK(judged.judgedPixels < 510);
-        const JudgedPicture clear =
-            renderJudged(renderer, options, setting, other, 500, [](const ErrorEstimate&) { return Judgement::Enough; });
+        const JudgedPicture clear = renderJudged(renderer, options, setting, other, 500,
+                                                 [](const ErrorEstimate&) { return Judgement::Enough; });
         CHECK(sink.colors() == other.colors());
         CHECK(clear.judgedPixels < 130);
         CHECK(clear.error.standardError > judged.error.standardError);
@@ -329,16 +351,18 @@ TEST_CASE("a judged picture that is too far off is given up after a quarter, whi
         const Setting setting{.max_recursion = 2, .cutoff = 0.1};
         ColorSink sink(options.crop);
         std::vector<ErrorEstimate> told;
-        const JudgedPicture whole = renderJudged(renderer, options, setting, sink, 4000, [&](const ErrorEstimate& error) {
-            told.push_back(error);
-            return Judgement::Unclear;
-        });
+        const JudgedPicture whole =
+            renderJudged(renderer, options, setting, sink, 4000, [&](const ErrorEstimate& error) {
+                told.push_back(error);
+                return Judgement::Unclear;
+            });
         REQUIRE(told.size() == 4);
         int asked = 0;
-        const JudgedPicture part = renderJudged(renderer, options, setting, sink, 4000, [&](const ErrorEstimate&) {
-            ++asked;
-            return Judgement::TooFar;
-        });
+        const JudgedPicture part =
+            renderJudged(renderer, options, setting, sink, 4000, [&](const ErrorEstimate&) {
+                ++asked;
+                return Judgement::TooFar;
+            });
         CHECK(asked == 1);
         CHECK(!part.isWhole);
         CHECK(static_cast<double>(part.counts.primary) == Approx(options.crop.area() / 4).epsilon(0.05));
@@ -382,7 +406,8 @@ TEST_CASE("a pilot's flat pixels: the others count as right, and take no samples
     const double cornerRays = pilot.raysSpent() - before, spent = pilot.raysSpent();
     const double estimated = pilot.rays(some);
     CHECK(pilot.raysSpent() == spent);
-    const std::vector<double> mixed = pilot.squaredErrors(pilot.colors(some)), flat = pilot.squaredErrors(pilot.colors(none));
+    const std::vector<double> mixed = pilot.squaredErrors(pilot.colors(some)),
+                              flat = pilot.squaredErrors(pilot.colors(none));
     double sum = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i)
         if (mixed[i] == flat[i]) sum += flat[i];
@@ -390,7 +415,8 @@ TEST_CASE("a pilot's flat pixels: the others count as right, and take no samples
     pilot.colors(whole);
     CHECK(pilot.rays(whole) == Approx(cornerRays * 9 / static_cast<double>(pixels.size())).epsilon(0.25));
     CHECK(pilot.rays(some) == Approx(estimated).epsilon(0.25));
-    CHECK(pilot.raysSpent() - before == Approx(pilot.rays(whole) * static_cast<double>(pixels.size())));  // none was taken twice
+    CHECK(pilot.raysSpent() - before ==
+          Approx(pilot.rays(whole) * static_cast<double>(pixels.size())));  // none was taken twice
 }
 
 static TargetChoice choose(const Renderer& renderer, const RenderOptions& options, double target,
@@ -406,7 +432,8 @@ TEST_CASE("target-error: hardly ever above, never above twice, on every scene") 
         for (const double target : {0.1, 0.04}) {
             const TargetChoice choice = choose(renderer, options, target);
             CHECK(choice.reached);
-            const double error = picture.error(choice.setting, {.samples = 6, .max_recursion = 8, .cutoff = 0.05}).rmse;
+            const double error =
+                picture.error(choice.setting, {.samples = 6, .max_recursion = 8, .cutoff = 0.05}).rmse;
             INFO(commandLine(choice.setting) << " has " << error << " for " << target);
             CHECK(error <= 2 * target);
             ++cases;

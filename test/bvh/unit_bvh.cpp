@@ -1,14 +1,14 @@
-// The tree may discard but never decide: with it or without, and with any instruction set, pictures are the same to the
-// last bit of every colour (DESIGN.md, invariant 2).
+// The tree may discard but never decide: with it or without, and with any instruction set, pictures are the
+// same to the last bit of every colour (DESIGN.md, invariant 2).
 #include <algorithm>
 #include <memory>
 #include <random>
 
 #include <catch2/catch.hpp>
 
+#include "../support/scene_files.h"
 #include "raytracer/bvh/bvh.h"
 #include "raytracer/scene/mesh_file.h"
-#include "../support/scene_files.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -22,7 +22,8 @@ std::vector<InstructionSet> instructionSets() {
     return sets;
 }
 
-FloatImage picture(const SceneDescription& scene, Precision precision, Accelerator accelerator, int longEdge) {
+FloatImage picture(const SceneDescription& scene, Precision precision, Accelerator accelerator,
+                   int longEdge) {
     return renderFloats(*makeRenderer(scene, precision, {accelerator, 0}), wholePicture(scene, longEdge));
 }
 
@@ -42,8 +43,12 @@ void checkAll(const SceneDescription& scene, int longEdge) {
 class Random {
   public:
     explicit Random(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-    glm::dvec3 inCube(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
+    double between(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine_);
+    }
+    glm::dvec3 inCube(double half) {
+        return {between(-half, half), between(-half, half), between(-half, half)};
+    }
     std::size_t below(std::size_t n) { return static_cast<std::size_t>(between(0, static_cast<double>(n))); }
 
   private:
@@ -73,7 +78,8 @@ TransformDescription randomTransform(Random& random, double size) {
     TransformDescription transform;
     transform.translate = random.inCube(1);
     transform.rotate = {random.between(0, 360), random.inCube(1)};
-    transform.scale = glm::dvec3(random.between(0.05, 1), random.between(0.05, 1), random.between(0.05, 1)) * size;
+    transform.scale =
+        glm::dvec3(random.between(0.05, 1), random.between(0.05, 1), random.between(0.05, 1)) * size;
     return transform;
 }
 
@@ -92,7 +98,9 @@ std::shared_ptr<const MeshData> triangleSoup(Random& random, std::uint32_t count
         const glm::dvec3 at = random.inCube(1), size(random.between(0, 1) < 0.1 ? 1 : 0.1);
         mesh->positions.push_back(at);
         mesh->positions.push_back(at + size * random.inCube(1));
-        mesh->positions.push_back(i % 7 == 0 ? at : i % 5 == 0 ? at + 1e-6 * random.inCube(1) : at + size * random.inCube(1));
+        mesh->positions.push_back(i % 7 == 0   ? at
+                                  : i % 5 == 0 ? at + 1e-6 * random.inCube(1)
+                                               : at + size * random.inCube(1));
     }
     return mesh;
 }
@@ -108,8 +116,10 @@ std::shared_ptr<const MeshData> ball(std::uint32_t n) {
     for (std::uint32_t row = 0; row < 2 * n; ++row)
         for (std::uint32_t column = 0; column < 4 * n; ++column) {
             const std::uint32_t next = (column + 1) % (4 * n), top = row * 4 * n, bottom = top + 4 * n;
-            for (const std::uint32_t index : {top + column, bottom + column, bottom + next}) mesh->positionIndex.push_back(index);
-            for (const std::uint32_t index : {top + column, bottom + next, top + next}) mesh->positionIndex.push_back(index);
+            for (const std::uint32_t index : {top + column, bottom + column, bottom + next})
+                mesh->positionIndex.push_back(index);
+            for (const std::uint32_t index : {top + column, bottom + next, top + next})
+                mesh->positionIndex.push_back(index);
         }
     return mesh;
 }
@@ -208,7 +218,9 @@ TEST_CASE("a mesh far from its own origin is the same with and without a tree") 
     }
 }
 
-TEST_CASE("a tree over many triangles, built by several threads, returns each of them to a ray through its middle") {
+TEST_CASE(
+    "a tree over many triangles, built by several threads, returns each of them to a ray through its "
+    "middle") {
     Random random(11);
     const auto mesh = triangleSoup(random, 60000);
     for (const int threads : {1, 3}) {
@@ -234,10 +246,13 @@ BvhBeam beamAround(std::span<const BvhRay> rays) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto range = [&](auto numberOf, double& low, double& high) {
             low = high = numberOf(rays[0]);
-            for (const BvhRay& ray : rays) low = std::min(low, numberOf(ray)), high = std::max(high, numberOf(ray));
+            for (const BvhRay& ray : rays)
+                low = std::min(low, numberOf(ray)), high = std::max(high, numberOf(ray));
         };
-        range([axis](const BvhRay& ray) { return ray.origin[axis]; }, beam.originLow[axis], beam.originHigh[axis]);
-        range([axis](const BvhRay& ray) { return ray.direction[axis]; }, beam.directionLow[axis], beam.directionHigh[axis]);
+        range([axis](const BvhRay& ray) { return ray.origin[axis]; }, beam.originLow[axis],
+              beam.originHigh[axis]);
+        range([axis](const BvhRay& ray) { return ray.direction[axis]; }, beam.directionLow[axis],
+              beam.directionHigh[axis]);
     }
     beam.slack = rays[0].slack;
     return beam;
@@ -266,7 +281,8 @@ TEST_CASE("a beam meets whatever one of its rays does, with each instruction set
             int used = 0, missing = 0;
             for (int n = 0; n < 3000; ++n) {
                 const glm::dvec3* corner = &mesh->positions[3 * random.below(mesh->triangleCount())];
-                const glm::dvec3 middle = (corner[0] + corner[1] + corner[2]) / 3.0, origin = random.inCube(3);
+                const glm::dvec3 middle = (corner[0] + corner[1] + corner[2]) / 3.0,
+                                 origin = random.inCube(3);
                 const auto triangle = static_cast<std::uint32_t>((corner - mesh->positions.data()) / 3);
                 // The first goes through the triangle's middle, the others anywhere near.
                 std::vector<BvhRay> rays{{origin, middle - origin, 1e-14}};
@@ -285,7 +301,8 @@ TEST_CASE("a beam meets whatever one of its rays does, with each instruction set
             }
             CHECK(used > 1000);
             CHECK(missing == 0);
-            const BvhRay wide[2] = {{{-3, 0, 0}, {1, 0.1, 0.1}}, {{-3, 0, 0}, {1, 0.9, 0.1}}};  // follow them one at a time
+            const BvhRay wide[2] = {{{-3, 0, 0}, {1, 0.1, 0.1}},
+                                    {{-3, 0, 0}, {1, 0.9, 0.1}}};  // follow them one at a time
             CHECK_FALSE(BvhCursor(tree, beamAround(wide)).usable());
         }
     }

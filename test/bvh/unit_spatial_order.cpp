@@ -33,5 +33,6 @@ TEST_CASE("spatial order: what has no extent stays as it was, what nearly overfl
     CHECK(spatialOrder({}).empty());
     CHECK(spatialOrder(std::vector<glm::vec3>(4, glm::vec3(7))) == std::vector<std::uint32_t>{0, 1, 2, 3});
     constexpr float most = std::numeric_limits<float>::max();
-    CHECK(spatialOrder(std::vector<glm::vec3>{{most, 0, 0}, {-most, 0, 0}, {0, 0, 0}}) == std::vector<std::uint32_t>{1, 2, 0});
+    CHECK(spatialOrder(std::vector<glm::vec3>{{most, 0, 0}, {-most, 0, 0}, {0, 0, 0}}) ==
+          std::vector<std::uint32_t>{1, 2, 0});
 }

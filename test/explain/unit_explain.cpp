@@ -4,8 +4,8 @@
 #include <cmath>
 #include <mutex>
 
-#include "raytracer/explain/explanation_text.h"
 #include "../support/scene_files.h"
+#include "raytracer/explain/explanation_text.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -18,7 +18,8 @@ using Type = ShapeDescription::Type;
 class DoubleSink final : public PixelSink {
   public:
     explicit DoubleSink(const ImageSize& size)
-        : width_(size.width), pixels_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
+        : width_(size.width),
+          pixels_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
     void write(int x, int y, std::span<const glm::dvec3> colors) override {
         std::copy(colors.begin(), colors.end(), pixels_.begin() + index(x, y));
     }
@@ -63,7 +64,8 @@ struct TestScene : SceneDescription {
         lights.push_back({{0, 3, 0}, glm::dvec3(1), {1, 0.5, 0.5}});
     }
 
-    TestScene& add(const std::string& name, Type type, const glm::dvec3& translate, const glm::dvec3& scale, std::size_t material = 0) {
+    TestScene& add(const std::string& name, Type type, const glm::dvec3& translate, const glm::dvec3& scale,
+                   std::size_t material = 0) {
         shapes.push_back({type, transforms.size(), material, nullptr});
         transforms.push_back({name, translate, {}, scale, {}});
         return *this;
@@ -103,7 +105,8 @@ SceneDescription resized(SceneDescription scene, int exponent) {
     CameraDescription& camera = scene.camera;
     camera.eye *= factor;
     if (camera.type == CameraDescription::Type::Orthographic)
-        for (double* edge : {&camera.film_left, &camera.film_right, &camera.film_bottom, &camera.film_top}) *edge *= factor;
+        for (double* edge : {&camera.film_left, &camera.film_right, &camera.film_bottom, &camera.film_top})
+            *edge *= factor;
     for (LightDescription& light : scene.lights) light.position *= factor;
     for (TransformDescription& transform : scene.transforms) {
         if (transform.translate) *transform.translate *= factor;
@@ -113,14 +116,16 @@ SceneDescription resized(SceneDescription scene, int exponent) {
 }
 
 bool equalButForUnit(const RayExplanation& a, const RayExplanation& b, double unit) {
-    bool equal = a.hit == b.hit && a.color == b.color && a.weight == b.weight && a.lights.size() == b.lights.size() &&
-                 a.rays.size() == b.rays.size() && a.origin * unit == b.origin && a.direction == b.direction;
+    bool equal = a.hit == b.hit && a.color == b.color && a.weight == b.weight &&
+                 a.lights.size() == b.lights.size() && a.rays.size() == b.rays.size() &&
+                 a.origin * unit == b.origin && a.direction == b.direction;
     if (a.hit)
         equal = equal && a.shape == b.shape && a.primitive == b.primitive && a.t * unit == b.t &&
                 a.position * unit == b.position && a.normal == b.normal && a.texCoord == b.texCoord;
     for (std::size_t i = 0; equal && i < a.lights.size(); ++i)
         equal = a.lights[i].sum == b.lights[i].sum && a.lights[i].shadowedBy == b.lights[i].shadowedBy;
-    for (std::size_t i = 0; equal && i < a.rays.size(); ++i) equal = equalButForUnit(a.rays[i], b.rays[i], unit);
+    for (std::size_t i = 0; equal && i < a.rays.size(); ++i)
+        equal = equalButForUnit(a.rays[i], b.rays[i], unit);
     return equal;
 }
 
@@ -153,7 +158,8 @@ TEST_CASE("an explanation's colours are the render's in every precision") {
         renderer->render(options, sink);
         int wrong = 0;
         for (int y = 0; y < options.size.height; ++y)
-            for (int x = 0; x < options.size.width; ++x) wrong += renderer->explain(options, x, y).color != sink.at(x, y);
+            for (int x = 0; x < options.size.width; ++x)
+                wrong += renderer->explain(options, x, y).color != sink.at(x, y);
         CHECK(wrong == 0);
     }
 }
@@ -169,7 +175,8 @@ TEST_CASE("an explanation is the same in any unit of length") {
             int wrong = 0;
             for (int y = 0; y < options.size.height; ++y)
                 for (int x = 0; x < options.size.width; ++x)
-                    wrong += !equalButForUnit(renderer->explain(options, x, y), other->explain(options, x, y), std::ldexp(1.0, exponent));
+                    wrong += !equalButForUnit(renderer->explain(options, x, y), other->explain(options, x, y),
+                                              std::ldexp(1.0, exponent));
             CHECK(wrong == 0);
         }
     }
@@ -196,8 +203,10 @@ TEST_CASE("a shadow, and by whom") {
     scene.lights.push_back({{3, 0, 0}, glm::dvec3(1), glm::dvec3(0)});
     scene.lights.push_back({{0, 0, -9}, glm::dvec3(1), glm::dvec3(0)});
     scene.add("wall", Type::Plane, {0, 0, -3}, glm::dvec3(1));
-    scene.add("far from the wall", Type::Sphere, {0, 2, -1}, glm::dvec3(0.5)).add("near the wall", Type::Sphere, {0, 1, -2}, glm::dvec3(0.5));
-    scene.add("clear", Type::Cube, {0, -1, -2}, glm::dvec3(0.5), glass).add("opaque beyond", Type::Cube, {0, -2, -1}, glm::dvec3(0.25));
+    scene.add("far from the wall", Type::Sphere, {0, 2, -1}, glm::dvec3(0.5))
+        .add("near the wall", Type::Sphere, {0, 1, -2}, glm::dvec3(0.5));
+    scene.add("clear", Type::Cube, {0, -1, -2}, glm::dvec3(0.5), glass)
+        .add("opaque beyond", Type::Cube, {0, -2, -1}, glm::dvec3(0.25));
     const RayExplanation ray = scene.explainCentre();
     REQUIRE(ray.shape == 0);
     REQUIRE(ray.lights.size() == 4);
@@ -280,7 +289,8 @@ TEST_CASE("the text, in whole") {
     scene.materials[mirror].color_reflect = glm::dvec3(0.5);
     scene.materials[glass].color_specular = glm::dvec3(0);
     scene.lights[0].position = {0, 4, 0};
-    scene.add("floor", Type::Cube, {0, -4, -2}, glm::dvec3(1), mirror).add("pane", Type::Cylinder, {0, 0, -2}, glm::dvec3(1), glass);
+    scene.add("floor", Type::Cube, {0, -4, -2}, glm::dvec3(1), mirror)
+        .add("pane", Type::Cylinder, {0, 0, -2}, glm::dvec3(1), glass);
     scene.add("lid", Type::Plane, {0, 0, 1}, glm::dvec3(1));
     scene.camera.focal_length = 0.5;
     SECTION("straight into the glass") {

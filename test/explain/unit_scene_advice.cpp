@@ -1,12 +1,13 @@
-// Every word that is said about scenes that can be rendered but may not be meant, and the silence about the others.
+// Every word that is said about scenes that can be rendered but may not be meant, and the silence about the
+// others.
 #include <catch2/catch.hpp>
 
 #include <cmath>
 
-#include "raytracer/explain/black_picture.h"
-#include "raytracer/scene/mesh_file.h"
-#include "raytracer/explain/scene_advice.h"
 #include "../support/scene_files.h"
+#include "raytracer/explain/black_picture.h"
+#include "raytracer/explain/scene_advice.h"
+#include "raytracer/scene/mesh_file.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -36,7 +37,8 @@ struct TestScene : SceneDescription {
         return add(type, translate, glm::dvec3(1), material);
     }
 
-    TestScene& add(Type type, const glm::dvec3& translate, const glm::dvec3& scale, std::size_t material = opaque) {
+    TestScene& add(Type type, const glm::dvec3& translate, const glm::dvec3& scale,
+                   std::size_t material = opaque) {
         TransformDescription transform;
         transform.translate = translate;
         transform.scale = scale;
@@ -52,7 +54,9 @@ struct TestScene : SceneDescription {
     // Everything `factor` times as large and as far away.
     TestScene& resize(double factor) {
         if (camera.type == CameraDescription::Type::Orthographic)
-            for (double* edge : {&camera.film_left, &camera.film_right, &camera.film_bottom, &camera.film_top}) *edge *= factor;
+            for (double* edge :
+                 {&camera.film_left, &camera.film_right, &camera.film_bottom, &camera.film_top})
+                *edge *= factor;
         camera.eye *= factor;
         for (LightDescription& light : lights) light.position *= factor;
         for (TransformDescription& transform : transforms) {
@@ -78,7 +82,8 @@ TransformDescription turned(const glm::dvec3& translate, double degrees, const g
 TransformDescription floorAt(double y) { return turned({0, y, 0}, -90, {1, 0, 0}); }
 
 std::string unseen(int shape, const std::string& what) {
-    return "/shapes/" + std::to_string(shape) + ": the " + what + "; it is not seen, but it may cast a shadow";
+    return "/shapes/" + std::to_string(shape) + ": the " + what +
+           "; it is not seen, but it may cast a shadow";
 }
 
 std::string blackReason(const SceneDescription& scene, Precision precision = Precision::Double) {
@@ -92,8 +97,9 @@ std::string blackReason(const SceneDescription& scene, Precision precision = Pre
 
 TEST_CASE("a camera whose frame is not of orthogonal unit vectors") {
     TestScene scene;
-    const std::string begin = "/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 "
-                              "at 90 degrees, found lengths ";
+    const std::string begin =
+        "/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 "
+        "at 90 degrees, found lengths ";
     SECTION("as it should be") { CHECK(sceneAdvice(scene).empty()); }
     SECTION("rounded to three decimals") {
         scene.camera.look = {-0.577, -0.577, -0.577};
@@ -132,21 +138,32 @@ TEST_CASE("a shape that no ray of the view meets") {
         CHECK(adviceOn().empty());
     }
     SECTION("behind the camera") {
-        scene.add(Type::Sphere, {0, 0, 2}).add(Type::Cylinder, {0, 0, 0.1}).add(Type::Cone, {0, 0, 0.1}).add(Type::Cube, {0, 0, 1.1});
-        CHECK(adviceOn() == Warnings{unseen(0, "sphere is behind the camera"), unseen(1, "cylinder is behind the camera"),
-                                     unseen(2, "cone is behind the camera"), unseen(3, "cube is behind the camera")});
+        scene.add(Type::Sphere, {0, 0, 2})
+            .add(Type::Cylinder, {0, 0, 0.1})
+            .add(Type::Cone, {0, 0, 0.1})
+            .add(Type::Cube, {0, 0, 1.1});
+        CHECK(adviceOn() ==
+              Warnings{unseen(0, "sphere is behind the camera"), unseen(1, "cylinder is behind the camera"),
+                       unseen(2, "cone is behind the camera"), unseen(3, "cube is behind the camera")});
     }
     SECTION("on each side") {
-        scene.add(Type::Sphere, {-5, 0, -1}).add(Type::Cube, {5, 0, -1}).add(Type::Cone, {0, -5, -1}).add(Type::Cylinder, {0, 5, -1});
+        scene.add(Type::Sphere, {-5, 0, -1})
+            .add(Type::Cube, {5, 0, -1})
+            .add(Type::Cone, {0, -5, -1})
+            .add(Type::Cylinder, {0, 5, -1});
         CHECK(adviceOn() == Warnings{unseen(0, "sphere is outside of the view, to its left"),
                                      unseen(1, "cube is outside of the view, to its right"),
                                      unseen(2, "cone is outside of the view, below it"),
                                      unseen(3, "cylinder is outside of the view, above it")});
     }
     SECTION("planes: only where every ray runs away from them") {
-        scene.add(Type::Plane, {0, 0, 1}).add(Type::Plane, {0, 0, -1}).add(Type::Plane, glm::dvec3(0)).add(Type::Plane, floorAt(-1));
+        scene.add(Type::Plane, {0, 0, 1})
+            .add(Type::Plane, {0, 0, -1})
+            .add(Type::Plane, glm::dvec3(0))
+            .add(Type::Plane, floorAt(-1));
         scene.add(Type::Plane, turned({0, 0, 1}, 20, {1, 2, 0}));
-        CHECK(adviceOn() == Warnings{unseen(0, "plane is behind the camera"), unseen(4, "plane is behind the camera")});
+        CHECK(adviceOn() ==
+              Warnings{unseen(0, "plane is behind the camera"), unseen(4, "plane is behind the camera")});
     }
 }
 
@@ -180,11 +197,16 @@ TEST_CASE("a mesh is where its vertices are") {
 TEST_CASE("what mirrors and glass may show is not said to be unseen") {
     TestScene scene;
     scene.add(Type::Sphere, {0, 0, 2});
-    SECTION("a mirror in view") { CHECK(sceneAdvice(scene.add(Type::Sphere, {0, 0, -3}, TestScene::mirror)).empty()); }
-    SECTION("glass in view") { CHECK(sceneAdvice(scene.add(Type::Sphere, {0, 0, -3}, TestScene::glass)).empty()); }
+    SECTION("a mirror in view") {
+        CHECK(sceneAdvice(scene.add(Type::Sphere, {0, 0, -3}, TestScene::mirror)).empty());
+    }
+    SECTION("glass in view") {
+        CHECK(sceneAdvice(scene.add(Type::Sphere, {0, 0, -3}, TestScene::glass)).empty());
+    }
     SECTION("a mirror that is not seen shows nothing") {
         scene.add(Type::Sphere, {0, 0, 4}, TestScene::mirror);
-        CHECK(sceneAdvice(scene) == Warnings{unseen(0, "sphere is behind the camera"), unseen(1, "sphere is behind the camera")});
+        CHECK(sceneAdvice(scene) ==
+              Warnings{unseen(0, "sphere is behind the camera"), unseen(1, "sphere is behind the camera")});
     }
 }
 
@@ -206,12 +228,27 @@ TEST_CASE("a light inside of an opaque shape") {
                         ", and the camera is not: it lights nothing outside but by color_ambient"};
     };
     SECTION("sphere") { CHECK(adviceOn().empty()); }
-    SECTION("sphere") { scene.add(Type::Sphere, {0, 0, -5}).light({0.5, 0.5, -5.5}); CHECK(adviceOn() == inside("sphere")); }
-    SECTION("cylinder") { scene.add(Type::Cylinder, {0, 0, -5}).light({0.7, 0.7, -4.1}); CHECK(adviceOn() == inside("cylinder")); }
-    SECTION("cone") { scene.add(Type::Cone, {0, 0, -5}).light({0, 0.4, -4.5}); CHECK(adviceOn() == inside("cone")); }
-    SECTION("cube") { scene.add(Type::Cube, {0, 0, -5}).light({0.9, 0.9, -5.9}); CHECK(adviceOn() == inside("cube")); }
+    SECTION("sphere") {
+        scene.add(Type::Sphere, {0, 0, -5}).light({0.5, 0.5, -5.5});
+        CHECK(adviceOn() == inside("sphere"));
+    }
+    SECTION("cylinder") {
+        scene.add(Type::Cylinder, {0, 0, -5}).light({0.7, 0.7, -4.1});
+        CHECK(adviceOn() == inside("cylinder"));
+    }
+    SECTION("cone") {
+        scene.add(Type::Cone, {0, 0, -5}).light({0, 0.4, -4.5});
+        CHECK(adviceOn() == inside("cone"));
+    }
+    SECTION("cube") {
+        scene.add(Type::Cube, {0, 0, -5}).light({0.9, 0.9, -5.9});
+        CHECK(adviceOn() == inside("cube"));
+    }
     SECTION("outside, though within the box around") {
-        scene.add(Type::Sphere, {0, 0, -5}).add(Type::Cylinder, {0, 0, -5}).add(Type::Cone, {0, 0, -5}).light({0.8, 0.8, -4.5});
+        scene.add(Type::Sphere, {0, 0, -5})
+            .add(Type::Cylinder, {0, 0, -5})
+            .add(Type::Cone, {0, 0, -5})
+            .light({0.8, 0.8, -4.5});
         CHECK(adviceOn().empty());
     }
     SECTION("on the surface, but for rounding") {
@@ -222,9 +259,18 @@ TEST_CASE("a light inside of an opaque shape") {
             CHECK(sceneAdvice(copy.resize(factor)).empty());
         }
     }
-    SECTION("on the surface") { scene.add(Type::Cube, {0, 0, -5}).light({0, 1, -5}); CHECK(adviceOn().empty()); }
-    SECTION("in glass") { scene.add(Type::Cube, {0, 0, -5}, TestScene::glass).light({0, 0, -5}); CHECK(adviceOn().empty()); }
-    SECTION("in a room with the camera") { scene.add(Type::Cube, glm::dvec3(0), glm::dvec3(9)).light({0, 8, 0}); CHECK(adviceOn().empty()); }
+    SECTION("on the surface") {
+        scene.add(Type::Cube, {0, 0, -5}).light({0, 1, -5});
+        CHECK(adviceOn().empty());
+    }
+    SECTION("in glass") {
+        scene.add(Type::Cube, {0, 0, -5}, TestScene::glass).light({0, 0, -5});
+        CHECK(adviceOn().empty());
+    }
+    SECTION("in a room with the camera") {
+        scene.add(Type::Cube, glm::dvec3(0), glm::dvec3(9)).light({0, 8, 0});
+        CHECK(adviceOn().empty());
+    }
     SECTION("one that only has ambient light") {
         scene.add(Type::Cube, {0, 0, -5}).light({0, 0, -5}).lights[0].color = glm::dvec3(0);
         CHECK(adviceOn().empty());
@@ -250,7 +296,9 @@ TEST_CASE("why a picture is all black") {
         CHECK(reason() == begin + "all that is seen is in the shadow of /shapes/1, a plane" + end);
     }
     SECTION("all in the shadow of several") {
-        scene.add(Type::Plane, {0, 0, -3}).add(Type::Cube, {-50, 0, 5}, {50, 50, 1}).add(Type::Cube, {50, 0, 5}, {50, 50, 1});
+        scene.add(Type::Plane, {0, 0, -3})
+            .add(Type::Cube, {-50, 0, 5}, {50, 50, 1})
+            .add(Type::Cube, {50, 0, 5}, {50, 50, 1});
         CHECK(reason() == begin + "all that is seen is in shadow" + end);
     }
     SECTION("lights behind all surfaces") {
@@ -260,7 +308,8 @@ TEST_CASE("why a picture is all black") {
     SECTION("black materials") {
         scene.add(Type::Plane, {0, 0, -3}).materials[TestScene::opaque].color_diffuse = glm::dvec3(0);
         scene.materials[TestScene::opaque].color_specular = glm::dvec3(0);
-        CHECK(reason() == begin + "the materials that are seen have black color_diffuse and color_specular" + end);
+        CHECK(reason() ==
+              begin + "the materials that are seen have black color_diffuse and color_specular" + end);
     }
     SECTION("black lights") {
         scene.add(Type::Plane, {0, 0, -3}).lights[0].color = glm::dvec3(0);
@@ -269,18 +318,28 @@ TEST_CASE("why a picture is all black") {
     SECTION("light that is too weak") {
         scene.add(Type::Plane, {0, 0, -3}).materials[TestScene::opaque].color_specular = glm::dvec3(0);
         scene.lights[0].color = glm::dvec3(0.001);
-        CHECK(reason() == begin + "it is too dark to be seen: the largest channel that was found is 0.001 of 1");
+        CHECK(reason() ==
+              begin + "it is too dark to be seen: the largest channel that was found is 0.001 of 1");
     }
     SECTION("a bit of each") {
-        scene.add(Type::Plane, {0, 0, -3}).add(Type::Plane, {0, 0, 5}).lights.push_back({{0, 0, -10}, glm::dvec3(1), glm::dvec3(0)});
-        CHECK(reason() == begin + "no light reaches what is seen (of the points looked at, 576 times the light is behind the surface, "
-                          "576 times it is in shadow)" + end);
+        scene.add(Type::Plane, {0, 0, -3})
+            .add(Type::Plane, {0, 0, 5})
+            .lights.push_back({{0, 0, -10}, glm::dvec3(1), glm::dvec3(0)});
+        CHECK(reason() == begin +
+                              "no light reaches what is seen (of the points looked at, 576 times the light "
+                              "is behind the surface, "
+                              "576 times it is in shadow)" +
+                              end);
     }
     SECTION("what only a mirror shows counts too") {
         scene.add(Type::Plane, {0, 0, -3}, TestScene::mirror).add(Type::Plane, {0, 0, 5}).light({0, 0, 10});
-        scene.materials[TestScene::mirror].color_diffuse = scene.materials[TestScene::mirror].color_specular = glm::dvec3(0);
-        CHECK(reason() == begin + "no light reaches what is seen (of the points looked at, 576 times the light is behind the surface, "
-                          "576 times its color or the material is black)" + end);
+        scene.materials[TestScene::mirror].color_diffuse = scene.materials[TestScene::mirror].color_specular =
+            glm::dvec3(0);
+        CHECK(reason() == begin +
+                              "no light reaches what is seen (of the points looked at, 576 times the light "
+                              "is behind the surface, "
+                              "576 times its color or the material is black)" +
+                              end);
     }
 }
 

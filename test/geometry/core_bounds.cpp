@@ -1,5 +1,5 @@
-// The bound that a hit claims for its position holds, and is tight enough to be worth having: the true distance from the
-// surface, by long double, against Intersection::positionError.
+// The bound that a hit claims for its position holds, and is tight enough to be worth having: the true
+// distance from the surface, by long double, against Intersection::positionError.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -36,20 +36,24 @@ Equation equationAt(Kind kind, std::uint32_t face, const MeshData* mesh, const W
         }
         case Kind::Mesh: break;
     }
-    const auto corner = [&](std::size_t c) { return Wide(mesh->positions[mesh->positionIndex[3 * face + c]]); };
+    const auto corner = [&](std::size_t c) {
+        return Wide(mesh->positions[mesh->positionIndex[3 * face + c]]);
+    };
     const Wide n = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
     return {glm::dot(n, p - corner(0)), n, false};
 }
 
 // |F| over the most that F can be within the claimed box: at most 1 where the claim holds.
-long double shareOfBound(Kind kind, const MeshData* mesh, const Intersection& hit, const WideInverse& inverse) {
+long double shareOfBound(Kind kind, const MeshData* mesh, const Intersection& hit,
+                         const WideInverse& inverse) {
     const Wide p = inverse.point(Wide(hit.position)), error = inverse.error(Wide(hit.positionError));
     const Equation f = equationAt(kind, hit.primitive, mesh, p);
     const Wide g(std::abs(f.gradient.x), std::abs(f.gradient.y), std::abs(f.gradient.z));
     return std::abs(f.value) / (glm::dot(g, error) + (f.quadratic ? glm::dot(error, error) : 0));
 }
 
-std::vector<long double> sharesOfBound(Kind kind, std::shared_ptr<const MeshData> mesh, const Extents& extents, std::size_t count) {
+std::vector<long double> sharesOfBound(Kind kind, std::shared_ptr<const MeshData> mesh,
+                                       const Extents& extents, std::size_t count) {
     Random random(11);
     const Material material;
     std::vector<long double> shares;
@@ -59,9 +63,11 @@ std::vector<long double> sharesOfBound(Kind kind, std::shared_ptr<const MeshData
         const auto shape = makeShape(kind, affine, material, mesh);
         for (int i = 0; i < 256; ++i) {
             const Wide target = placeOn(kind, mesh.get(), i % 8 == 0 ? Place::Edge : Place::Anywhere, random);
-            const Wide from = target + Wide(random.direction()) * static_cast<long double>(random.magnitude(6));
+            const Wide from =
+                target + Wide(random.direction()) * static_cast<long double>(random.magnitude(6));
             const Vec3 eye(pointToWorld(affine, from));
-            const Intersection hit = shape->rayIntersect({eye, Vec3(pointToWorld(affine, target) - Wide(eye)), {}});
+            const Intersection hit =
+                shape->rayIntersect({eye, Vec3(pointToWorld(affine, target) - Wide(eye)), {}});
             if (hit.valid) shares.push_back(shareOfBound(kind, mesh.get(), hit, inverse));
         }
     }
@@ -69,15 +75,18 @@ std::vector<long double> sharesOfBound(Kind kind, std::shared_ptr<const MeshData
 }
 
 void check(Kind kind) {
-    if (std::numeric_limits<Real>::digits == std::numeric_limits<long double>::digits) return;  // no better judge
+    if (std::numeric_limits<Real>::digits == std::numeric_limits<long double>::digits)
+        return;  // no better judge
     constexpr bool isFloat = std::numeric_limits<Real>::digits < 32;
-    const Extents varied = isFloat ? Extents{2, 2, 1} : Extents{4, 4, 6}, wild = isFloat ? Extents{8, 2, 8} : Extents{90, 6, 90};
+    const Extents varied = isFloat ? Extents{2, 2, 1} : Extents{4, 4, 6},
+                  wild = isFloat ? Extents{8, 2, 8} : Extents{90, 6, 90};
     for (const Extents& extents : {varied, wild}) {
         std::vector<long double> shares = sharesOfBound(kind, roundMesh(), extents, 500000);
         const auto percentile99 = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() * 99 / 100);
         std::nth_element(shares.begin(), percentile99, shares.end());
         const long double most = *std::max_element(percentile99, shares.end());
-        INFO("sizes of 10^+-" << extents.size << ": at most " << most << " of the bound, 99 % " << *percentile99);
+        INFO("sizes of 10^+-" << extents.size << ": at most " << most << " of the bound, 99 % "
+                              << *percentile99);
         CHECK(most <= 1);
         CHECK(*percentile99 >= 0.01L);
     }

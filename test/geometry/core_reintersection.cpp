@@ -1,5 +1,5 @@
-// A ray that leaves a surface never meets the point that it leaves, and one that enters a solid comes out of it. The long
-// run is bench/reintersection.cpp.
+// A ray that leaves a surface never meets the point that it leaves, and one that enters a solid comes out of
+// it. The long run is bench/reintersection.cpp.
 #include <catch2/catch.hpp>
 
 #include "../support/core_reintersection.h"
@@ -26,7 +26,9 @@ void check(const Reintersections& result) {
 
 TEST_CASE("re-intersection: sphere") { check(Reintersection(Kind::Sphere, nullptr, 1, extents).run(count)); }
 TEST_CASE("re-intersection: plane") { check(Reintersection(Kind::Plane, nullptr, 2, extents).run(count)); }
-TEST_CASE("re-intersection: cylinder") { check(Reintersection(Kind::Cylinder, nullptr, 3, extents).run(count)); }
+TEST_CASE("re-intersection: cylinder") {
+    check(Reintersection(Kind::Cylinder, nullptr, 3, extents).run(count));
+}
 TEST_CASE("re-intersection: cone") { check(Reintersection(Kind::Cone, nullptr, 4, extents).run(count)); }
 TEST_CASE("re-intersection: cube") { check(Reintersection(Kind::Cube, nullptr, 5, extents).run(count)); }
 TEST_CASE("re-intersection: mesh") { check(Reintersection(Kind::Mesh, roundMesh(), 6, extents).run(count)); }

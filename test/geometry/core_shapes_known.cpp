@@ -1,5 +1,6 @@
-// Known answers: each shape and each of its faces, in object space, and the same under every pose. A ray and a surface
-// that are mapped by the same affine map meet at the same t, so the answer in the world is the mapped answer.
+// Known answers: each shape and each of its faces, in object space, and the same under every pose. A ray and
+// a surface that are mapped by the same affine map meet at the same t, so the answer in the world is the
+// mapped answer.
 #include <catch2/catch.hpp>
 
 #include "../support/core_support.h"
@@ -33,16 +34,48 @@ std::vector<Case> sphereCases() {
     const double v = 1 - std::acos(-0.48) / 3.14159265358979323846;
     return {
         {"from outside", {0, 3, 0}, {0, -1, 0}, true, 2, {0, 1, 0}, {0, 1, 0}, 0, {0.25, 0.5}},
-        {"t counts in the direction's units", {0, 3, 0}, {0, -4, 0}, true, 0.5L, {0, 1, 0}, {0, 1, 0}, 0, {0.25, 0.5}},
+        {"t counts in the direction's units",
+         {0, 3, 0},
+         {0, -4, 0},
+         true,
+         0.5L,
+         {0, 1, 0},
+         {0, 1, 0},
+         0,
+         {0.25, 0.5}},
         {"from inside", {0, 0, 0}, {0, -2, 0}, true, 0.5L, {0, -1, 0}, {0, -1, 0}, 0, {0.75, 0.5}},
-        {"from inside, off the centre", {0, 0.5L, 0}, {0, -1, 0}, true, 1.5L, {0, -1, 0}, {0, -1, 0}, 0, {0.75, 0.5}},
-        {"oblique", {0.6L, 2.64L, 1.52L}, {0, -1, -1}, true, 2, {0.6L, 0.64L, -0.48L}, {0.6L, 0.64L, -0.48L}, 0,
+        {"from inside, off the centre",
+         {0, 0.5L, 0},
+         {0, -1, 0},
+         true,
+         1.5L,
+         {0, -1, 0},
+         {0, -1, 0},
+         0,
+         {0.75, 0.5}},
+        {"oblique",
+         {0.6L, 2.64L, 1.52L},
+         {0, -1, -1},
+         true,
+         2,
+         {0.6L, 0.64L, -0.48L},
+         {0.6L, 0.64L, -0.48L},
+         0,
          {turnOf(0.6, 0.64), v}},
         {"along -x, on the seam", {-3, 0, 0}, {1, 0, 0}, true, 2, {-1, 0, 0}, {-1, 0, 0}, 0, {0.5, 0.5}},
         {"at the pole", {0, 0, 5}, {0, 0, -1}, true, 4, {0, 0, 1}, {0, 0, 1}, 0, {0, 1}, true},
         {"at the other pole", {0, 0, -5}, {0, 0, 1}, true, 4, {0, 0, -1}, {0, 0, -1}, 0, {0, 0}, true},
         {"tangent", {-5, 1, 0}, {1, 0, 0}, true, 5, {0, 1, 0}, {0, 1, 0}, 0, {0.25, 0.5}, true},
-        {"starting on it, inwards", {0, 1, 0}, {0, -1, 0}, true, 0, {0, 1, 0}, {0, 1, 0}, 0, {0.25, 0.5}, true},
+        {"starting on it, inwards",
+         {0, 1, 0},
+         {0, -1, 0},
+         true,
+         0,
+         {0, 1, 0},
+         {0, 1, 0},
+         0,
+         {0.25, 0.5},
+         true},
         miss("beside", {-5, 1.001L, 0}, {1, 0, 0}),
         miss("behind the origin", {0, 3, 0}, {0, 1, 0}),
         miss("far away", {1e6L, 2, 0}, {-1, 0, 0}),
@@ -52,9 +85,34 @@ std::vector<Case> sphereCases() {
 std::vector<Case> planeCases() {
     return {
         {"from above", {0.25L, 0.5L, 2}, {0, 0, -1}, true, 2, {0.25L, 0.5L, 0}, {0, 0, 1}, 0, {0.625, 0.75}},
-        {"from below", {0.25L, 0.5L, -2}, {0, 0, 4}, true, 0.5L, {0.25L, 0.5L, 0}, {0, 0, 1}, 0, {0.625, 0.75}},
-        {"oblique, repeating", {4.5L, -4.25L, 1}, {-1, 2, -1}, true, 1, {3.5L, -2.25L, 0}, {0, 0, 1}, 0, {0.25, 0.375}},
-        {"starting on it", {0.25L, 0.5L, 0}, {1, 0, 1}, true, 0, {0.25L, 0.5L, 0}, {0, 0, 1}, 0, {0.625, 0.75}, true},
+        {"from below",
+         {0.25L, 0.5L, -2},
+         {0, 0, 4},
+         true,
+         0.5L,
+         {0.25L, 0.5L, 0},
+         {0, 0, 1},
+         0,
+         {0.625, 0.75}},
+        {"oblique, repeating",
+         {4.5L, -4.25L, 1},
+         {-1, 2, -1},
+         true,
+         1,
+         {3.5L, -2.25L, 0},
+         {0, 0, 1},
+         0,
+         {0.25, 0.375}},
+        {"starting on it",
+         {0.25L, 0.5L, 0},
+         {1, 0, 1},
+         true,
+         0,
+         {0.25L, 0.5L, 0},
+         {0, 0, 1},
+         0,
+         {0.625, 0.75},
+         true},
         miss("parallel", {0, 0, 1}, {1, 1, 0}, true),
         miss("within it", {0, 0, 0}, {1, 1, 0}, true),
         miss("behind the origin", {0, 0, 2}, {1, 0, 1}),
@@ -63,14 +121,60 @@ std::vector<Case> planeCases() {
 
 std::vector<Case> cylinderCases() {
     return {
-        {"body from outside", {2.4L, 1.8L, 0.25L}, {-0.8L, -0.6L, 0}, true, 2, {0.8L, 0.6L, 0.25L}, {0.8L, 0.6L, 0}, 0,
+        {"body from outside",
+         {2.4L, 1.8L, 0.25L},
+         {-0.8L, -0.6L, 0},
+         true,
+         2,
+         {0.8L, 0.6L, 0.25L},
+         {0.8L, 0.6L, 0},
+         0,
          {turnOf(0.8, 0.6), 0.25}},
-        {"body from inside", {0, 0.5L, 0.5L}, {0, -1, 0}, true, 1.5L, {0, -1, 0.5L}, {0, -1, 0}, 0, {0.75, 0.5}},
+        {"body from inside",
+         {0, 0.5L, 0.5L},
+         {0, -1, 0},
+         true,
+         1.5L,
+         {0, -1, 0.5L},
+         {0, -1, 0},
+         0,
+         {0.75, 0.5}},
         {"body, oblique", {0, 3, -0.75L}, {0, -2, 1}, true, 1, {0, 1, 0.25L}, {0, 1, 0}, 0, {0.25, 0.25}},
-        {"top from above", {0.25L, -0.5L, 3}, {0, 0, -2}, true, 1, {0.25L, -0.5L, 1}, {0, 0, 1}, 1, {0.625, 0.25}},
-        {"top from inside", {0.25L, -0.5L, 0.5L}, {0, 0, 1}, true, 0.5L, {0.25L, -0.5L, 1}, {0, 0, 1}, 1, {0.625, 0.25}},
-        {"bottom from below", {-0.5L, 0.25L, -1}, {0, 0, 1}, true, 1, {-0.5L, 0.25L, 0}, {0, 0, -1}, 2, {0.25, 0.625}},
-        {"bottom from inside", {-0.5L, 0.25L, 0.5L}, {0, 0, -1}, true, 0.5L, {-0.5L, 0.25L, 0}, {0, 0, -1}, 2,
+        {"top from above",
+         {0.25L, -0.5L, 3},
+         {0, 0, -2},
+         true,
+         1,
+         {0.25L, -0.5L, 1},
+         {0, 0, 1},
+         1,
+         {0.625, 0.25}},
+        {"top from inside",
+         {0.25L, -0.5L, 0.5L},
+         {0, 0, 1},
+         true,
+         0.5L,
+         {0.25L, -0.5L, 1},
+         {0, 0, 1},
+         1,
+         {0.625, 0.25}},
+        {"bottom from below",
+         {-0.5L, 0.25L, -1},
+         {0, 0, 1},
+         true,
+         1,
+         {-0.5L, 0.25L, 0},
+         {0, 0, -1},
+         2,
+         {0.25, 0.625}},
+        {"bottom from inside",
+         {-0.5L, 0.25L, 0.5L},
+         {0, 0, -1},
+         true,
+         0.5L,
+         {-0.5L, 0.25L, 0},
+         {0, 0, -1},
+         2,
          {0.25, 0.625}},
         {"top, oblique", {2.5L, 0, 3}, {-1, 0, -1}, true, 2, {0.5L, 0, 1}, {0, 0, 1}, 1, {0.75, 0.5}},
         {"along the axis", {0, 0, -1}, {0, 0, 1}, true, 1, {0, 0, 0}, {0, 0, -1}, 2, {0.5, 0.5}},
@@ -89,17 +193,66 @@ std::vector<Case> coneCases() {
     const Wide east(slope, 0, slope), west(-slope, 0, slope);
     return {
         {"body from outside", p + 2.0L * n, -n, true, 2, p, n, 0, {turnOf(0.3, 0.4), 0.5}},
-        {"body from inside", {0, 0, 0.25L}, {0, 1, 0}, true, 0.75L, {0, 0.75L, 0.25L}, {0, slope, slope}, 0, {0.25, 0.25}},
+        {"body from inside",
+         {0, 0, 0.25L},
+         {0, 1, 0},
+         true,
+         0.75L,
+         {0, 0.75L, 0.25L},
+         {0, slope, slope},
+         0,
+         {0.25, 0.25}},
         {"body, along x", {-3, 0, 0.25L}, {1, 0, 0}, true, 2.25L, {-0.75L, 0, 0.25L}, west, 0, {0.5, 0.25}},
-        {"body, downwards", {0, 0.5L, 2}, {0, 0, -1}, true, 1.5L, {0, 0.5L, 0.5L}, {0, slope, slope}, 0, {0.25, 0.5}},
-        {"body, parallel to the other side", {-2.5L, 0, 2.5L}, {1, 0, -1}, true, 2, {-0.5L, 0, 0.5L}, west, 0, {0.5, 0.5}},
-        {"bottom from below", {0.5L, 0.25L, -2}, {0, 0, 1}, true, 2, {0.5L, 0.25L, 0}, {0, 0, -1}, 1, {0.75, 0.625}},
-        {"bottom from inside", {0.25L, 0, 0.5L}, {0, 0, -1}, true, 0.5L, {0.25L, 0, 0}, {0, 0, -1}, 1, {0.625, 0.5}},
+        {"body, downwards",
+         {0, 0.5L, 2},
+         {0, 0, -1},
+         true,
+         1.5L,
+         {0, 0.5L, 0.5L},
+         {0, slope, slope},
+         0,
+         {0.25, 0.5}},
+        {"body, parallel to the other side",
+         {-2.5L, 0, 2.5L},
+         {1, 0, -1},
+         true,
+         2,
+         {-0.5L, 0, 0.5L},
+         west,
+         0,
+         {0.5, 0.5}},
+        {"bottom from below",
+         {0.5L, 0.25L, -2},
+         {0, 0, 1},
+         true,
+         2,
+         {0.5L, 0.25L, 0},
+         {0, 0, -1},
+         1,
+         {0.75, 0.625}},
+        {"bottom from inside",
+         {0.25L, 0, 0.5L},
+         {0, 0, -1},
+         true,
+         0.5L,
+         {0.25L, 0, 0},
+         {0, 0, -1},
+         1,
+         {0.625, 0.5}},
         {"bottom, oblique", {2.5L, 0, -2}, {-1, 0, 1}, true, 2, {0.5L, 0, 0}, {0, 0, -1}, 1, {0.75, 0.5}},
         {"along the axis", {0, 0, -1}, {0, 0, 1}, true, 1, {0, 0, 0}, {0, 0, -1}, 1, {0.5, 0.5}},
         {"apex from above", {0, 0, 3}, {0, 0, -1}, true, 2, {0, 0, 1}, {0, 0, 1}, 0, {0, 1}, true},
         {"apex from inside", {0, 0, 0.25L}, {0, 0, 1}, true, 0.75L, {0, 0, 1}, {0, 0, 1}, 0, {0, 1}, true},
-        {"tangent", {-5, 0.5L, 0.5L}, {1, 0, 0}, true, 5, {0, 0.5L, 0.5L}, {0, slope, slope}, 0, {0.25, 0.5}, true},
+        {"tangent",
+         {-5, 0.5L, 0.5L},
+         {1, 0, 0},
+         true,
+         5,
+         {0, 0.5L, 0.5L},
+         {0, slope, slope},
+         0,
+         {0.25, 0.5},
+         true},
         miss("beside", {-5, 0.501L, 0.5L}, {1, 0, 0}),
         miss("the other nappe", {3, 0, 2}, {-1, 0, 0}),
         miss("the other nappe, steeply", {0.25L, 0, 1.25L}, {0, 0, 1}),
@@ -163,7 +316,8 @@ bool near(long double value, long double expected, long double magnitude) {
 }
 
 bool near(const Vec3& v, const Wide& expected, long double magnitude) {
-    return near(v.x, expected.x, magnitude) && near(v.y, expected.y, magnitude) && near(v.z, expected.z, magnitude);
+    return near(v.x, expected.x, magnitude) && near(v.y, expected.y, magnitude) &&
+           near(v.z, expected.z, magnitude);
 }
 
 void check(const Case& c, const Shape& shape, const Affine& affine) {
@@ -201,8 +355,8 @@ TEST_CASE("every shape's every face, in every pose") {
         }
 }
 
-// A point on the near side, aimed at from ever further away: what is lost goes with the distance, not with its square
-// (Haines et al., Ray Tracing Gems, ch. 7).
+// A point on the near side, aimed at from ever further away: what is lost goes with the distance, not with
+// its square (Haines et al., Ray Tracing Gems, ch. 7).
 TEST_CASE("quadrics far from the ray's origin") {
     const Material material;
     struct Aim {
@@ -217,8 +371,9 @@ TEST_CASE("quadrics far from the ray's origin") {
     for (const Aim& aim : aims)
         for (int exponent = 0; exponent < std::numeric_limits<Real>::digits - 8; ++exponent) {
             const long double distance = std::scalbn(1.0L, exponent);
-            const Intersection hit = makeShape(aim.kind, Affine{}, material)->rayIntersect(
-                {Vec3(aim.target + distance * aim.from), Vec3(-aim.from), {}});
+            const Intersection hit =
+                makeShape(aim.kind, Affine{}, material)
+                    ->rayIntersect({Vec3(aim.target + distance * aim.from), Vec3(-aim.from), {}});
             INFO(nameOf(aim.kind) << " from 2^" << exponent);
             REQUIRE(hit.valid);
             CHECK(near(hit.position, aim.target, 8 + distance));
@@ -226,13 +381,15 @@ TEST_CASE("quadrics far from the ray's origin") {
         }
 }
 
-// From so far that the place of the hit is rounded into the very centre, where there is no direction outwards.
+// From so far that the place of the hit is rounded into the very centre, where there is no direction
+// outwards.
 TEST_CASE("a normal is of unit length however far the ray comes from") {
     const Material material;
     for (const Kind kind : {Kind::Sphere, Kind::Cylinder, Kind::Cone})
         for (int exponent = 0; exponent < 100; ++exponent) {
             const Vec3 origin(std::scalbn(Real(1), exponent), 0, Real(0.25));
-            const Intersection hit = makeShape(kind, Affine{}, material)->rayIntersect({origin, {-1, 0, 0}, {}});
+            const Intersection hit =
+                makeShape(kind, Affine{}, material)->rayIntersect({origin, {-1, 0, 0}, {}});
             INFO(nameOf(kind) << " from 2^" << exponent);
             REQUIRE(hit.valid);
             CHECK(near(glm::dot(hit.normal, hit.normal), 1, 1));
@@ -241,7 +398,8 @@ TEST_CASE("a normal is of unit length however far the ray comes from") {
 
 TEST_CASE("answers in the world, worked by hand") {
     const Material material;
-    const auto hit = [&](Kind kind, const TransformDescription& t, const Vec3& origin, const Vec3& direction) {
+    const auto hit = [&](Kind kind, const TransformDescription& t, const Vec3& origin,
+                         const Vec3& direction) {
         return makeShape(kind, compose(t), material)->rayIntersect({origin, direction, {}});
     };
     TransformDescription t;

@@ -1,4 +1,5 @@
-// No ray gets through a closed mesh, and none crosses a shared edge twice. The long run is bench/watertight.cpp.
+// No ray gets through a closed mesh, and none crosses a shared edge twice. The long run is
+// bench/watertight.cpp.
 #include <catch2/catch.hpp>
 
 #include "../support/core_watertight.h"
@@ -25,7 +26,9 @@ void check(const Crossings& result) {
 
 }  // namespace
 
-TEST_CASE("watertight: aimed at vertices and edges, about the origin") { check(WatertightTest(glm::dvec3(0), 3).run(few)); }
+TEST_CASE("watertight: aimed at vertices and edges, about the origin") {
+    check(WatertightTest(glm::dvec3(0), 3).run(few));
+}
 
 TEST_CASE("watertight: aimed at vertices and edges, far from the origin") {
     check(WatertightTest(glm::dvec3(148376, 1234, -223423), 3).run(isDouble ? many : few));
@@ -37,19 +40,21 @@ TEST_CASE("watertight: exactly through the vertices and edges of a cube of trian
     for (int x = -2; x <= 2; ++x)
         for (int y = -2; y <= 2; ++y)
             for (int z = -2; z <= 2; ++z)
-                for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 1, 0), Vec3(1, 1, -1), Vec3(2, 1, 0)}) {
+                for (const Vec3& direction :
+                     {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(1, 1, 0), Vec3(1, 1, -1), Vec3(2, 1, 0)}) {
                     const ObjectRay ray{Vec3(x, y, z) / Real(2) - Real(4) * direction, direction};
                     int in = 0, out = 0;
                     for (std::uint32_t triangle = 0; triangle < 12; ++triangle)
-                        if (const auto line = triangles->meetLine(ray, triangle); line.hit) ++(line.entering ? in : out);
+                        if (const auto line = triangles->meetLine(ray, triangle); line.hit)
+                            ++(line.entering ? in : out);
                     INFO(x << y << z << " along " << direction.x << direction.y << direction.z);
                     CHECK(in == out);
                     CHECK(in <= 1);
                 }
 }
 
-// A vertex all but on an edge, so that one of the four triangles is a sliver, and a line so close to both that rounded products
-// agree: were sides guessed there, those of two edges would contradict each other.
+// A vertex all but on an edge, so that one of the four triangles is a sliver, and a line so close to both
+// that rounded products agree: were sides guessed there, those of two edges would contradict each other.
 TEST_CASE("watertight: by a sliver") {
     Random random(7);
     int wrong = 0;
@@ -66,7 +71,8 @@ TEST_CASE("watertight: by a sliver") {
         const ObjectRay line{Vec3(0, 0, -1), Vec3(0, 0, 1)};
         int crossings = 0;
         for (std::uint32_t triangle = 0; triangle < 4; ++triangle)
-            if (const auto hit = triangles.meetLine(line, triangle); hit.hit) crossings += hit.entering ? 1 : -1;
+            if (const auto hit = triangles.meetLine(line, triangle); hit.hit)
+                crossings += hit.entering ? 1 : -1;
         wrong += std::abs(crossings) != 1;
     }
     CHECK(wrong == 0);

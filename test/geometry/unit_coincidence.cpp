@@ -27,21 +27,23 @@ SceneDescription posed(SceneDescription scene, const TransformDescription& pose)
     const auto point = [&](const glm::dvec3& p) {
         glm::dvec3 out;
         for (int row = 0; row < 3; ++row)
-            out[row] = static_cast<double>(map.linear[row][0] * p.x + map.linear[row][1] * p.y + map.linear[row][2] * p.z +
-                                           map.translation[row]);
+            out[row] = static_cast<double>(map.linear[row][0] * p.x + map.linear[row][1] * p.y +
+                                           map.linear[row][2] * p.z + map.translation[row]);
         return out;
     };
     const glm::dvec3 origin = point(glm::dvec3(0));
     CameraDescription& camera = scene.camera;
     camera.eye = point(camera.eye);
-    camera.look = glm::normalize(point(camera.look) - origin);  // u = up x -look: only one of them has the scale
+    camera.look =
+        glm::normalize(point(camera.look) - origin);  // u = up x -look: only one of them has the scale
     camera.up = point(camera.up) - origin;
     for (LightDescription& light : scene.lights) light.position = point(light.position);
     for (TransformDescription& transform : scene.transforms) {
         const Affine own = compose(transform);
         glm::dmat4 matrix(1);
         for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 3; ++column) matrix[column][row] = static_cast<double>(own.linear[row][column]);
+            for (int column = 0; column < 3; ++column)
+                matrix[column][row] = static_cast<double>(own.linear[row][column]);
             matrix[3][row] = static_cast<double>(own.translation[row]);
         }
         transform = pose;
@@ -50,7 +52,8 @@ SceneDescription posed(SceneDescription scene, const TransformDescription& pose)
     return scene;
 }
 
-void lookFrom(SceneDescription& scene, const glm::dvec3& eye, const glm::dvec3& look, const glm::dvec3& up, double film) {
+void lookFrom(SceneDescription& scene, const glm::dvec3& eye, const glm::dvec3& look, const glm::dvec3& up,
+              double film) {
     scene.camera.eye = eye, scene.camera.look = look, scene.camera.up = up;
     scene.camera.film_left = scene.camera.film_bottom = -film;
     scene.camera.film_right = scene.camera.film_top = film;
@@ -67,7 +70,10 @@ Colors colorsOf(const ByteImage& image) {
         const auto is = [&](int r, int g, int b) {
             return image.pixels[i] == r && image.pixels[i + 1] == g && image.pixels[i + 2] == b;
         };
-        ++(is(255, 0, 0) ? colors.red : is(0, 255, 0) ? colors.green : is(0, 0, 255) ? colors.blue : colors.other);
+        ++(is(255, 0, 0)   ? colors.red
+           : is(0, 255, 0) ? colors.green
+           : is(0, 0, 255) ? colors.blue
+                           : colors.other);
     }
     return colors;
 }
@@ -76,7 +82,8 @@ constexpr int edge = 64;
 
 }  // namespace
 
-// A red plane and a green cylinder of radius 1 on it, over a film of +-0.7: all of the picture is within the base.
+// A red plane and a green cylinder of radius 1 on it, over a film of +-0.7: all of the picture is within the
+// base.
 TEST_CASE("coincidence: a cylinder on a plane") {
     for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})
         for (const TransformDescription& pose : awkwardPoses())
@@ -91,12 +98,14 @@ TEST_CASE("coincidence: a cylinder on a plane") {
                     maker.light({0, 0, 20});
                     lookFrom(maker.scene, {0, 0, 10 * side}, {0, 0, -side}, {0, 1, 0}, 0.7);
                     const Colors colors = colorsOf(bytesOf(posed(maker.scene, pose), edge, precision));
-                    INFO(pose.name << (planeFirst ? ", plane first" : ", cylinder first") << (side > 0 ? ", from above" : ", from below"));
+                    INFO(pose.name << (planeFirst ? ", plane first" : ", cylinder first")
+                                   << (side > 0 ? ", from above" : ", from below"));
                     CHECK((side > 0 || !planeFirst ? colors.green : colors.red) == edge * edge);
                 }
 }
 
-// The same from aslant, where pixels beside the base must be the plane's and no pixel of the base may be both.
+// The same from aslant, where pixels beside the base must be the plane's and no pixel of the base may be
+// both.
 TEST_CASE("coincidence: a cylinder on a plane, from aslant below") {
     for (const TransformDescription& pose : awkwardPoses())
         for (const bool planeFirst : {true, false}) {
@@ -124,7 +133,9 @@ TEST_CASE("coincidence: faces that decimal numbers put together") {
         for (const TransformDescription& pose : awkwardPoses())
             for (const bool planeFirst : {true, false}) {
                 SceneMaker maker;
-                const auto plane = [&] { maker.material(red), maker.shape(Type::Plane, {"", glm::dvec3(0, 0, 0.4), {}, {}, {}}); };
+                const auto plane = [&] {
+                    maker.material(red), maker.shape(Type::Plane, {"", glm::dvec3(0, 0, 0.4), {}, {}, {}});
+                };
                 if (planeFirst) plane();
                 maker.material(green);
                 maker.shape(Type::Cube, {"", glm::dvec3(0, 0, 0.3), {}, glm::dvec3(0.1, 0.1, 0.1), {}});
@@ -142,7 +153,8 @@ TEST_CASE("coincidence: two cubes that share a face, from inside one") {
     for (const TransformDescription& pose : awkwardPoses())
         for (const bool insideFirst : {true, false}) {
             SceneMaker maker;
-            const TransformDescription here{"", {}, {}, glm::dvec3(0.3), {}}, there{"", glm::dvec3(0, 0, -0.6), {}, glm::dvec3(0.3), {}};
+            const TransformDescription here{"", {}, {}, glm::dvec3(0.3), {}},
+                there{"", glm::dvec3(0, 0, -0.6), {}, glm::dvec3(0.3), {}};
             maker.material(insideFirst ? red : green);
             maker.shape(Type::Cube, insideFirst ? here : there);
             maker.material(insideFirst ? green : red);
@@ -162,7 +174,8 @@ TEST_CASE("coincidence: glass that touches water") {
             SceneMaker maker;
             const double glassColor = 0.5, waterColor = 0.75;
             const auto glass = [&] {
-                maker.glass(glm::dvec3(glassColor), 1.5), maker.shape(Type::Cube, {"", glm::dvec3(0, 0, 0.3), {}, glm::dvec3(0.3), {}});
+                maker.glass(glm::dvec3(glassColor), 1.5),
+                    maker.shape(Type::Cube, {"", glm::dvec3(0, 0, 0.3), {}, glm::dvec3(0.3), {}});
             };
             if (glassFirst) glass();
             maker.glass(glm::dvec3(waterColor), 1.33);
@@ -177,7 +190,8 @@ TEST_CASE("coincidence: glass that touches water") {
             const int expected = static_cast<int>(std::lround(255 * through));
             bool all = true;
             for (const std::uint8_t byte : image.pixels) all = all && std::abs(byte - expected) <= 1;
-            INFO(pose.name << (glassFirst ? ", glass first" : ", water first") << ": " << int(image.pixels[0]) << ", not " << expected);
+            INFO(pose.name << (glassFirst ? ", glass first" : ", water first") << ": " << int(image.pixels[0])
+                           << ", not " << expected);
             CHECK(all);
         }
 }
@@ -208,7 +222,11 @@ TEST_CASE("coincidence: shapes and their doubles, turned about the axis") {
             lookFrom(maker.scene, {0, -6, 8}, {0, 0.6, -0.8}, {0, 0.8, 0.6}, 0.5);
             const ByteImage alone = bytesOf(posed(maker.scene, pose), edge);
             maker.material(blue);
-            maker.shape(type, {"", {}, TransformDescription::Rotation{type == Type::Cube ? 90. : 29., {0, 0, 1}}, glm::dvec3(0.3), {}});
+            maker.shape(type, {"",
+                               {},
+                               TransformDescription::Rotation{type == Type::Cube ? 90. : 29., {0, 0, 1}},
+                               glm::dvec3(0.3),
+                               {}});
             const ByteImage both = bytesOf(posed(maker.scene, pose), edge);
             INFO(static_cast<int>(type) << ", " << pose.name);
             CHECK(differingPixels(alone, both, 1) <= 1);  // a silhouette's pixel may meet only one of the two

@@ -1,4 +1,5 @@
-// The whole range of double, and the corners of the light model: every pixel is a finite number, and the right one.
+// The whole range of double, and the corners of the light model: every pixel is a finite number, and the
+// right one.
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -24,7 +25,9 @@ bool isFinite(const FloatImage& image) {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](float x) { return std::isfinite(x); });
 }
 
-TransformDescription at(const glm::dvec3& place, const glm::dvec3& scale) { return {"", place, {}, scale, {}}; }
+TransformDescription at(const glm::dvec3& place, const glm::dvec3& scale) {
+    return {"", place, {}, scale, {}};
+}
 
 // A perspective camera at (0, 0, 4) that sees -2 to 2 at z = 0.
 SceneMaker perspective() {
@@ -49,11 +52,23 @@ void addStillLife(SceneMaker& maker, double size) {
     MaterialDescription& mirror = diffuse({0.1, 0.5, 0.3});
     mirror.reflective = true;
     mirror.color_reflect = glm::dvec3(0.6);
-    maker.shape(Type::Cone, {"", size * glm::dvec3(0.8, 0.4, 0), TransformDescription::Rotation{-60, {1, 0.2, 0}}, size * glm::dvec3(0.6, 0.6, 1), {}});
+    maker.shape(Type::Cone, {"",
+                             size * glm::dvec3(0.8, 0.4, 0),
+                             TransformDescription::Rotation{-60, {1, 0.2, 0}},
+                             size * glm::dvec3(0.6, 0.6, 1),
+                             {}});
     maker.glass(glm::dvec3(0.8, 0.9, 1), 1.4);
-    maker.shape(Type::Cube, {"", size * glm::dvec3(-0.7, -0.8, 0.2), TransformDescription::Rotation{30, {1, 2, 0}}, size * glm::dvec3(0.45), {}});
+    maker.shape(Type::Cube, {"",
+                             size * glm::dvec3(-0.7, -0.8, 0.2),
+                             TransformDescription::Rotation{30, {1, 2, 0}},
+                             size * glm::dvec3(0.45),
+                             {}});
     diffuse({0.2, 0.3, 0.9});
-    maker.shape(Type::Cylinder, {"", size * glm::dvec3(0.6, -0.9, 0), TransformDescription::Rotation{50, {0, 1, 1}}, size * glm::dvec3(0.4), {}});
+    maker.shape(Type::Cylinder, {"",
+                                 size * glm::dvec3(0.6, -0.9, 0),
+                                 TransformDescription::Rotation{50, {0, 1, 1}},
+                                 size * glm::dvec3(0.4),
+                                 {}});
     diffuse({0.7, 0.7, 0.7});
     maker.shape(Type::Cube, at(size * glm::dvec3(0, 0, -1.5), size * glm::dvec3(3, 3, 0.5)));
     maker.light(size * glm::dvec3(-4, 3, 6));
@@ -68,8 +83,8 @@ SceneDescription stillLife(double size) {
 
 }  // namespace
 
-// Around the camera and a still life of the size given, a sky of 1e100, dust of 1e-100 and a small moon out of sight: the
-// picture of the still life must be as if it were alone.
+// Around the camera and a still life of the size given, a sky of 1e100, dust of 1e-100 and a small moon out
+// of sight: the picture of the still life must be as if it were alone.
 TEST_CASE("range: sizes of 1e-100, 1 and 1e100 in one scene") {
     const ByteImage alone = bytesOf(stillLife(1), edge);
     for (const double size : {1e-100, 1e-30, 1., 1e30, 1e90}) {
@@ -86,19 +101,22 @@ TEST_CASE("range: sizes of 1e-100, 1 and 1e100 in one scene") {
     }
 }
 
-// Every shape stretched 1e6 : 1, sheared, mirrored and turned back and forth, before a wall: as extended precision has it.
+// Every shape stretched 1e6 : 1, sheared, mirrored and turned back and forth, before a wall: as extended
+// precision has it.
 TEST_CASE("range: anisotropy of 1e6, shear and mirroring") {
     int wrong = 0, pixels = 0;
     for (const Type type : {Type::Sphere, Type::Cylinder, Type::Cone, Type::Cube, Type::Plane})
-        for (const glm::dvec3& scale : {glm::dvec3(1e3, 1, 1e-3), glm::dvec3(1e-3, 1e3, 1), glm::dvec3(1, -1e-6, 1), glm::dvec3(-1e6, 1, 1)})
+        for (const glm::dvec3& scale : {glm::dvec3(1e3, 1, 1e-3), glm::dvec3(1e-3, 1e3, 1),
+                                        glm::dvec3(1, -1e-6, 1), glm::dvec3(-1e6, 1, 1)})
             for (const double degrees : {0., 1e-3, 37., 90.}) {
                 SceneMaker maker = perspective();
                 addStillLife(maker, 1);
                 MaterialDescription& m = maker.glass(glm::dvec3(0.5), 1.1);
                 m.reflective = true;
                 m.color_diffuse = glm::dvec3(0.3, 0.1, 0.2);
-                maker.shape(type, {"", glm::dvec3(0.1, 0.2, 0.3), TransformDescription::Rotation{degrees, {1, 2, 3}}, scale,
-                                   glm::dmat4(1, 0.3, 0, 0, 0, 1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1)});
+                maker.shape(
+                    type, {"", glm::dvec3(0.1, 0.2, 0.3), TransformDescription::Rotation{degrees, {1, 2, 3}},
+                           scale, glm::dmat4(1, 0.3, 0, 0, 0, 1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1)});
                 const ByteImage image = bytesOf(maker.scene, edge);
                 wrong += differingPixels(image, bytesOf(maker.scene, edge, Precision::Extended), 1);
                 pixels += image.width * image.height;
@@ -107,8 +125,8 @@ TEST_CASE("range: anisotropy of 1e6, shear and mirroring") {
     CHECK(wrong * 10000 <= pixels);
 }
 
-// The frame's and the film's numbers as far from 1 as can be, the picture the same. (In float, whose range they leave: they
-// are brought to the order of 1 before they become Real.)
+// The frame's and the film's numbers as far from 1 as can be, the picture the same. (In float, whose range
+// they leave: they are brought to the order of 1 before they become Real.)
 TEST_CASE("range: a camera of very long and very short vectors") {
     const SceneDescription scene = stillLife(1);
     SceneDescription other = scene;
@@ -126,8 +144,8 @@ TEST_CASE("range: a camera of very long and very short vectors") {
     }
 }
 
-// Of a line that passes by the apex, the textbook's discriminant is all but cancelled: to a root of the roundoff, which is more
-// than a pixel here.
+// Of a line that passes by the apex, the textbook's discriminant is all but cancelled: to a root of the
+// roundoff, which is more than a pixel here.
 TEST_CASE("range: the tip of a cone, seen from very near") {
     for (const double size : {1e-3, 1e-6, 1e-9}) {
         SceneMaker maker = perspective();
@@ -138,7 +156,8 @@ TEST_CASE("range: the tip of a cone, seen from very near") {
         maker.shape(Type::Cone, {"", {}, TransformDescription::Rotation{-60, {1, 0.2, 0}}, {}, tipToOrigin});
         maker.light(size * glm::dvec3(-4, 3, 6));
         INFO(size);
-        CHECK(differingPixels(bytesOf(maker.scene, edge), bytesOf(maker.scene, edge, Precision::Extended), 1) <= 1);
+        CHECK(differingPixels(bytesOf(maker.scene, edge), bytesOf(maker.scene, edge, Precision::Extended),
+                              1) <= 1);
     }
 }
 
@@ -161,20 +180,23 @@ TEST_CASE("range: an index of refraction of all but 1 bends nothing") {
         return bytesOf(scene, edge);
     };
     const ByteImage straight = withIndex(1);
-    for (const double index : {1 - 1e-15, 1 + 1e-15}) CHECK(differingPixels(straight, withIndex(index), 1) <= 1);
+    for (const double index : {1 - 1e-15, 1 + 1e-15})
+        CHECK(differingPixels(straight, withIndex(index), 1) <= 1);
 }
 
 TEST_CASE("range: lights on surfaces, at the eye, at a point that is seen, and very bright") {
     for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
         SceneDescription scene = stillLife(1);
-        const glm::dvec3 places[] = {{0, 0, -1}, {-0.8, 1.3, 0}, {-0.8, 0.7, 0.6}, {0, 0, 4}, {1. / 60, 1. / 60, -1}, {0.6, -0.9, 0}};
+        const glm::dvec3 places[] = {{0, 0, -1}, {-0.8, 1.3, 0},         {-0.8, 0.7, 0.6},
+                                     {0, 0, 4},  {1. / 60, 1. / 60, -1}, {0.6, -0.9, 0}};
         for (const glm::dvec3& place : places) {
             scene.lights[0].position = place;
             CHECK(isFinite(floatsOf(scene, precision)));
         }
         scene.lights[0].position = {-4, 3, 6};
         scene.lights[0].color = scene.lights[0].color_ambient = glm::dvec3(1e300, 0, 1e30);
-        for (MaterialDescription& material : scene.materials) material.color_specular = glm::dvec3(1e300, 1e300, 0);
+        for (MaterialDescription& material : scene.materials)
+            material.color_specular = glm::dvec3(1e300, 1e300, 0);
         bool number = true;
         for (const float x : floatsOf(scene, precision).pixels) number = number && !std::isnan(x);
         CHECK(number);
@@ -190,32 +212,42 @@ TEST_CASE("range: a light on a surface leaves that surface to its ambient colour
             MaterialDescription& m = maker.material(glm::dvec3(0.25));
             m.color_diffuse = m.color_specular = glm::dvec3(1);
             m.shininess = 0;  // any light at all would be seen in full
-            const TransformDescription wall{"", glm::dvec3(0.1, 0.2, 0.3), TransformDescription::Rotation{degrees, {1, 2, 3}}, {}, {}};
+            const TransformDescription wall{
+                "", glm::dvec3(0.1, 0.2, 0.3), TransformDescription::Rotation{degrees, {1, 2, 3}}, {}, {}};
             maker.shape(Type::Plane, wall);
             const Affine map = compose(wall);
             glm::dvec3 place;
             for (int row = 0; row < 3; ++row)
-                place[row] = static_cast<double>(0.3L * map.linear[row][0] - 0.7L * map.linear[row][1] + map.translation[row]);
+                place[row] = static_cast<double>(0.3L * map.linear[row][0] - 0.7L * map.linear[row][1] +
+                                                 map.translation[row]);
             maker.light(place);
             const ByteImage image = bytesOf(maker.scene, edge, precision);
             INFO(degrees << " degrees, " << static_cast<int>(precision));
-            CHECK(std::all_of(image.pixels.begin(), image.pixels.end(), [](std::uint8_t byte) { return byte == 64; }));
+            CHECK(std::all_of(image.pixels.begin(), image.pixels.end(),
+                              [](std::uint8_t byte) { return byte == 64; }));
         }
 }
 
-// The floor that the light lies on is behind the camera: it must not be seen in the light that falls on what is before it.
+// The floor that the light lies on is behind the camera: it must not be seen in the light that falls on what
+// is before it.
 TEST_CASE("range: a surface that the light lies on casts no shadow") {
     for (const Type type : {Type::Plane, Type::Cylinder, Type::Cone, Type::Cube, Type::Sphere})
         for (const double degrees : {0., 10., 37.}) {
             SceneMaker maker = perspective();
             addStillLife(maker, 1);
-            TransformDescription floor{"", glm::dvec3(0.1, 0.2, 7), TransformDescription::Rotation{degrees, {1, 2, 3}}, glm::dvec3(0.3), {}};
+            TransformDescription floor{"",
+                                       glm::dvec3(0.1, 0.2, 7),
+                                       TransformDescription::Rotation{degrees, {1, 2, 3}},
+                                       glm::dvec3(0.3),
+                                       {}};
             const Affine map = compose(floor);
-            const bool centred = type == Type::Cube || type == Type::Sphere;  // the side towards the still life is z = -1
+            const bool centred =
+                type == Type::Cube || type == Type::Sphere;  // the side towards the still life is z = -1
             const glm::dvec3 place(type == Type::Sphere ? 0 : 0.6, 0, centred ? -1 : 0);
             for (int row = 0; row < 3; ++row)
-                maker.scene.lights[0].position[row] = static_cast<double>(
-                    map.linear[row][0] * place.x + map.linear[row][1] * place.y + map.linear[row][2] * place.z + map.translation[row]);
+                maker.scene.lights[0].position[row] =
+                    static_cast<double>(map.linear[row][0] * place.x + map.linear[row][1] * place.y +
+                                        map.linear[row][2] * place.z + map.translation[row]);
             const ByteImage without = bytesOf(maker.scene, edge);
             maker.material(glm::dvec3(0));
             maker.shape(type, floor);

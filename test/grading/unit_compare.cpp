@@ -96,7 +96,8 @@ TEST_CASE("compare: the autograder's score") {
         CHECK(compareImages(flat(1, 1, 0), flat(1, 1, 255)).score == 0);
     }
     SECTION("half a point is rounded to the even one") {
-        const ByteImage black = flat(20, 20, 0);  // one lone pixel of the sum 153 costs 1000 * 153 / 1200 / 255 = 0.5
+        const ByteImage black =
+            flat(20, 20, 0);  // one lone pixel of the sum 153 costs 1000 * 153 / 1200 / 255 = 0.5
         CHECK(compareImages(black, with(black, 5, 1, 153, 0, 0)).score == 100);
         CHECK(compareImages(black, with(black, 5, 1, 154, 0, 0)).score == 99);
         CHECK(compareImages(black, with(black, 5, 1, 153, 153, 153)).score == 98);
@@ -115,11 +116,13 @@ TEST_CASE("compare: the autograder's score") {
         CHECK(compareImages(black, dot).score == 60);
     }
     SECTION("the larger of the two distances is by the pixel, not by the channel") {
-        // A is (0, 0, 0) everywhere, B's pixel 0 is (30, 0, 0), its pixel 1 (0, 40, 0): from A's pixel 0 the nearest in B
-        // is (30, 0, 0), from its pixel 1 too; from B's pixels to A 30 and 40. Pixels: 30 and 40, so 70 over 6 channels.
+        // A is (0, 0, 0) everywhere, B's pixel 0 is (30, 0, 0), its pixel 1 (0, 40, 0): from A's pixel 0 the
+        // nearest in B is (30, 0, 0), from its pixel 1 too; from B's pixels to A 30 and 40. Pixels: 30 and
+        // 40, so 70 over 6 channels.
         const ByteImage a = flat(2, 1, 0);
         const ByteImage b = with(with(a, 0, 0, 30, 0, 0), 1, 0, 0, 40, 0);
-        CHECK(compareImages(a, b).score == 54);  // 100 - 1000 * 70 / 6 / 255 = 54.2; by the channel 100 / 6: 34.6
+        CHECK(compareImages(a, b).score ==
+              54);  // 100 - 1000 * 70 / 6 / 255 = 54.2; by the channel 100 / 6: 34.6
     }
     SECTION("the nearest is by the sum over the channels") {
         const ByteImage a = flat(2, 1, 0);
@@ -164,7 +167,8 @@ TEST_CASE("compare: symmetric") {
     ByteImage a = flat(17, 11, 0), b = a;
     std::uint32_t state = 12345;
     for (ByteImage* image : {&a, &b})
-        for (std::uint8_t& sample : image->pixels) sample = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 28);
+        for (std::uint8_t& sample : image->pixels)
+            sample = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 28);
     const Comparison ab = compareImages(a, b), ba = compareImages(b, a);
     CHECK(ab.pixelsByDifference == ba.pixelsByDifference);
     CHECK(ab.mean == ba.mean);
@@ -179,8 +183,8 @@ TEST_CASE("compare: floats") {
     FloatImage a = flatFloats(2, 2, 0.5F);
     SECTION("errors are linear and not clamped, counts are of bytes") {
         FloatImage b = a;
-        b.pixels[3] = 4.5F;    // byte 255, 127 away
-        b.pixels[6] = 0.5005F; // the same byte, 128
+        b.pixels[3] = 4.5F;     // byte 255, 127 away
+        b.pixels[6] = 0.5005F;  // the same byte, 128
         const Comparison c = compareImages(a, b);
         CHECK(c.peak == 1);
         CHECK(c.maximum == 4);
@@ -195,7 +199,8 @@ TEST_CASE("compare: floats") {
     }
     SECTION("the same infinity or NaN is equal, another is infinitely far") {
         constexpr double infinite = std::numeric_limits<double>::infinity();
-        const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+        const float infinity = std::numeric_limits<float>::infinity(),
+                    nan = std::numeric_limits<float>::quiet_NaN();
         a.pixels = {infinity, nan, -infinity, 0, 0, 0, 0, 0, 0, 0, 0, 0};
         FloatImage b = a;
         CHECK(compareImages(a, b).maximum == 0);
@@ -214,13 +219,16 @@ TEST_CASE("compare: floats") {
 }
 
 TEST_CASE("compare: sizes must be the same") {
-    CHECK_THROWS_WITH(compareImages(flat(2, 3, 0), flat(3, 2, 0)), "the pictures' sizes differ: 2 x 3 and 3 x 2");
-    CHECK_THROWS_WITH(amplifiedDifference(flat(2, 3, 0), flat(2, 2, 0)), "the pictures' sizes differ: 2 x 3 and 2 x 2");
+    CHECK_THROWS_WITH(compareImages(flat(2, 3, 0), flat(3, 2, 0)),
+                      "the pictures' sizes differ: 2 x 3 and 3 x 2");
+    CHECK_THROWS_WITH(amplifiedDifference(flat(2, 3, 0), flat(2, 2, 0)),
+                      "the pictures' sizes differ: 2 x 3 and 2 x 2");
 }
 
 TEST_CASE("compare: the difference as a picture") {
     const ByteImage a = flat(2, 1, 100);
-    const ByteImage difference = amplifiedDifference(a, with(with(a, 0, 0, 100, 101, 99), 1, 0, 76, 123, 255));
+    const ByteImage difference =
+        amplifiedDifference(a, with(with(a, 0, 0, 100, 101, 99), 1, 0, 76, 123, 255));
     CHECK(difference.width == 2);
     CHECK(difference.height == 1);
     CHECK(difference.pixels == std::vector<std::uint8_t>{0, 72, 72, 255, 248, 255});

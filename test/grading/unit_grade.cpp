@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "raytracer/util/child_process.h"
 #include "raytracer/grading/grade_report.h"
+#include "raytracer/util/child_process.h"
 #include "raytracer/util/temporary_folder.h"
 
 using namespace raytracer;
@@ -49,11 +49,13 @@ std::vector<std::string> namesOf(const GradePlan& plan) {
 
 TEST_CASE("grade: the plan") {
     const TemporaryFolder folder;
-    for (const char* name : {"cone_cube.json", "cone_cube.png", "cone_cube-normals.png", "cone_cube-raytracing.png",
-                             "cone_cube-sketch.png", "alone.json", "3d.json", "3d-ambient.png", "nobody.png", "notes.txt"})
+    for (const char* name :
+         {"cone_cube.json", "cone_cube.png", "cone_cube-normals.png", "cone_cube-raytracing.png",
+          "cone_cube-sketch.png", "alone.json", "3d.json", "3d-ambient.png", "nobody.png", "notes.txt"})
         touch(folder.file(name));
     const GradePlan plan = planGrading(folder.file(""), folder.file(""));
-    CHECK(namesOf(plan) == std::vector<std::string>{"3d-ambient", "cone_cube", "cone_cube-normals", "cone_cube-raytracing"});
+    CHECK(namesOf(plan) ==
+          std::vector<std::string>{"3d-ambient", "cone_cube", "cone_cube-normals", "cone_cube-raytracing"});
     CHECK(plan.scenesWithoutReference == std::vector<std::string>{"alone.json"});
     CHECK(plan.cases[0].group == "3d-ambient");
     CHECK(plan.cases[1].group == "cone");
@@ -70,9 +72,12 @@ TEST_CASE("grade: references of another folder") {
     touch(scenes.file("a.json"));
     touch(scenes.file("a.png"));
     touch(references.file("a-diffuse.png"));
-    CHECK(namesOf(planGrading(scenes.file(""), references.file(""))) == std::vector<std::string>{"a-diffuse"});
-    CHECK_THROWS_WITH(planGrading(scenes.file("no"), references.file("")), Contains("no: cannot read the folder: "));
-    CHECK_THROWS_WITH(planGrading(scenes.file(""), references.file("no")), Contains("no: cannot read the folder: "));
+    CHECK(namesOf(planGrading(scenes.file(""), references.file(""))) ==
+          std::vector<std::string>{"a-diffuse"});
+    CHECK_THROWS_WITH(planGrading(scenes.file("no"), references.file("")),
+                      Contains("no: cannot read the folder: "));
+    CHECK_THROWS_WITH(planGrading(scenes.file(""), references.file("no")),
+                      Contains("no: cannot read the folder: "));
 }
 
 TEST_CASE("grade: a picture is painted at the reference's size and compared") {
@@ -116,26 +121,33 @@ TEST_CASE("grade: what is wrong is a result") {
         CHECK_FALSE(within(result, {.maxPixels = {}, .tolerance = {}, .minScore = 0}));
         return result.message;
     };
-    const auto saying = [](Painted painted) { return [=](const GradeCase&, int, const std::string&) { return painted; }; };
+    const auto saying = [](Painted painted) {
+        return [=](const GradeCase&, int, const std::string&) { return painted; };
+    };
     CHECK(messageOf(flatPainter(9, 0)) == "the pictures' sizes differ: 9 x 9 and 10 x 10");
     CHECK(messageOf(saying({})) == "wrote no picture");
     CHECK(messageOf(saying({false, "exit status 3", ""})) == "exit status 3, wrote no picture");
     CHECK(messageOf(saying({true, "crashed: Aborted", ""})) == "crashed: Aborted");
-    CHECK(messageOf([](const GradeCase&, int, const std::string&) -> Painted { throw std::bad_alloc(); }) == "std::bad_alloc");
+    CHECK(messageOf([](const GradeCase&, int, const std::string&) -> Painted { throw std::bad_alloc(); }) ==
+          "std::bad_alloc");
     CHECK_THAT(messageOf([](const GradeCase&, int, const std::string& out) {
                    std::ofstream(out) << "no picture";
                    return Painted{};
-               }), Contains("PNG"));
+               }),
+               Contains("PNG"));
     touch(test.reference);
     CHECK_THAT(messageOf(flatPainter(10, 0)), Contains("the reference: "));
 }
 
 TEST_CASE("grade: a picture that was painted before a crash does not count") {
     const TemporaryFolder folder;
-    const GradeResult result = gradeCase(blackCase(folder), [](const GradeCase&, int, const std::string& out) {
-        writePng(out, flat(10, 0));
-        return Painted{true, "crashed: Aborted", "at the end"};
-    }, 0);
+    const GradeResult result = gradeCase(
+        blackCase(folder),
+        [](const GradeCase&, int, const std::string& out) {
+            writePng(out, flat(10, 0));
+            return Painted{true, "crashed: Aborted", "at the end"};
+        },
+        0);
     CHECK(result.score() == 0);
     CHECK(result.message == "crashed: Aborted");
     CHECK(result.output == "at the end");
@@ -144,7 +156,8 @@ TEST_CASE("grade: a picture that was painted before a crash does not count") {
 TEST_CASE("grade: a program is told scene, picture and size") {
     const TemporaryFolder folder;
     const GradeCase test = blackCase(folder, "it's \"black\" $HOME");
-    std::ofstream(folder.file("program.sh")) << "echo \"$1\"; [ \"$3\" = 10 ] && cp '" + blackCase(folder).reference + "' \"$2\"";
+    std::ofstream(folder.file("program.sh"))
+        << "echo \"$1\"; [ \"$3\" = 10 ] && cp '" + blackCase(folder).reference + "' \"$2\"";
     const GradeResult result = gradeCase(test, programPainter("sh " + folder.file("program.sh"), 10), 0);
     CHECK(result.score() == 100);
     CHECK(result.message.empty());
@@ -162,7 +175,8 @@ TEST_CASE("grade: of what a program prints, the end is kept") {
 
 TEST_CASE("grade: the shell's remark on a crash is left out of what the program printed") {
     const TemporaryFolder folder;
-    const GradeResult result = gradeCase(blackCase(folder), programPainter("sh -c 'echo falling; kill -SEGV $$'", 10), 0);
+    const GradeResult result =
+        gradeCase(blackCase(folder), programPainter("sh -c 'echo falling; kill -SEGV $$'", 10), 0);
     CHECK(result.message == "crashed: Segmentation fault");
     CHECK(result.output == "falling\n");
     CHECK(gradeCase(blackCase(folder), programPainter("sh -c 'kill -SEGV $$'", 10), 0).output.empty());
@@ -182,7 +196,9 @@ TEST_CASE("child process: how it ends") {
         CHECK(textOf(log) == "out\nerr\nout\n");
     }
     SECTION("nothing to read") { CHECK(runProcess("cat", {}, log, 10).well()); }
-    SECTION("with a status") { CHECK(runProcess("sh -c 'exit 3'", {}, log, 10).description() == "exit status 3"); }
+    SECTION("with a status") {
+        CHECK(runProcess("sh -c 'exit 3'", {}, log, 10).description() == "exit status 3");
+    }
     SECTION("by a signal") {
         CHECK(runProcess("sh -c 'kill -SEGV $$'", {}, log, 10).signal == SIGSEGV);
         CHECK(runProcess("sh -c 'kill -ABRT $$'", {}, log, 10).description() == "crashed: Aborted");
@@ -191,7 +207,8 @@ TEST_CASE("child process: how it ends") {
         CHECK(runProcess("./no-such-program", {}, log, 10).description() == "could not be started");
     }
     SECTION("late, with all it started") {
-        const ProcessEnd end = runProcess("sh -c '(sleep 1; echo late > " + folder.file("late") + ") & sleep 60'", {}, log, 0.2);
+        const ProcessEnd end =
+            runProcess("sh -c '(sleep 1; echo late > " + folder.file("late") + ") & sleep 60'", {}, log, 0.2);
         CHECK(end.timedOut);
         CHECK_FALSE(end.well());
         CHECK(end.description() == "hung: stopped after 0.2 s");
@@ -227,7 +244,9 @@ TEST_CASE("grade: the report") {
     results[1].referencePng = "Ma";
     results[2].referencePng = "M";
     const std::string html = gradeReport(results, {}, "a<b");
-    const auto has = [&](const char* part) { return html.find(part) != std::string::npos; };  // brief, should it fail
+    const auto has = [&](const char* part) {
+        return html.find(part) != std::string::npos;
+    };  // brief, should it fail
     CHECK(has("<title>a&lt;b</title>"));
     CHECK(has("&lt;exit&gt; &amp; &quot;status&quot;"));
     CHECK(has("&lt;/pre&gt;&lt;script&gt;"));

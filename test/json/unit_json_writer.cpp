@@ -5,8 +5,8 @@
 
 #include "raytracer/json/json_writer.h"
 
-using raytracer::JsonWriter;
 using raytracer::jsonString;
+using raytracer::JsonWriter;
 
 TEST_CASE("JsonWriter: objects by lines, plain arrays in one") {
     JsonWriter json;

@@ -13,8 +13,8 @@
 #include <libdeflate.h>
 #include <stb_image_write.h>
 
-#include "raytracer/pictures/image.h"
 #include "../support/test_folder.h"
+#include "raytracer/pictures/image.h"
 
 using namespace raytracer;
 
@@ -22,7 +22,8 @@ namespace {
 
 ByteImage testPicture(int width, int height) {
     ByteImage image{width, height, {}};
-    for (int i = 0; i < width * height * 3; ++i) image.pixels.push_back(static_cast<std::uint8_t>(i % 251 * 37));
+    for (int i = 0; i < width * height * 3; ++i)
+        image.pixels.push_back(static_cast<std::uint8_t>(i % 251 * 37));
     return image;
 }
 
@@ -40,9 +41,11 @@ std::string pngOf(int width, int height, int channels, const std::vector<std::ui
 std::string checksummed(std::string png) {
     for (std::size_t chunk = 8; chunk < png.size();) {
         std::size_t length = 0;
-        for (std::size_t i = chunk; i < chunk + 4; ++i) length = length << 8 | static_cast<std::uint8_t>(png[i]);
+        for (std::size_t i = chunk; i < chunk + 4; ++i)
+            length = length << 8 | static_cast<std::uint8_t>(png[i]);
         const std::uint32_t crc = libdeflate_crc32(0, &png[chunk + 4], length + 4);
-        for (std::size_t i = 0; i < 4; ++i) png[chunk + 8 + length + i] = static_cast<char>(crc >> (24 - 8 * i));
+        for (std::size_t i = 0; i < 4; ++i)
+            png[chunk + 8 + length + i] = static_cast<char>(crc >> (24 - 8 * i));
         chunk += length + 12;
     }
     return png;
@@ -56,7 +59,7 @@ std::string jpegOf(const ByteImage& image) {
 
 // Files longer than this cannot be written while it lives: what a full disk does, at a place of our choice.
 class FileSizeLimit {
-public:
+  public:
     explicit FileSizeLimit(rlim_t bytes) {
         ::getrlimit(RLIMIT_FSIZE, &before_);
         const rlimit limit{bytes, before_.rlim_max};
@@ -69,7 +72,7 @@ public:
     FileSizeLimit(const FileSizeLimit&) = delete;
     FileSizeLimit& operator=(const FileSizeLimit&) = delete;
 
-private:
+  private:
     rlimit before_{};
     void (*signalBefore_)(int) = std::signal(SIGXFSZ, SIG_IGN);
 };
@@ -109,13 +112,16 @@ TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
     const TestFolder folder;
     const auto pixels = [&](const std::string& bytes) { return readImage(folder.write("a", bytes)).pixels; };
     using Bytes = std::vector<std::uint8_t>;
-    SECTION("alpha is dropped") { CHECK(pixels(pngOf(2, 1, 4, {1, 2, 3, 0, 4, 5, 6, 99})) == Bytes{1, 2, 3, 4, 5, 6}); }
+    SECTION("alpha is dropped") {
+        CHECK(pixels(pngOf(2, 1, 4, {1, 2, 3, 0, 4, 5, 6, 99})) == Bytes{1, 2, 3, 4, 5, 6});
+    }
     SECTION("grey is spread") { CHECK(pixels(pngOf(1, 2, 1, {7, 8})) == Bytes{7, 7, 7, 8, 8, 8}); }
     SECTION("grey with alpha") { CHECK(pixels(pngOf(1, 1, 2, {7, 8})) == Bytes{7, 7, 7}); }
     SECTION("16 bits: one pixel 0x1234, 0xabcd, 0xff00") {
         const char png[] =
             "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x10\2\0\0\0@@@@"
-            "\0\0\0\x12IDAT\x78\x01\x01\x07\0\xf8\xff\0\x12\x34\xab\xcd\xff\0\x09\x01\x02\xbe@@@@\0\0\0\0IEND@@@@";
+            "\0\0\0\x12IDAT\x78\x01\x01\x07\0\xf8\xff\0\x12\x34\xab\xcd\xff\0\x09\x01\x02\xbe@@@@"
+            "\0\0\0\0IEND@@@@";
         CHECK(pixels(checksummed({png, sizeof png - 1})) == Bytes{0x12, 0xab, 0xff});
     }
     SECTION("JPEG") {
@@ -156,9 +162,13 @@ TEST_CASE("A PNG with any bit flipped is refused") {
 }
 
 TEST_CASE("A PNG with a palette") {
-    // Colours red, green and blue, the second one transparent; three texels, each the byte of an uncompressed block.
+    // Colours red, green and blue, the second one transparent; three texels, each the byte of an uncompressed
+    // block.
     const auto paletted = [](std::uint8_t a, std::uint8_t b, std::uint8_t c) {
-        std::string bytes("\0" "abc", 4);
+        std::string bytes(
+            "\0"
+            "abc",
+            4);
         bytes[1] = static_cast<char>(a), bytes[2] = static_cast<char>(b), bytes[3] = static_cast<char>(c);
         const std::uint32_t adler = libdeflate_adler32(1, bytes.data(), bytes.size());
         std::string zlib("\x78\x01\x01\x04\0\xfb\xff", 7);
@@ -167,19 +177,22 @@ TEST_CASE("A PNG with a palette") {
         const char head[] =
             "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\3\0\0\0\1\x8\3\0\0\0@@@@"
             "\0\0\0\x9PLTE\xff\0\0\0\xff\0\0\0\xff@@@@\0\0\0\2tRNS\xff\0@@@@\0\0\0\xfIDAT";
-        return checksummed(std::string(head, sizeof head - 1) + zlib + std::string("@@@@\0\0\0\0IEND@@@@", 16));
+        return checksummed(std::string(head, sizeof head - 1) + zlib +
+                           std::string("@@@@\0\0\0\0IEND@@@@", 16));
     };
     const TestFolder folder;
     const auto read = [&](const std::string& png) { return readImage(folder.write("a.png", png)); };
     CHECK(read(paletted(2, 1, 0)).pixels == std::vector<std::uint8_t>{0, 0, 255, 0, 255, 0, 255, 0, 0});
     for (const int beyond : {3, 4, 255})
-        CHECK_THROWS_WITH(read(paletted(0, static_cast<std::uint8_t>(beyond), 1)), "broken PNG picture: a texel has a colour beyond its palette");
+        CHECK_THROWS_WITH(read(paletted(0, static_cast<std::uint8_t>(beyond), 1)),
+                          "broken PNG picture: a texel has a colour beyond its palette");
 }
 
 TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
     const TestFolder folder;
     const float inf = std::numeric_limits<float>::infinity();
-    const FloatImage image{2, 2, {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
+    const FloatImage image{
+        2, 2, {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
     writePfm(folder.file("a.pfm"), image);
     const std::string bytes = bytesOf(folder.file("a.pfm"));
     const std::string header = "PF\n2 2\n-1.0\n";
@@ -222,7 +235,8 @@ TEST_CASE("A picture is written whole or not at all") {
     const ByteImage image = testPicture(100, 100);
     SECTION("the folder is missing") {
         CHECK_THROWS_AS(writePng(folder.file("no/a.png"), image), ImageError);
-        CHECK_THROWS_WITH(writePng(folder.file("no/a.png"), image), "cannot write: No such file or directory");
+        CHECK_THROWS_WITH(writePng(folder.file("no/a.png"), image),
+                          "cannot write: No such file or directory");
         CHECK(folder.fileCount() == 0);
     }
     SECTION("a folder has the name") {
@@ -253,7 +267,8 @@ TEST_CASE("A picture is written whole or not at all") {
     }
     SECTION("a pipe, as a device, is written in place") {
         REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
-        std::fstream keptOpen(folder.file("pipe"));  // for reading too, so that opening it to write does not wait
+        std::fstream keptOpen(
+            folder.file("pipe"));  // for reading too, so that opening it to write does not wait
         writePng(folder.file("pipe"), testPicture(1, 1));
         CHECK(std::filesystem::is_fifo(folder.file("pipe")));
         CHECK(folder.fileCount() == 1);

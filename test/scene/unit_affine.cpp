@@ -34,7 +34,8 @@ void requireEqual(const Rows& actual, const Rows& expected) {
         }
 }
 
-// The largest entry of A inverse(A) - I, as a part of the terms that it is the sum of: whatever A's scale, a few 2^-64.
+// The largest entry of A inverse(A) - I, as a part of the terms that it is the sum of: whatever A's scale, a
+// few 2^-64.
 Real residual(const Affine& affine) {
     const auto inverse = inverseLinear(affine);
     REQUIRE(inverse);
@@ -109,8 +110,10 @@ TEST_CASE("The axis may have any length but 0") {
     for (const double length : {1e-300, 5e-324, 1e-200, 1e200, 1.7e308})
         requireEqual(rotation(90, {0, -length, 0}).linear, rotation(90, {0, -1, 0}).linear);
     for (const double length : {1e-200, 1e200}) {
-        const Affine scaled = rotation(37, {1 * length, 2 * length, -3 * length}), unit = rotation(37, {1, 2, -3});
-        for (int i = 0; i < 9; ++i) CHECK(std::abs(scaled.linear[i / 3][i % 3] - unit.linear[i / 3][i % 3]) < 1e-15L);
+        const Affine scaled = rotation(37, {1 * length, 2 * length, -3 * length}),
+                     unit = rotation(37, {1, 2, -3});
+        for (int i = 0; i < 9; ++i)
+            CHECK(std::abs(scaled.linear[i / 3][i % 3] - unit.linear[i / 3][i % 3]) < 1e-15L);
     }
 }
 
@@ -135,7 +138,8 @@ TEST_CASE("Inverses, known") {
 
 TEST_CASE("Inverses at the ends of the exponent range") {
     for (const Real scale : {1e-300L, 1e-100L, 1e100L, 1e300L})
-        CHECK(residual(linear({{2 * scale, scale, 0}, {scale, 2 * scale, scale}, {0, scale, 3 * scale}})) < 1e-17L);
+        CHECK(residual(linear({{2 * scale, scale, 0}, {scale, 2 * scale, scale}, {0, scale, 3 * scale}})) <
+              1e-17L);
     CHECK(residual(linear({{1e300L, 0, 0}, {0, 1e-300L, 0}, {0, 0, 1}})) < 1e-17L);
     CHECK(residual(linear({{1, 1e30L, 0}, {0, 1, 0}, {0, 1e-30L, 1}})) < 1e-17L);
     CHECK(residual(linear({{1e40L, 1e20L, 0}, {1e20L, 2, 0}, {0, 0, 1e-200L}})) < 1e-17L);
@@ -146,7 +150,8 @@ TEST_CASE("Rotated, scaled and sheared over two hundred orders of magnitude, inv
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int i = 0; i < 10'000; ++i) {
         TransformDescription transform;
-        transform.rotate = TransformDescription::Rotation{1000 * unit(random), {unit(random), unit(random), 0.1}};
+        transform.rotate =
+            TransformDescription::Rotation{1000 * unit(random), {unit(random), unit(random), 0.1}};
         const double size = std::pow(10, 100 * unit(random));
         transform.scale = glm::dvec3(size, 3 * size, -0.3 * size);
         glm::dmat4 shear(1);

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "raytracer/pictures/texture.h"
 #include "raytracer/scene/mesh_file.h"
 #include "raytracer/scene/scene_loader.h"
-#include "raytracer/pictures/texture.h"
 
 using namespace raytracer;
 namespace fs = std::filesystem;
@@ -58,11 +58,13 @@ std::vector<fs::path> badScenes() {
     return found;
 }
 
-const std::string camera = R"("camera": {"type": "orthographic", "eye": [0, 0, 5], "look": [0, 0, -1], "up": [0, 1, 0],
+const std::string camera =
+    R"("camera": {"type": "orthographic", "eye": [0, 0, 5], "look": [0, 0, -1], "up": [0, 1, 0],
     "film_left": -1, "film_right": 1, "film_bottom": -1, "film_top": 1})";
 
 std::string sceneOf(const std::string& shapes) {
-    const std::string rest = R"(, "materials": [{}], "lights": [], "transforms": [{"name": "i"}], "shapes": [)";
+    const std::string rest =
+        R"(, "materials": [{}], "lights": [], "transforms": [{"name": "i"}], "shapes": [)";
     return '{' + camera + rest + shapes + "]}";
 }
 
@@ -78,7 +80,8 @@ TEST_CASE("Every bad scene gets its one line") {
 
 TEST_CASE("A scene file that cannot be read") {
     const InSourceFolder here;
-    CHECK(errorOf("test/bad/nowhere.json", false) == "test/bad/nowhere.json: cannot read: No such file or directory");
+    CHECK(errorOf("test/bad/nowhere.json", false) ==
+          "test/bad/nowhere.json: cannot read: No such file or directory");
     CHECK(errorOf("test/bad", false) == "test/bad: cannot read: Is a directory");
     CHECK(errorOf("test/bad/files/check.png", false) == "test/bad/files/check.png:1:1: invalid literal");
 }
@@ -166,7 +169,8 @@ TEST_CASE("A texture that no shape uses is not read") {
 
 TEST_CASE("Shapes that name the same file share its mesh") {
     const std::string file = SOURCE_DIR "/test/bad/files/triangle.obj";
-    const std::string mesh = R"({"type": "mesh", "transform": "i", "material": "default", "path": ")" + file + "\"}";
+    const std::string mesh =
+        R"({"type": "mesh", "transform": "i", "material": "default", "path": ")" + file + "\"}";
     const SceneText text(sceneOf(mesh + "," + mesh));
     const SceneDescription scene = loadScene(text.path(), true).description;
     CHECK(scene.shapes.at(0).mesh == scene.shapes.at(1).mesh);
@@ -174,20 +178,22 @@ TEST_CASE("Shapes that name the same file share its mesh") {
 
 TEST_CASE("A byte order mark, CRLF and names in UTF-8 are welcome") {
     const InSourceFolder here;
-    CHECK(loadScene("test/good/byte_order_mark.json", true).description.materials.at(1).name == "schlicht, größer");
+    CHECK(loadScene("test/good/byte_order_mark.json", true).description.materials.at(1).name ==
+          "schlicht, größer");
 }
 
 TEST_CASE("Unknown keys are warnings unless strict") {
     const InSourceFolder here;
     const std::string file = "test/lenient/comments.json";
-    CHECK(loadScene(file, false).warnings == std::vector<std::string>{
-        file + ": unknown key \"comment\"",
-        file + ": /camera: unknown key \"film_center\"",
-        file + ": /materials/0: unknown key \"colour_diffuse\"; did you mean \"color_diffuse\"?",
-        file + ": /lights/0: unknown key \"colour\"; did you mean \"color\"?",
-        file + ": /transforms/0/rotate: unknown key \"unit\"",
-        file + ": /shapes/0: unknown key \"path\"",
-    });
+    CHECK(loadScene(file, false).warnings ==
+          std::vector<std::string>{
+              file + ": unknown key \"comment\"",
+              file + ": /camera: unknown key \"film_center\"",
+              file + ": /materials/0: unknown key \"colour_diffuse\"; did you mean \"color_diffuse\"?",
+              file + ": /lights/0: unknown key \"colour\"; did you mean \"color\"?",
+              file + ": /transforms/0/rotate: unknown key \"unit\"",
+              file + ": /shapes/0: unknown key \"path\"",
+          });
     CHECK(errorOf(file, true) == file + ": unknown key \"comment\"");
 }
 
@@ -205,14 +211,15 @@ TEST_CASE("Of very many warnings some are shown and the rest counted") {
 TEST_CASE("A key that is missing is found under its misspelled name") {
     const InSourceFolder here;
     const std::string file = "test/bad/schema/misspelled_focal_length.json";
-    CHECK(errorOf(file, false) == file + ": /camera: expected the key \"focal_length\", found \"focal_lenght\"");
+    CHECK(errorOf(file, false) ==
+          file + ": /camera: expected the key \"focal_length\", found \"focal_lenght\"");
 }
 
 TEST_CASE("A message stays one short line, whatever is in the file") {
     SECTION("a long name with line ends") {
         const std::string begin = R"("\u001b[2J\n)";
-        const SceneText text(
-            sceneOf(R"({"type": "cone", "transform": "i", "material": )" + begin + std::string(100'000, 'x') + "\"}"));
+        const SceneText text(sceneOf(R"({"type": "cone", "transform": "i", "material": )" + begin +
+                                     std::string(100'000, 'x') + "\"}"));
         CHECK(errorOf(text.path(), true) == text.path() + ": /shapes/0/material: no material named " + begin +
                                                 std::string(55, 'x') + "\"...");
     }

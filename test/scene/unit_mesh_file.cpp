@@ -5,8 +5,8 @@
 #include <string>
 
 #include "../../src/scene/obj_text.h"
-#include "raytracer/scene/mesh_file.h"
 #include "../support/test_folder.h"
+#include "raytracer/scene/mesh_file.h"
 
 using raytracer::MeshData;
 using raytracer::MeshError;
@@ -16,7 +16,9 @@ namespace {
 constexpr auto none = MeshData::noTexCoord;
 using Indices = std::vector<std::uint32_t>;
 
-MeshData parse(const std::string& text) { return raytracer::parseObj(text.data(), text.data() + text.size()); }
+MeshData parse(const std::string& text) {
+    return raytracer::parseObj(text.data(), text.data() + text.size());
+}
 
 std::string errorOf(const std::string& text) try {
     parse(text);
@@ -70,9 +72,7 @@ TEST_CASE("An OBJ's corners come in four forms") {
         CHECK(mesh.texCoordIndex.empty());
         CHECK(mesh.texCoords.empty());
     }
-    SECTION("v/vt/vn") {
-        CHECK(parse(corners + "f 1/1/1 2/-3/-1 3/4/1").texCoordIndex == Indices{0, 1, 3});
-    }
+    SECTION("v/vt/vn") { CHECK(parse(corners + "f 1/1/1 2/-3/-1 3/4/1").texCoordIndex == Indices{0, 1, 3}); }
     SECTION("faces without vt before and after one with") {
         const MeshData mesh = parse(corners + "f 1 2 3\nf 1/1 2/2 3/3\nf 1//1 2//1 4//1\n");
         CHECK(mesh.texCoordIndex == Indices{none, none, none, 0, 1, 2, none, none, none});
@@ -88,8 +88,8 @@ TEST_CASE("OBJ text as programs write it") {
     CHECK(reads("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 1 0.5 0.5 0.5\nv 0 1 0\nf 1 2 3"));
     CHECK(reads("v 0 \\\n0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 \\\r\n2\\\n 3\n"));
     CHECK(reads("# C:\\models\\\nv 0 0 0 # so \\\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\n"));
-    CHECK(reads("mtllib a.mtl\no a\ng b c\nusemtl d\ns off\nvn a b\nvp 1\nl 1 2\np 1\nunheard-of 1 x\n" + square +
-                "f 1 2 3\n"));
+    CHECK(reads("mtllib a.mtl\no a\ng b c\nusemtl d\ns off\nvn a b\nvp 1\nl 1 2\np 1\nunheard-of 1 x\n" +
+                square + "f 1 2 3\n"));
     CHECK(reads(square + "f 1 2 003\n"));
 }
 
@@ -101,7 +101,9 @@ TEST_CASE("OBJ numbers are correctly rounded") {
 }
 
 TEST_CASE("A broken OBJ is told with the line") {
-    const auto check = [](const std::string& text, const std::string& message) { CHECK(errorOf(text) == message); };
+    const auto check = [](const std::string& text, const std::string& message) {
+        CHECK(errorOf(text) == message);
+    };
     const std::string corner = "expected a corner as v, v/vt, v//vn or v/vt/vn, found ";
     SECTION("numbers") {
         check("v 0 0 0\nv 1 x 0\n f 1 1 1", "line 2: expected a number, found \"x\"");
@@ -158,7 +160,9 @@ TEST_CASE("A broken OBJ is told with the line") {
         check(square + "f 1 \\\n2\n", "line 5: a face has at least 3 corners, found 2");
         check("v 0 0 \\\n0\nf 1 1 2\n", "line 3: there is no vertex 2: the file has 1");
     }
-    SECTION("the first of several") { check("f 1 2 3\nv x\n", "line 1: there is no vertex 2: the file has 1"); }
+    SECTION("the first of several") {
+        check("f 1 2 3\nv x\n", "line 1: there is no vertex 2: the file has 1");
+    }
 }
 
 namespace {
@@ -166,9 +170,15 @@ namespace {
 // Every construct, at random, so that cuts come to lie everywhere.
 std::string randomObj(unsigned seed, bool withError) {
     std::mt19937 random(seed);
-    const std::string lines[] = {"v 0.5 -1.25e-3 7\n",       "v 1 2 \\\n 3\r\n",     "vt 0.25 0.5\n",
-                                 "vn 0 0 1\n",               "# a comment \\\n",     "\n",
-                                 "f -1 -2 -3 -1\n",          "f 1/1 2/-1 3/1\r\n",   "f 1//1 \\\n-2//-1 3//1\n",
+    const std::string lines[] = {"v 0.5 -1.25e-3 7\n",
+                                 "v 1 2 \\\n 3\r\n",
+                                 "vt 0.25 0.5\n",
+                                 "vn 0 0 1\n",
+                                 "# a comment \\\n",
+                                 "\n",
+                                 "f -1 -2 -3 -1\n",
+                                 "f 1/1 2/-1 3/1\r\n",
+                                 "f 1//1 \\\n-2//-1 3//1\n",
                                  "usemtl very_long_name\\\n of_a_material\n"};
     std::string text = square + "vt 0 0\nvn 0 0 1\n";
     for (int i = 0; i < 200; ++i) text += lines[random() % std::size(lines)];
@@ -192,7 +202,9 @@ TEST_CASE("The number of chunks changes nothing in an OBJ") {
 
 TEST_CASE("An OBJ from a file") {
     const TestFolder folder;
-    SECTION("is read") { CHECK(raytracer::loadObj(folder.write("a.obj", square + "f 1 2 3")).triangleCount() == 1); }
+    SECTION("is read") {
+        CHECK(raytracer::loadObj(folder.write("a.obj", square + "f 1 2 3")).triangleCount() == 1);
+    }
     SECTION("that is empty") {
         CHECK_THROWS_WITH(raytracer::loadObj(folder.write("a.obj", "")), "no faces, so not an OBJ mesh");
     }
@@ -206,7 +218,8 @@ TEST_CASE("An OBJ from a file") {
     SECTION("of many chunks") {
         std::string text = square;
         while (text.size() < (3 << 20)) text += "f 1 2 3 4\n";
-        CHECK(raytracer::loadObj(folder.write("a.obj", text)).triangleCount() == (text.size() - square.size()) / 5);
+        CHECK(raytracer::loadObj(folder.write("a.obj", text)).triangleCount() ==
+              (text.size() - square.size()) / 5);
         CHECK_THROWS_WITH(raytracer::loadObj(folder.write("a.obj", text + "f 1 2 9")),
                           "line " + std::to_string(5 + (text.size() - square.size()) / 10) +
                               ": there is no vertex 9: the file has 4");

@@ -1,5 +1,5 @@
-// Random poses over many orders of magnitude, random places on surfaces, and the surfaces' equations in long double to
-// judge by. Deterministic: the same seed, the same rays, on every machine and with every library.
+// Random poses over many orders of magnitude, random places on surfaces, and the surfaces' equations in long
+// double to judge by. Deterministic: the same seed, the same rays, on every machine and with every library.
 #pragma once
 
 #include <algorithm>
@@ -45,9 +45,9 @@ class Random {
 
 // How far the numbers go, as powers of ten.
 struct Extents {
-    double size = 4;    // of radii
-    double stretch = 4; // of each axis against the others
-    double origin = 8;  // of the distance from the world's origin
+    double size = 4;     // of radii
+    double stretch = 4;  // of each axis against the others
+    double origin = 8;   // of the distance from the world's origin
 };
 
 // Rotated, and in turn: a plain radius; each axis scaled by its own factor; sheared and mirrored as well.
@@ -68,7 +68,8 @@ inline Affine randomAffine(Random& random, const Extents& extents) {
     return compose(t);
 }
 
-// A closed, strictly convex mesh with its vertices on the unit sphere: an icosahedron, each face split in four unless `coarse`.
+// A closed, strictly convex mesh with its vertices on the unit sphere: an icosahedron, each face split in
+// four unless `coarse`.
 inline std::shared_ptr<const MeshData> roundMesh(bool coarse = false) {
     auto mesh = std::make_shared<MeshData>();
     const double g = (1 + std::sqrt(5.0)) / 2, length = std::sqrt(1 + g * g);
@@ -91,7 +92,8 @@ inline std::shared_ptr<const MeshData> roundMesh(bool coarse = false) {
     for (std::uint32_t a = 0; a < 12; ++a)
         for (std::uint32_t b = a + 1; b < 12; ++b)
             for (std::uint32_t c = a + 1; c < 12; ++c) {
-                if (glm::distance(p[a], p[b]) > edge || glm::distance(p[b], p[c]) > edge || glm::distance(p[c], p[a]) > edge)
+                if (glm::distance(p[a], p[b]) > edge || glm::distance(p[b], p[c]) > edge ||
+                    glm::distance(p[c], p[a]) > edge)
                     continue;
                 if (b == c || glm::dot(glm::cross(p[b] - p[a], p[c] - p[a]), p[a]) < 0) continue;
                 std::vector<std::uint32_t> triangles{a, b, c};
@@ -113,8 +115,11 @@ inline Wide circle(double turns) {
 }
 
 inline Wide meshPlace(const MeshData& mesh, Place place, Random& random) {
-    const std::size_t triangle = static_cast<std::size_t>(random.below(static_cast<int>(mesh.triangleCount())));
-    const auto corner = [&](std::size_t i) { return Wide(mesh.positions[mesh.positionIndex[3 * triangle + i]]); };
+    const std::size_t triangle =
+        static_cast<std::size_t>(random.below(static_cast<int>(mesh.triangleCount())));
+    const auto corner = [&](std::size_t i) {
+        return Wide(mesh.positions[mesh.positionIndex[3 * triangle + i]]);
+    };
     if (place == Place::Corner) return corner(0);
     const long double u = place == Place::Edge ? 0 : random.uniform(), v = (1 - u) * random.uniform();
     return u * corner(0) + v * corner(1) + (1 - u - v) * corner(2);
@@ -126,8 +131,10 @@ inline Wide placeOn(Kind kind, const MeshData* mesh, Place place, Random& random
     const long double height = random.uniform(), r = std::sqrt(random.uniform());
     const int which = random.below(3);
     switch (kind) {
-        case Kind::Sphere: return place == Place::Corner ? Wide(0, 0, random.sign()) : Wide(random.direction());
-        case Kind::Plane: return place == Place::Corner ? Wide(0) : Wide(random.magnitude(2), random.magnitude(2), 0);
+        case Kind::Sphere:
+            return place == Place::Corner ? Wide(0, 0, random.sign()) : Wide(random.direction());
+        case Kind::Plane:
+            return place == Place::Corner ? Wide(0) : Wide(random.magnitude(2), random.magnitude(2), 0);
         case Kind::Cylinder:
             if (place == Place::Edge) return around + Wide(0, 0, which % 2);
             if (place == Place::Corner) return Wide(0, 0, which % 2);
@@ -166,7 +173,8 @@ inline std::vector<Facet> facetsOf(const MeshData& mesh) {
     return facets;
 }
 
-// F(p) <= 0 inside, convex, of the order of the distance in object units: the shape's equation without its code.
+// F(p) <= 0 inside, convex, of the order of the distance in object units: the shape's equation without its
+// code.
 inline long double offsetOf(Kind kind, const Wide& p) {
     const long double r = std::sqrt(p.x * p.x + p.y * p.y);
     switch (kind) {
@@ -228,7 +236,8 @@ class WideInverse {
     Wide times(Quad x, Quad y, Quad z) const {
         Wide object;
         for (int row = 0; row < 3; ++row)
-            object[row] = static_cast<long double>(inverse_[row][0] * x + inverse_[row][1] * y + inverse_[row][2] * z);
+            object[row] =
+                static_cast<long double>(inverse_[row][0] * x + inverse_[row][1] * y + inverse_[row][2] * z);
         return object;
     }
 

@@ -1,5 +1,5 @@
-// Rays that leave a shape's surface, from everywhere and at every angle: what must not happen to them, counted. After
-// pbrt's shapes_test. The CTest run and the long run in bench/ share it.
+// Rays that leave a shape's surface, from everywhere and at every angle: what must not happen to them,
+// counted. After pbrt's shapes_test. The CTest run and the long run in bench/ share it.
 #pragma once
 
 #include "core_random.h"
@@ -10,17 +10,20 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 namespace test {
 
 struct Reintersections {
-    std::uint64_t points = 0, missed = 0;  // places aimed at, and of them those that the rounded ray passed by
+    std::uint64_t points = 0,
+                  missed = 0;  // places aimed at, and of them those that the rounded ray passed by
     std::uint64_t rays = 0;
-    std::uint64_t metAgain = 0;   // left the shape and met it: convex shapes only, so it can only be the same place
-    std::uint64_t neverOut = 0;   // entered a solid and never came out
-    std::uint64_t stuck = 0;      // came out though the solid goes on along the ray
+    std::uint64_t metAgain =
+        0;  // left the shape and met it: convex shapes only, so it can only be the same place
+    std::uint64_t neverOut = 0;      // entered a solid and never came out
+    std::uint64_t stuck = 0;         // came out though the solid goes on along the ray
     std::uint64_t oddCrossings = 0;  // straight on through a solid: not in, out and gone
 };
 
 class Reintersection {
   public:
-    Reintersection(Kind kind, std::shared_ptr<const MeshData> mesh, std::uint64_t seed, const Extents& extents)
+    Reintersection(Kind kind, std::shared_ptr<const MeshData> mesh, std::uint64_t seed,
+                   const Extents& extents)
         : kind_(kind), mesh_(std::move(mesh)), random_(seed), extents_(extents) {
         if (mesh_) facets_ = facetsOf(*mesh_);
     }
@@ -43,9 +46,10 @@ class Reintersection {
 
     void tryPlace() {
         const Wide target = placeOn(kind_, mesh_.get(), static_cast<Place>(random_.below(3)), random_);
-        const Wide from = random_.below(4) == 0 && kind_ != Kind::Plane
-                              ? placeInside(random_)
-                              : target + Wide(random_.direction()) * static_cast<long double>(random_.magnitude(3));
+        const Wide from =
+            random_.below(4) == 0 && kind_ != Kind::Plane
+                ? placeInside(random_)
+                : target + Wide(random_.direction()) * static_cast<long double>(random_.magnitude(3));
         const Vec3 eye(pointToWorld(affine_, from));
         const Ray ray{eye, Vec3(pointToWorld(affine_, target) - Wide(eye)), {}};
         ++result_.points;
@@ -74,20 +78,17 @@ class Reintersection {
         Vec3 way = direction(point.N);
         if (!(glm::dot(way, point.N) > 0)) return;  // turned over by rounding
         if (far) way = -way;
-        const Ray ray = point.leave(way * static_cast<Real>(random_.magnitude(2)), far ? Side::Far : Side::Near);
+        const Ray ray =
+            point.leave(way * static_cast<Real>(random_.magnitude(2)), far ? Side::Far : Side::Near);
         ++result_.rays;
-        if (ray.departure.inside && kind_ != Kind::Plane)
-            comeOut(ray);
-        else
-            result_.metAgain += shape_->rayIntersect(ray).valid;
+        if (ray.departure.inside && kind_ != Kind::Plane) comeOut(ray);
+        else result_.metAgain += shape_->rayIntersect(ray).valid;
     }
 
     void comeOut(const Ray& ray) {
         const Intersection out = shape_->rayIntersect(ray);
-        if (!out.valid || !(out.t >= 0) || !(out.t < infinity))
-            ++result_.neverOut;
-        else
-            result_.stuck += goesOn(ray, out);
+        if (!out.valid || !(out.t >= 0) || !(out.t < infinity)) ++result_.neverOut;
+        else result_.stuck += goesOn(ray, out);
     }
 
     // Whether the ray is well inside the solid somewhere beyond the place where it is said to come out.

@@ -1,4 +1,5 @@
-// What tests of the core share: shapes by kind, poses by name, and the same maps in long double to hold them to.
+// What tests of the core share: shapes by kind, poses by name, and the same maps in long double to hold them
+// to.
 #pragma once
 
 #include <array>
@@ -15,7 +16,8 @@ namespace test {
 enum class Kind { Sphere, Plane, Cylinder, Cone, Cube, Mesh };
 inline constexpr std::array<Kind, 6> allKinds{Kind::Sphere, Kind::Plane, Kind::Cylinder,
                                               Kind::Cone,   Kind::Cube,  Kind::Mesh};
-inline constexpr std::array<Kind, 5> allSolids{Kind::Sphere, Kind::Cylinder, Kind::Cone, Kind::Cube, Kind::Mesh};
+inline constexpr std::array<Kind, 5> allSolids{Kind::Sphere, Kind::Cylinder, Kind::Cone, Kind::Cube,
+                                               Kind::Mesh};
 
 inline const char* nameOf(Kind kind) {
     constexpr const char* names[] = {"sphere", "plane", "cylinder", "cone", "cube", "mesh"};
@@ -23,7 +25,8 @@ inline const char* nameOf(Kind kind) {
 }
 
 inline std::unique_ptr<Shape> makeShape(Kind kind, const Affine& worldFromObject, const Material& material,
-                                        std::shared_ptr<const MeshData> mesh = nullptr, std::uint32_t index = 0) {
+                                        std::shared_ptr<const MeshData> mesh = nullptr,
+                                        std::uint32_t index = 0) {
     const Transform transform(worldFromObject);
     switch (kind) {
         case Kind::Sphere: return std::make_unique<Sphere>(transform, material, index);
@@ -33,7 +36,8 @@ inline std::unique_ptr<Shape> makeShape(Kind kind, const Affine& worldFromObject
         case Kind::Cube: return std::make_unique<Cube>(transform, material, index);
         case Kind::Mesh: break;
     }
-    return std::make_unique<Mesh>(transform, material, index, std::make_shared<TriangleMesh>(std::move(mesh), BuildOptions{}));
+    return std::make_unique<Mesh>(transform, material, index,
+                                  std::make_shared<TriangleMesh>(std::move(mesh), BuildOptions{}));
 }
 
 // The judge's arithmetic.
@@ -52,7 +56,8 @@ inline Wide directionToWorld(const Affine& affine, const Wide& d) {
     return pointToWorld(affine, d) - pointToWorld(affine, Wide(0));
 }
 
-// The inverse transpose as the cofactors over the determinant's sign: exact where the entries are small integers.
+// The inverse transpose as the cofactors over the determinant's sign: exact where the entries are small
+// integers.
 inline Wide normalToWorld(const Affine& affine, const Wide& n) {
     Wide column[3];
     for (int c = 0; c < 3; ++c) column[c] = {affine.linear[0][c], affine.linear[1][c], affine.linear[2][c]};
@@ -62,7 +67,8 @@ inline Wide normalToWorld(const Affine& affine, const Wide& n) {
     return world * ((glm::dot(column[0], x) < 0 ? -1 : 1) / std::sqrt(glm::dot(world, world)));
 }
 
-// A cube as a mesh: the same faces in the same order, two triangles each, with the cube's texture coordinates.
+// A cube as a mesh: the same faces in the same order, two triangles each, with the cube's texture
+// coordinates.
 inline std::shared_ptr<const MeshData> cubeMesh() {
     auto mesh = std::make_shared<MeshData>();
     for (int face = 0; face < 6; ++face) {

@@ -1,5 +1,5 @@
-// Lines through a closed mesh's vertices and along its edges: how often they cross it. The CTest run and the long run in
-// bench/ share it.
+// Lines through a closed mesh's vertices and along its edges: how often they cross it. The CTest run and the
+// long run in bench/ share it.
 #pragma once
 
 #include "core_random.h"
@@ -36,7 +36,8 @@ class WatertightTest {
             // Along the axes and aslant, so that coordinates vanish as they do in scenes made by hand.
             glm::dvec3 way = random_.below(4) == 0 ? glm::dvec3(0) : random_.direction();
             if (way == glm::dvec3(0)) way[random_.below(3)] = random_.sign();
-            const Vec3 origin = inside ? Vec3(center_) + Vec3(0.3 * random_.box()) : target - Vec3(random_.magnitude(2) * way);
+            const Vec3 origin = inside ? Vec3(center_) + Vec3(0.3 * random_.box())
+                                       : target - Vec3(random_.magnitude(2) * way);
             cross(origin, inside ? target - origin : Vec3(way), inside);
         }
         return result_;

@@ -7,16 +7,19 @@
 
 namespace raytracer::test {
 
-// The same scene in another unit of length: positions, and the scale of every transform (a plane's texture repeats by it).
+// The same scene in another unit of length: positions, and the scale of every transform (a plane's texture
+// repeats by it).
 inline SceneDescription scaled(SceneDescription scene, double factor) {
     scene.camera.eye *= factor;
     if (scene.camera.type == CameraDescription::Type::Orthographic)
-        for (double* edge : {&scene.camera.film_left, &scene.camera.film_right, &scene.camera.film_bottom, &scene.camera.film_top})
+        for (double* edge : {&scene.camera.film_left, &scene.camera.film_right, &scene.camera.film_bottom,
+                             &scene.camera.film_top})
             *edge *= factor;
     for (LightDescription& light : scene.lights) light.position *= factor;
     for (TransformDescription& transform : scene.transforms) {
         if (transform.translate) *transform.translate *= factor;
-        transform.scale = transform.scale.value_or(glm::dvec3(1)) * factor;  // right of rotate: a plain factor passes it
+        transform.scale =
+            transform.scale.value_or(glm::dvec3(1)) * factor;  // right of rotate: a plain factor passes it
     }
     return scene;
 }
@@ -25,11 +28,13 @@ inline SceneDescription scaled(SceneDescription scene, double factor) {
 inline SceneDescription translated(SceneDescription scene, const glm::dvec3& by) {
     scene.camera.eye += by;
     for (LightDescription& light : scene.lights) light.position += by;
-    for (TransformDescription& transform : scene.transforms) transform.translate = transform.translate.value_or(glm::dvec3(0)) + by;
+    for (TransformDescription& transform : scene.transforms)
+        transform.translate = transform.translate.value_or(glm::dvec3(0)) + by;
     return scene;
 }
 
-// A scene that is put together step by step. The camera is orthographic, above the z = 0 plane's unit square, looking down.
+// A scene that is put together step by step. The camera is orthographic, above the z = 0 plane's unit square,
+// looking down.
 struct SceneMaker {
     SceneMaker() {
         scene.camera.type = CameraDescription::Type::Orthographic;

@@ -7,8 +7,8 @@
 
 #include "raytracer/pictures/image.h"
 #include "raytracer/pictures/picture.h"
-#include "raytracer/tracer/renderer.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/tracer/renderer.h"
 
 namespace raytracer::test {
 

@@ -1,5 +1,5 @@
-// From outside a solid a line enters and leaves it in turn and is outside at last, wherever it is aimed: at rims, cap edges, edges
-// and corners, the apex, silhouettes. (Meshes: core_watertight.cpp.)
+// From outside a solid a line enters and leaves it in turn and is outside at last, wherever it is aimed: at
+// rims, cap edges, edges and corners, the apex, silhouettes. (Meshes: core_watertight.cpp.)
 #include <catch2/catch.hpp>
 
 #include "../support/core_random.h"
@@ -76,7 +76,9 @@ void check(Kind kind) {
         const auto shape = makeShape(kind, affine, material);
         for (int i = 0; i < 256; ++i) {
             const Aim aim = randomAim(kind, random);
-            const Vec3 eye(pointToWorld(affine, aim.target - static_cast<long double>(std::pow(10, random.between(-2, farthest))) * aim.way));
+            const Vec3 eye(pointToWorld(
+                affine,
+                aim.target - static_cast<long double>(std::pow(10, random.between(-2, farthest))) * aim.way));
             if (offsetOf(kind, inverse.point(Wide(eye))) > 1e-3L)
                 follow(*shape, {eye, Vec3(pointToWorld(affine, aim.target) - Wide(eye)), {}}, parity);
         }
@@ -94,8 +96,8 @@ TEST_CASE("parity: cylinder") { check(Kind::Cylinder); }
 TEST_CASE("parity: cone") { check(Kind::Cone); }
 TEST_CASE("parity: cube") { check(Kind::Cube); }
 
-// Solids are closed: a line that touches one in a single point of a rim or an edge meets it, though the roundings of the two
-// faces' t would have it leave before it enters.
+// Solids are closed: a line that touches one in a single point of a rim or an edge meets it, though the
+// roundings of the two faces' t would have it leave before it enters.
 TEST_CASE("parity: a rim or an edge met in a single point is met") {
     const Material material;
     Random random(6);
@@ -103,7 +105,8 @@ TEST_CASE("parity: a rim or an edge met in a single point is met") {
         const auto shape = makeShape(kind, Affine{}, material);
         int missed = 0;
         for (int i = 0; i < 10000; ++i) {
-            const Wide rim = kind == Kind::Cube ? Wide(1, random.between(-1, 1), -1) : circle(random.uniform());
+            const Wide rim =
+                kind == Kind::Cube ? Wide(1, random.between(-1, 1), -1) : circle(random.uniform());
             const Wide outwards = kind == Kind::Cube ? Wide(1, 0, 0) : rim;
             // Outwards and upwards from below the solid, across the rim of its lower side.
             const long double steep = random.between(0.1, 3);

@@ -20,7 +20,9 @@ struct Seen {
         hit.entering = direction.z < 0;
     }
     ShadingPoint point() const { return ShadingPoint(ray, hit, false); }
-    DirectLight light(const Vec3& position) const { return directLight(point(), {position, Color(1, Real(0.5L), 2), Color(3)}); }
+    DirectLight light(const Vec3& position) const {
+        return directLight(point(), {position, Color(1, Real(0.5L), 2), Color(3)});
+    }
 
     Material material;
     Intersection hit;
@@ -164,7 +166,9 @@ TEST_CASE("texels") {
     // b w
     const Texture texture{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}};
     const Color r(1, 0, 0), g(0, 1, 0), b(0, 0, 1), w(1);
-    const auto at = [&](double u, double v) { return lookUp(texture, {static_cast<Real>(u), static_cast<Real>(v)}); };
+    const auto at = [&](double u, double v) {
+        return lookUp(texture, {static_cast<Real>(u), static_cast<Real>(v)});
+    };
     CHECK(at(0, 1) == r);
     CHECK(at(1, 1) == g);
     CHECK(at(0, 0) == b);

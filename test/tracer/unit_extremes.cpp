@@ -1,5 +1,5 @@
-// A picture depends neither on the unit of length nor on where the origin lies; and no number that a scene may hold makes
-// it anything but a picture.
+// A picture depends neither on the unit of length nor on where the origin lies; and no number that a scene
+// may hold makes it anything but a picture.
 #include <catch2/catch.hpp>
 
 #include "../support/described.h"
@@ -23,16 +23,18 @@ void checkPowersOfTwo(Precision precision, const std::vector<int>& exponents, in
         const ByteImage plain = bytesOf(scene, longEdge, precision);
         for (const int exponent : exponents) {
             INFO(file << " times 2^" << exponent << " in " << precisionName[static_cast<int>(precision)]);
-            CHECK(bytesOf(scaled(scene, std::ldexp(1.0, exponent)), longEdge, precision).pixels == plain.pixels);
+            CHECK(bytesOf(scaled(scene, std::ldexp(1.0, exponent)), longEdge, precision).pixels ==
+                  plain.pixels);
         }
     }
 }
 
-// With a cube far away to either side, where no ray is likely to meet it. The scene's extent is then theirs, and with it the
-// unit in which it is computed, however small the rest of it is.
+// With a cube far away to either side, where no ray is likely to meet it. The scene's extent is then theirs,
+// and with it the unit in which it is computed, however small the rest of it is.
 SceneDescription betweenFarCubes(SceneDescription scene, double distance) {
     for (const double side : {-distance, distance}) {
-        scene.transforms.push_back({"", side * glm::dvec3(0.48, 0.6, 0.64), {}, glm::dvec3(distance * 0x1p-20), {}});
+        scene.transforms.push_back(
+            {"", side * glm::dvec3(0.48, 0.6, 0.64), {}, glm::dvec3(distance * 0x1p-20), {}});
         scene.shapes.push_back({ShapeDescription::Type::Cube, scene.transforms.size() - 1, 0, nullptr});
     }
     return scene;
@@ -46,7 +48,8 @@ double sizeOf(const SceneDescription& scene) {
     return largest;
 }
 
-// Of 10,000 pixels, those that differ from extended precision's by more than 1 of 255, on the very same numbers.
+// Of 10,000 pixels, those that differ from extended precision's by more than 1 of 255, on the very same
+// numbers.
 struct Tally {
     int wrong = 0, pixels = 0;
 
@@ -64,7 +67,8 @@ struct Tally {
 }  // namespace
 
 TEST_CASE("a scene times a power of two is the same picture to the byte") {
-    checkPowersOfTwo(Precision::Double, exponentsBetween(-300, 300, 25), 40);  // odd and even: a root is taken of some
+    checkPowersOfTwo(Precision::Double, exponentsBetween(-300, 300, 25),
+                     40);  // odd and even: a root is taken of some
 }
 
 TEST_CASE("a scene times a power of two is the same picture in float") {
@@ -79,7 +83,8 @@ TEST_CASE("a scene times a power of two is the same picture beside what stays as
             const ByteImage plain = bytesOf(scene, 24, precision);
             for (const int exponent : exponents) {
                 INFO(file << " times 2^" << exponent << " in " << precisionName[static_cast<int>(precision)]);
-                const SceneDescription other = betweenFarCubes(scaled(scene, std::ldexp(1.0, exponent)), distance);
+                const SceneDescription other =
+                    betweenFarCubes(scaled(scene, std::ldexp(1.0, exponent)), distance);
                 CHECK(bytesOf(other, 24, precision).pixels == plain.pixels);
             }
         }
@@ -112,7 +117,8 @@ TEST_CASE("a scene moved far away is what extended precision makes of it") {
         const SceneDescription scene = loadScene(file, true).description;
         Tally tally;
         for (int exponent = 0; exponent <= 8; ++exponent) {
-            const SceneDescription other = translated(scene, sizeOf(scene) * std::pow(10, exponent) * glm::dvec3(0.8, -0.31, 0.53));
+            const SceneDescription other =
+                translated(scene, sizeOf(scene) * std::pow(10, exponent) * glm::dvec3(0.8, -0.31, 0.53));
             tally.add(other, bytesOf(other, 60, Precision::Extended));
         }
         tally.check();

@@ -16,7 +16,8 @@ constexpr int smallEdge = 75;  // pixels: not a multiple of the tile's edge
 void paste(ByteImage& whole, const ByteImage& part, const PixelRectangle& crop) {
     for (int y = 0; y < part.height; ++y) {
         const auto from = part.pixels.begin() + 3 * y * part.width;
-        std::copy(from, from + 3 * part.width, whole.pixels.begin() + 3 * ((crop.y0 + y) * whole.width + crop.x0));
+        std::copy(from, from + 3 * part.width,
+                  whole.pixels.begin() + 3 * ((crop.y0 + y) * whole.width + crop.x0));
     }
 }
 
@@ -75,10 +76,12 @@ TEST_CASE("the terms of the light model add up") {
         Terms ambient = none, diffuse = none, specular = none, all = none;
         ambient.ambient = diffuse.diffuse = specular.specular = true;
         all.ambient = all.diffuse = all.specular = true;
-        const FloatImage a = floatsWith(ambient), d = floatsWith(diffuse), s = floatsWith(specular), sum = floatsWith(all);
+        const FloatImage a = floatsWith(ambient), d = floatsWith(diffuse), s = floatsWith(specular),
+                         sum = floatsWith(all);
         bool equal = true;
         for (std::size_t i = 0; i < sum.pixels.size(); ++i)
-            equal = equal && std::abs(a.pixels[i] + d.pixels[i] + s.pixels[i] - sum.pixels[i]) <= 1e-5f * (1 + sum.pixels[i]);
+            equal = equal && std::abs(a.pixels[i] + d.pixels[i] + s.pixels[i] - sum.pixels[i]) <=
+                                 1e-5f * (1 + sum.pixels[i]);
         CHECK(equal);
     }
 }

@@ -20,8 +20,8 @@ std::string tradeoffTable(const SceneTradeoff& scene);
 // How the reference was made and how far it may be trusted, in two or three sentences.
 std::string describeReference(const SceneTradeoff& scene);
 
-// One scene's chart, log-log: RMSE over processor seconds; every setting a point that tells itself, the front a line. An
-// <svg> element that takes its colours from the style of the page around it.
+// One scene's chart, log-log: RMSE over processor seconds; every setting a point that tells itself, the front
+// a line. An <svg> element that takes its colours from the style of the page around it.
 std::string tradeoffChart(const SceneTradeoff& scene);
 
 // All scenes' charts in a grid, as an SVG file that brings its style, light and dark.

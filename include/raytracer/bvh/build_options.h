@@ -3,7 +3,8 @@
 
 namespace raytracer {
 
-// How the shapes that a ray meets are found: by trees (bvh.h), or, as the check, by trying all. The picture is the same.
+// How the shapes that a ray meets are found: by trees (bvh.h), or, as the check, by trying all. The picture
+// is the same.
 enum class Accelerator { None, Bvh };
 
 struct BuildOptions {

@@ -1,12 +1,14 @@
 // A bounding volume hierarchy that culls in float: of many boxes or triangles, the few that a ray might meet.
 //
-// It may only discard, never decide: whatever it returns is looked at again in Real, and what it leaves out must be
-// something that Real arithmetic would not have hit either. Hence everything here is rounded outwards: boxes, the ray's
-// origin (a small box itself, see BvhRay::slack), distances. A picture is the same with any tree, any instruction set or
-// none. Independent of Real, so compiled once; the only place with SIMD.
+// It may only discard, never decide: whatever it returns is looked at again in Real, and what it leaves out
+// must be something that Real arithmetic would not have hit either. Hence everything here is rounded
+// outwards: boxes, the ray's origin (a small box itself, see BvhRay::slack), distances. A picture is the same
+// with any tree, any instruction set or none. Independent of Real, so compiled once; the only place with
+// SIMD.
 //
-// Eight children to a node (Wald, Benthin and Boulos, Getting Rid of Packets, 2008). A mesh's leaf is a block of up to
-// eight triangles, their corners on a 16-bit grid of the block's own, tested together before Real sees any of them.
+// Eight children to a node (Wald, Benthin and Boulos, Getting Rid of Packets, 2008). A mesh's leaf is a block
+// of up to eight triangles, their corners on a 16-bit grid of the block's own, tested together before Real
+// sees any of them.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +26,8 @@ struct FloatBox {
     bool ball = false;  // it is a cube but for rounding, and what is in it lies in the ball inscribed in it
 };
 
-// What a box's primitive is called: less than 2^30. Either a number of the caller's, or its place in memory, so that the tree
-// can ask for it before it is needed.
+// What a box's primitive is called: less than 2^30. Either a number of the caller's, or its place in memory,
+// so that the tree can ask for it before it is needed.
 struct BvhNames {
     static constexpr std::uint32_t limit = std::uint32_t{1} << 30;
     static constexpr std::size_t unit = 16;  // bytes
@@ -40,7 +42,8 @@ float floatAbove(double x);
 
 enum class InstructionSet { Scalar, Sse2, Avx2 };
 
-// The best that this processor has, or a lesser one named by the environment variable RAYTRACER_SIMD: scalar, sse2, avx2.
+// The best that this processor has, or a lesser one named by the environment variable RAYTRACER_SIMD: scalar,
+// sse2, avx2.
 InstructionSet instructionSet();
 
 bool isSupported(InstructionSet set);
@@ -72,23 +75,26 @@ struct LargePages {
     LargePages() = default;
     template <class U>
     LargePages(const LargePages<U>&) {}
-    T* allocate(std::size_t count) { return static_cast<T*>(allocateOnLargePages(count * sizeof(T), alignof(T))); }
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(allocateOnLargePages(count * sizeof(T), alignof(T)));
+    }
     void deallocate(T* p, std::size_t) { std::free(p); }
     bool operator==(const LargePages&) const { return true; }
 };
 
-// Child boxes as planes[2 * axis + (0: low, 1: high)][child]. A slot without a child is an inverted infinite box.
+// Child boxes as planes[2 * axis + (0: low, 1: high)][child]. A slot without a child is an inverted infinite
+// box.
 struct alignas(bvhUnit) BvhNode {
     float planes[6][8];
     std::uint32_t child[8];
 
-    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive's name, of triangles a block's
-    // place. A box with a ball in it has the next bit too.
+    // A child is a node's place, or, with this bit, a leaf: of boxes the one primitive's name, of triangles a
+    // block's place. A box with a ball in it has the next bit too.
     static constexpr std::uint32_t leafBit = std::uint32_t{1} << 31, ballBit = leafBit >> 1;
 };
 
-// The head of a leaf's triangles, in 32-bit words. After it a primitive number for each triangle, then for each corner and
-// axis a 16-bit grid coordinate for each triangle. A point is base + grid / 2^exponent.
+// The head of a leaf's triangles, in 32-bit words. After it a primitive number for each triangle, then for
+// each corner and axis a 16-bit grid coordinate for each triangle. A point is base + grid / 2^exponent.
 struct BvhBlock {
     float base[3];
     std::int16_t exponent;
@@ -99,9 +105,9 @@ struct BvhBlock {
 // How the primitives' space becomes the one that the tree computes in: (x - center) * scale.
 struct BvhFrame {
     glm::dvec3 center{0};
-    double extent = 0;  // no primitive is further from the center, along any axis
-    double scale = 1;   // a power of two
-    std::size_t count = 0;  // of primitives
+    double extent = 0;                      // no primitive is further from the center, along any axis
+    double scale = 1;                       // a power of two
+    std::size_t count = 0;                  // of primitives
     bool triangles = false, balls = false;  // what kinds of leaves there are beside boxes
     const char* objects = nullptr;          // BvhNames::start
 };
@@ -110,16 +116,17 @@ class Bvh {
   public:
     Bvh() = default;
 
-    // Over boxes, which must be usable, with a name for each. With threads 0, as many as there are processors.
+    // Over boxes, which must be usable, with a name for each. With threads 0, as many as there are
+    // processors.
     static Bvh ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads = 0);
     static bool usable(const FloatBox& box);
 
-    // Over triangles, three indices each. Empty where the coordinates are so large that their differences overflow.
+    // Over triangles, three indices each. Empty where the coordinates are so large that their differences
+    // overflow.
     static Bvh ofTriangles(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices,
                            int threads = 0);
 
     bool empty() const { return !hasRoot_; }
-
 
     const BvhFrame& frame() const { return frame_; }
     std::size_t memory() const;  // bytes
@@ -138,26 +145,26 @@ class Bvh {
 // What a traversal works on: a ray, made ready, and the nodes still to be seen.
 struct BvhTraversal {
     const BvhNode* nodes;
-    const std::uint32_t* words;                          // null for boxes
-    const char* objects;                                 // BvhNames::start
-    bool balls;                                          // some boxes have a ball in them
+    const std::uint32_t* words;  // null for boxes
+    const char* objects;         // BvhNames::start
+    bool balls;                  // some boxes have a ball in them
 
-    // For each axis: 1 / direction, the same a little larger (growth), and what a plane's distance is to be reckoned from.
-    // The origin is a box; near takes the side of it that makes t small, far the other.
+    // For each axis: 1 / direction, the same a little larger (growth), and what a plane's distance is to be
+    // reckoned from. The origin is a box; near takes the side of it that makes t small, far the other.
     alignas(16) float nearInverse[4], farInverse[4], nearOffset[4], farOffset[4];
-    std::uint32_t nearPlane[3];                          // which planes of a node
+    std::uint32_t nearPlane[3];  // which planes of a node
 
-    // A distance is wrong by less than 2^-22 of itself: rounding the direction, the inverse, a difference and a product. The
-    // farther of two that are compared is made larger by this.
+    // A distance is wrong by less than 2^-22 of itself: rounding the direction, the inverse, a difference and
+    // a product. The farther of two that are compared is made larger by this.
     static constexpr float growth = 1 + 0x1p-20f;
 
-    float ballOrigin[4], ballDirection[4];               // for balls: in the tree's frame
-    float ballMargin;                                    // how much larger to make them
+    float ballOrigin[4], ballDirection[4];  // for balls: in the tree's frame
+    float ballMargin;                       // how much larger to make them
 
     // For triangles: z has the largest component of the direction. In the tree's frame.
     std::uint32_t x, y, z;
     double shearX, shearY, origin[4], slack;
-    double shearHalf, originHalf;                        // of a beam these are its middle's; its lines' differ by so much
+    double shearHalf, originHalf;  // of a beam these are its middle's; its lines' differ by so much
     bool isBeam;
 
     // The most entries that a tree of the builder's greatest depth can leave.
@@ -165,7 +172,7 @@ struct BvhTraversal {
     int depth = 0;
     std::uint32_t foundCount = 0;
     std::uint32_t found[8];
-    std::uint64_t stack[stackSize];                      // distance (its bits, in the upper half) and child
+    std::uint64_t stack[stackSize];  // distance (its bits, in the upper half) and child
 };
 
 // The way of a ray, or of a beam of them, through a tree, from near to far but for the overlap of boxes.
@@ -174,8 +181,9 @@ class BvhCursor {
     BvhCursor(const Bvh& bvh, const BvhRay& ray);
     BvhCursor(const Bvh& bvh, const BvhBeam& beam);
 
-    // Whether the tree can be used; if not, every primitive counts. A ray's numbers may be out of all proportion; a beam's
-    // rays may also part along some axis, or spread so wide that they would be followed sooner one at a time.
+    // Whether the tree can be used; if not, every primitive counts. A ray's numbers may be out of all
+    // proportion; a beam's rays may also part along some axis, or spread so wide that they would be followed
+    // sooner one at a time.
     bool usable() const { return usable_; }
 
     // Moves on to the next primitives that might be hit at t <= limit; false when there are none.

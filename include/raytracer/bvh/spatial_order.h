@@ -9,7 +9,8 @@
 
 namespace raytracer {
 
-// The points' indices along a Morton curve (Morton 1966): of equal ones the first stays first. Points must be finite.
+// The points' indices along a Morton curve (Morton 1966): of equal ones the first stays first. Points must be
+// finite.
 std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points);
 
 }  // namespace raytracer

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "raytracer/tracer/explanation.h"
 #include "raytracer/scene/scene_description.h"
+#include "raytracer/tracer/explanation.h"
 
 namespace raytracer {
 
@@ -12,7 +12,8 @@ namespace raytracer {
 std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene);
 std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene);
 
-// What a shape's part is called: "body", "x = -1", "triangle 17" (from 0, in the file's order); empty where it has only one.
+// What a shape's part is called: "body", "x = -1", "triangle 17" (from 0, in the file's order); empty where
+// it has only one.
 std::string faceName(ShapeDescription::Type type, std::size_t primitive);
 
 }  // namespace raytracer

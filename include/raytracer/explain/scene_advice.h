@@ -1,7 +1,7 @@
 // What the author of a scene that can be rendered may not have meant.
 //
-// Geometry alone, in the file's own numbers; a doubtful case gives no warning. What only a picture tells is for
-// black_picture.h.
+// Geometry alone, in the file's own numbers; a doubtful case gives no warning. What only a picture tells is
+// for black_picture.h.
 #pragma once
 
 #include <string>

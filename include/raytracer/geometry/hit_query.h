@@ -1,7 +1,7 @@
 // What a traversal is looking for, and the best it has seen.
 //
-// A query's answer is a function of the set of hits offered, never of their order, so that a tree, a list and any
-// number of lanes give the same picture.
+// A query's answer is a function of the set of hits offered, never of their order, so that a tree, a list and
+// any number of lanes give the same picture.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ struct HitT {
     T t = infinity;
     const Shape* shape = nullptr;  // null: nothing hit
     Primitive<T> primitive{};
-    bool entering = false;         // it meets the exterior side: known by the shape's geometry, not by a rounded normal
+    bool entering =
+        false;  // it meets the exterior side: known by the shape's geometry, not by a rounded normal
 };
 using Hit = HitT<Real>;
 
@@ -40,10 +41,13 @@ class HitQuery {
     // What a packet of rays asks of one of them: hits up to a limit, before an end if there is one.
     HitQuery(const RayEnd* end, bool any, Real limit) : limit_(limit), end_(end), any_(any) {}
 
-    // The first shape in the scene file, and of it the first primitive, that goes through `point` (known to within
-    // pointError) and is hit at the t of `nearest`, but for rounding. Starts from `nearest` itself.
+    // The first shape in the scene file, and of it the first primitive, that goes through `point` (known to
+    // within pointError) and is hit at the t of `nearest`, but for rounding. Starts from `nearest` itself.
     HitQuery(const Hit& nearest, const Vec3& point, const Vec3& pointError)
-        : nearest_(nearest), limit_(nearest.t * (1 + coincidenceWindow)), point_(&point), pointError_(&pointError) {}
+        : nearest_(nearest),
+          limit_(nearest.t * (1 + coincidenceWindow)),
+          point_(&point),
+          pointError_(&pointError) {}
 
     // Hits beyond this t are of no interest: what a traversal may cull by.
     Real limit() const { return limit_; }

@@ -1,8 +1,8 @@
 // What surfaces are made of, and the lights: the numbers of Phong's model in Real.
 #pragma once
 
-#include "raytracer/pictures/texture.h"
 #include "raytracer/numerics/types.h"
+#include "raytracer/pictures/texture.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {

@@ -6,23 +6,23 @@
 #include <type_traits>
 #include <vector>
 
-#include "raytracer/scene/mesh_file.h"
 #include "raytracer/bvh/build_options.h"
 #include "raytracer/geometry/shape.h"
+#include "raytracer/scene/mesh_file.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// Which object axis is which for the watertight test: z has the largest component of the direction; x and y are in the
-// order that keeps the winding.
+// Which object axis is which for the watertight test: z has the largest component of the direction; x and y
+// are in the order that keeps the winding.
 struct ShearAxes {
     int x, y, z;
     bool operator==(const ShearAxes&) const = default;
 };
 ShearAxes shearAxes(const Vec3& direction);
 
-// The ray's part of the watertight test (Woop, Benthin and Wald, JCGT 2013): the axes permuted and sheared so that the
-// ray becomes the z axis.
+// The ray's part of the watertight test (Woop, Benthin and Wald, JCGT 2013): the axes permuted and sheared so
+// that the ray becomes the z axis.
 template <class T>
 struct ShearedRayT {
     ShearedRayT(const ObjectRayT<T>& ray, const ShearAxes& axes);
@@ -32,9 +32,9 @@ struct ShearedRayT {
     T shearX, shearY, scaleZ;
 };
 
-// Where the line meets the triangle: t, and the weights of its corners. Exact about the inside: of the triangles around an
-// edge or a vertex of a closed mesh that the line passes through, it meets as many as if it passed by an
-// infinitesimal to the side.
+// Where the line meets the triangle: t, and the weights of its corners. Exact about the inside: of the
+// triangles around an edge or a vertex of a closed mesh that the line passes through, it meets as many as if
+// it passed by an infinitesimal to the side.
 template <class T>
 struct LineHit {
     Truth<T> hit;
@@ -68,10 +68,8 @@ class TriangleMesh {
 
   private:
     Vec3 position(std::uint32_t index) const {
-        if constexpr (std::is_same_v<Real, double>)
-            return Vec3(data_->positions[index]);
-        else
-            return positions_[index];
+        if constexpr (std::is_same_v<Real, double>) return Vec3(data_->positions[index]);
+        else return positions_[index];
     }
 
     std::shared_ptr<const MeshData> data_;
@@ -106,7 +104,8 @@ class Mesh final : public Shape {
     template <class T>
     Truth<T> touchesTriangle(const Vec3T<T>& point, const Vec3T<T>& pointError, std::uint32_t triangle) const;
 
-    // The ray in object space, made ready for the test: one that leaves this mesh starts a little off its triangle.
+    // The ray in object space, made ready for the test: one that leaves this mesh starts a little off its
+    // triangle.
     template <class T>
     ObjectRayT<T> toObject(const RayT<T>& ray) const;
     // How far off a computed hit may be in object space: what BvhRay::slack is.

@@ -1,11 +1,12 @@
-// HitQuery for a packet: what each of its rays is looking for, and the best it has seen. Only packet_tracer.cpp includes it.
+// HitQuery for a packet: what each of its rays is looking for, and the best it has seen. Only
+// packet_tracer.cpp includes it.
 #pragma once
 
 #include <bit>
 
 #include "raytracer/geometry/hit_query.h"
-#include "raytracer/numerics/lanes.h"
 #include "raytracer/geometry/shape.h"
+#include "raytracer/numerics/lanes.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -20,7 +21,8 @@ void forEach(LaneBits lanes, Function function) {
 class PacketQuery {
   public:
     // For the lanes that are asked for: the nearest hit of all; or before the end, or any before it.
-    explicit PacketQuery(LaneBits asked) : asked_(asked), limit_(select(maskOf(asked), std::numeric_limits<Real>::max(), -1)) {}
+    explicit PacketQuery(LaneBits asked)
+        : asked_(asked), limit_(select(maskOf(asked), std::numeric_limits<Real>::max(), -1)) {}
     PacketQuery(LaneBits asked, const RayEnd& end, bool any)
         : asked_(asked), limit_(select(maskOf(asked), 1 - unitRoundoff, -1)), end_(&end), any_(any) {}
 
@@ -43,14 +45,17 @@ class PacketQuery {
         entering_ = hit.entering ? entering_ | bit : entering_ & ~bit;
     }
 
-    void offer(const Mask& hit, const Lanes& t, const Shape& shape, std::uint32_t primitive, const Mask& entering) {
+    void offer(const Mask& hit, const Lanes& t, const Shape& shape, std::uint32_t primitive,
+               const Mask& entering) {
         consider(hit, t, shape, bits(entering), [&](int) { return primitive; });
     }
-    void offerFace(const Mask& hit, const Lanes& t, const Shape& shape, const Lanes& face, const Mask& entering) {
+    void offerFace(const Mask& hit, const Lanes& t, const Shape& shape, const Lanes& face,
+                   const Mask& entering) {
         alignas(32) Real faces[laneCount];
         store(face, faces);
         consider(hit, t, shape, bits(entering), [&](int lane) {
-            return static_cast<std::uint32_t>(static_cast<std::int32_t>(faces[lane]));  // what registers can convert
+            return static_cast<std::uint32_t>(
+                static_cast<std::int32_t>(faces[lane]));  // what registers can convert
         });
     }
 
@@ -66,7 +71,8 @@ class PacketQuery {
         consider(maskOf(bit), hit.t, *hit.shape, hit.entering ? bit : 0, [&](int) { return hit.primitive; });
     }
 
-    // The lanes that met the same face of the same shape as the first of these, from the same side; of a mesh, any triangle.
+    // The lanes that met the same face of the same shape as the first of these, from the same side; of a
+    // mesh, any triangle.
     LaneBits alike(LaneBits lanes) const {
         const int first = std::countr_zero(lanes);
         const bool anyPrimitive = shape_[first]->kind() == ShapeKind::Mesh;
@@ -93,21 +99,24 @@ class PacketQuery {
   private:
     // As HitQuery::consider.
     template <class PrimitiveOfLane>
-    void consider(Mask hit, const Lanes& t, const Shape& shape, LaneBits entering, PrimitiveOfLane primitiveOf) {
+    void consider(Mask hit, const Lanes& t, const Shape& shape, LaneBits entering,
+                  PrimitiveOfLane primitiveOf) {
         hit = hit & (t <= limit_);
         LaneBits which = bits(hit);
         if (which == 0) return;
         if (end_) {
             const LaneBits late = which & bits(t >= 1 - coincidenceWindow);
             forEach(late, [&](int lane) {
-                if (shape.touches(end_->position, Vec3(0), primitiveOf(lane))) which &= ~(LaneBits{1} << lane);
+                if (shape.touches(end_->position, Vec3(0), primitiveOf(lane)))
+                    which &= ~(LaneBits{1} << lane);
             });
         }
         const Lanes window = 1 + coincidenceWindow;
         contended_ |= which & found_ & bits((t <= nearest_ * window) & (nearest_ <= t * window));
         LaneBits taken = which & ~(found_ & bits(!(t < nearest_)));
         forEach(which & found_ & bits(t == nearest_), [&](int lane) {
-            if (isListedBefore({0, &shape, primitiveOf(lane), false}, this->hit(lane))) taken |= LaneBits{1} << lane;
+            if (isListedBefore({0, &shape, primitiveOf(lane), false}, this->hit(lane)))
+                taken |= LaneBits{1} << lane;
         });
         if (taken == 0) return;
         const Mask takes = maskOf(taken);

@@ -1,5 +1,5 @@
-// A packet's way to the shapes that it meets: through the trees as a beam, or one ray after the other where it is too wide. Only
-// packet_tracer.cpp includes it.
+// A packet's way to the shapes that it meets: through the trees as a beam, or one ray after the other where
+// it is too wide. Only packet_tracer.cpp includes it.
 #pragma once
 
 #include "raytracer/geometry/mesh_formulas.h"
@@ -28,8 +28,10 @@ using Vec3Lanes = Vec3T<Lanes>;
 
 Ray laneOf(const RayLanes& ray, int lane) {
     const DepartureT<Lanes>& departure = ray.departure;
-    return {laneOf(ray.origin, lane), laneOf(ray.direction, lane),
-            {departure.shape, departure.primitive.of[lane], departure.inside, laneOf(departure.positionError, lane)}};
+    return {laneOf(ray.origin, lane),
+            laneOf(ray.direction, lane),
+            {departure.shape, departure.primitive.of[lane], departure.inside,
+             laneOf(departure.positionError, lane)}};
 }
 
 // Lanes that are not in use hold one that is, so that nothing out of the ordinary happens in them.
@@ -40,7 +42,8 @@ RayLanes filled(const RayLanes& ray, LaneBits used) {
     RayLanes result{filled(ray.origin, used), filled(ray.direction, used), ray.departure};
     result.departure.positionError = filled(ray.departure.positionError, used);
     for (int lane = 0; lane < laneCount; ++lane)
-        if (!(used >> lane & 1)) result.departure.primitive.of[lane] = ray.departure.primitive.of[std::countr_zero(used)];
+        if (!(used >> lane & 1))
+            result.departure.primitive.of[lane] = ray.departure.primitive.of[std::countr_zero(used)];
     return result;
 }
 
@@ -58,7 +61,8 @@ BvhBeam beamOf(const Vec3Lanes& origin, const Vec3Lanes& direction) {
 // The farthest that a ray starts from the world's origin, along an axis.
 Real farthest(const BvhBeam& beam) {
     double result = 0;
-    for (int axis = 0; axis < 3; ++axis) result = std::max(result, std::max(-beam.originLow[axis], beam.originHigh[axis]));
+    for (int axis = 0; axis < 3; ++axis)
+        result = std::max(result, std::max(-beam.originLow[axis], beam.originHigh[axis]));
     return static_cast<Real>(result);
 }
 
@@ -100,7 +104,9 @@ void meetMesh(const Mesh& mesh, const RayLanes& ray, PacketQuery& query) {
     const ObjectRayT<Lanes> object = mesh.toObject(ray);
     BvhBeam beam = beamOf(object.origin, object.direction);
     ShearAxes axes;
-    const auto alone = [&] { meetOneByOne(ray, query, [&](const Ray& one, HitQuery& q) { mesh.intersect(one, q); }); };
+    const auto alone = [&] {
+        meetOneByOne(ray, query, [&](const Ray& one, HitQuery& q) { mesh.intersect(one, q); });
+    };
     const Bvh& bvh = mesh.triangles().bvh();
     if (bvh.empty() || !commonAxes(object.direction, query.asked(), axes)) return alone();
     beam.slack = static_cast<double>(mesh.slackFrom(farthest(beam)));

@@ -1,7 +1,7 @@
 // The shapes of the assignment: where a ray meets them, and what their surface is like there.
 //
-// Two stages. `intersect` finds hits and offers them to a HitQuery as {t, shape, primitive}; `surfaceAt` computes
-// position, normal, texture coordinate and error bound once, for the hit that won.
+// Two stages. `intersect` finds hits and offers them to a HitQuery as {t, shape, primitive}; `surfaceAt`
+// computes position, normal, texture coordinate and error bound once, for the hit that won.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,24 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 template <class T>
 struct IntersectionT {
     bool valid = false;
-    T t{0};                 // in units of the ray's direction
-    Vec3T<T> position{0};   // on the surface: put back onto it in object space
-    Vec3T<T> normal{0};     // unit length, towards the shape's exterior whatever the side that the ray comes from
-    Vec2T<T> texCoord{0};   // (u, v), v up; only where the material has a texture
+    T t{0};                // in units of the ray's direction
+    Vec3T<T> position{0};  // on the surface: put back onto it in object space
+    Vec3T<T> normal{
+        0};  // unit length, towards the shape's exterior whatever the side that the ray comes from
+    Vec2T<T> texCoord{0};  // (u, v), v up; only where the material has a texture
     const Material* material = nullptr;
 
     const Shape* shape = nullptr;
     Primitive<T> primitive{};
-    bool entering = false;  // the ray meets the exterior side
+    bool entering = false;      // the ray meets the exterior side
     Vec3T<T> positionError{0};  // bound on the distance of `position` from the surface, for each axis
 };
 using Intersection = IntersectionT<Real>;
 
 enum class ShapeKind : std::uint8_t { Sphere, Plane, Cylinder, Cone, Cube, Mesh };
 
-// Beside the virtual functions, for one ray, each shape has the same as templates, for one or several (`meet`, `surface`), which
-// src/shape_formulas.h and src/mesh_formulas.h define.
+// Beside the virtual functions, for one ray, each shape has the same as templates, for one or several
+// (`meet`, `surface`), which src/shape_formulas.h and src/mesh_formulas.h define.
 class Shape {
   public:
     Shape(ShapeKind kind, const Transform& transform, const Material& material, std::uint32_t index)
@@ -43,20 +44,22 @@ class Shape {
     Shape(const Shape&) = delete;
     Shape& operator=(const Shape&) = delete;
 
-    // Offers to the query the hits with t >= 0 that could matter to it: a convex shape its nearest, a mesh one for each
-    // triangle. Never the point that the ray leaves (Departure): a ray that leaves a convex solid outwards does not meet it
-    // again, one that enters it comes out exactly once, a plane or triangle never meets its own ray; and of another
-    // shape that goes through the ray's origin (touches) the root at the origin is dropped.
+    // Offers to the query the hits with t >= 0 that could matter to it: a convex shape its nearest, a mesh
+    // one for each triangle. Never the point that the ray leaves (Departure): a ray that leaves a convex
+    // solid outwards does not meet it again, one that enters it comes out exactly once, a plane or triangle
+    // never meets its own ray; and of another shape that goes through the ray's origin (touches) the root at
+    // the origin is dropped.
     virtual void intersect(const Ray& ray, HitQuery& query) const = 0;
 
     // The surface at a hit that `intersect` offered for this ray.
     virtual Intersection surfaceAt(const Ray& ray, const Hit& hit) const = 0;
 
-    // Whether the world point, known to within pointError for each axis, may lie on this shape's surface (on the plane of that
-    // primitive, for a mesh).
+    // Whether the world point, known to within pointError for each axis, may lie on this shape's surface (on
+    // the plane of that primitive, for a mesh).
     virtual bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const = 0;
 
-    // A box around every point that `intersect` may take for a point of this shape, in world space; false where there is none.
+    // A box around every point that `intersect` may take for a point of this shape, in world space; false
+    // where there is none.
     virtual bool bounds(FloatBox& box) const = 0;
 
     // The assignment's interface: the nearest hit of this shape alone, complete.
@@ -65,7 +68,9 @@ class Shape {
     ShapeKind kind() const { return kind_; }
     const Transform& transform() const { return transform_; }
     const Material& material() const { return *material_; }
-    std::uint32_t index() const { return index_; }  // place in the scene file: the first of coincident shapes wins
+    std::uint32_t index() const {
+        return index_;
+    }  // place in the scene file: the first of coincident shapes wins
 
   protected:
     // The ray's point at the hit, in object space.
@@ -73,9 +78,10 @@ class Shape {
     Vec3T<T> pointObject(const RayT<T>& ray, const HitT<T>& hit) const;
     // The point of an object-space surface, in the world: the common part of every surface.
     template <class T>
-    IntersectionT<T> place(const HitT<T>& hit, const Vec3T<T>& pointObject, const Vec3T<T>& normalObject) const;
-    // The box from center - half to center + half, widened by what the arithmetic of `intersect` may be off by. sizeObject:
-    // half the size of the shape's box in object space.
+    IntersectionT<T> place(const HitT<T>& hit, const Vec3T<T>& pointObject,
+                           const Vec3T<T>& normalObject) const;
+    // The box from center - half to center + half, widened by what the arithmetic of `intersect` may be off
+    // by. sizeObject: half the size of the shape's box in object space.
     bool widened(const Vec3& centerObject, const Vec3& sizeObject, const Vec3& half, FloatBox& box) const;
 
     bool wantsTexCoord() const { return material_->diffuse_texture != nullptr; }
@@ -94,9 +100,9 @@ class Solid : public Shape {
     using Shape::Shape;
 
   protected:
-    // What a chord means for a ray: entry or exit, or neither because the ray starts there. chordOf: the part of a line
-    // inside the solid, in object space; offsetOf: a signed measure of the distance from the surface, negative inside, at most
-    // the Euclidean distance in object units.
+    // What a chord means for a ray: entry or exit, or neither because the ray starts there. chordOf: the part
+    // of a line inside the solid, in object space; offsetOf: a signed measure of the distance from the
+    // surface, negative inside, at most the Euclidean distance in object units.
     template <class T, class Query, class ChordFinder, class OffsetFinder>
     void offerChord(const RayT<T>& ray, Query& query, ChordFinder chordOf, OffsetFinder offsetOf) const;
     template <class T, class OffsetFinder>

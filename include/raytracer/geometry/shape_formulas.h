@@ -1,4 +1,5 @@
-// Where rays meet the shapes, and what their surfaces are like there: for one ray (shape.cpp) or several (packet_tracer.cpp).
+// Where rays meet the shapes, and what their surfaces are like there: for one ray (shape.cpp) or several
+// (packet_tracer.cpp).
 #pragma once
 
 #include "raytracer/geometry/chord.h"
@@ -29,8 +30,8 @@ Vec2T<T> capTexCoord(const Vec3T<T>& p) {
     return {(p.x + T(1)) / T(2), (p.y + T(1)) / T(2)};
 }
 
-// Puts a point back onto the unit sphere; one without z, onto the circle. By one Newton step for 1 / sqrt where that is
-// exact to rounding.
+// Puts a point back onto the unit sphere; one without z, onto the circle. By one Newton step for 1 / sqrt
+// where that is exact to rounding.
 template <class T>
 Vec3T<T> ontoUnit(const Vec3T<T>& p) {
     const T squared = glm::dot(p, p);
@@ -39,8 +40,8 @@ Vec3T<T> ontoUnit(const Vec3T<T>& p) {
     return all(close) ? near : select(close, near, normalized(p));
 }
 
-// Rounding may put the hit of a ray that comes from very far into the very centre, where there is no direction outwards:
-// then any.
+// Rounding may put the hit of a ray that comes from very far into the very centre, where there is no
+// direction outwards: then any.
 template <class T>
 Vec3T<T> offCenter(const Vec3T<T>& p) {
     const Truth<T> center = (p.x == T(0)) & (p.y == T(0)) & (p.z == T(0));
@@ -54,7 +55,8 @@ Vec3T<T> Shape::pointObject(const RayT<T>& ray, const HitT<T>& hit) const {
 }
 
 template <class T>
-IntersectionT<T> Shape::place(const HitT<T>& hit, const Vec3T<T>& pointObject, const Vec3T<T>& normalObject) const {
+IntersectionT<T> Shape::place(const HitT<T>& hit, const Vec3T<T>& pointObject,
+                              const Vec3T<T>& normalObject) const {
     IntersectionT<T> intersection;
     intersection.valid = true;
     intersection.t = hit.t;
@@ -69,7 +71,8 @@ IntersectionT<T> Shape::place(const HitT<T>& hit, const Vec3T<T>& pointObject, c
 }
 
 template <class T, class OffsetFinder>
-Truth<T> Solid::touchesOffset(const Vec3T<T>& point, const Vec3T<T>& pointError, OffsetFinder offsetOf) const {
+Truth<T> Solid::touchesOffset(const Vec3T<T>& point, const Vec3T<T>& pointError,
+                              OffsetFinder offsetOf) const {
     const Vec3T<T> error = transform_.objectError(point, pointError);
     return abs(offsetOf(transform_.pointToObject(point))) <= error.x + error.y + error.z;
 }
@@ -88,7 +91,8 @@ void Solid::offerChord(const RayT<T>& ray, Query& query, ChordFinder chordOf, Of
     Truth<T> hit = chord.hit & (chord.exit >= T(0)) & !(first > query.limit());
     if (!any(hit)) return;
     if (ray.departure.shape) {
-        // Where one of the chord's ends is the ray's origin, it is the one nearer to it, and only the other counts.
+        // Where one of the chord's ends is the ray's origin, it is the one nearer to it, and only the other
+        // counts.
         const Truth<T> starts = hit & touchesOffset(ray.origin, ray.departure.positionError, offsetOf);
         hit = hit & !(starts & (abs(chord.exit) < abs(chord.entry)));
         entering = entering & !starts;
@@ -161,7 +165,8 @@ IntersectionT<T> Cylinder::surface(const RayT<T>& ray, const HitT<T>& hit) const
 struct ConeOffset {
     template <class T>
     T operator()(const Vec3T<T>& p) const {
-        constexpr auto perpendicular = static_cast<Real>(0.70710678118654752440084436210484904L);  // sqrt(1/2): a slope of 45 degrees
+        constexpr auto perpendicular =
+            static_cast<Real>(0.70710678118654752440084436210484904L);  // sqrt(1/2): a slope of 45 degrees
         return max((radius(p) - (T(1) - p.z)) * T(perpendicular), -p.z);
     }
 };

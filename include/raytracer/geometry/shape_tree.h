@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "raytracer/bvh/bvh.h"
 #include "raytracer/bvh/build_options.h"
+#include "raytracer/bvh/bvh.h"
 #include "raytracer/geometry/shape.h"
 
 namespace raytracer {
@@ -21,14 +21,15 @@ class ShapeTree {
     // Offers to the query every hit that could matter to it (Shape::intersect).
     void intersect(const Ray& ray, HitQuery& query) const;
 
-    // What it is made of: shapes to be tried on every ray, and a tree (perhaps empty) of the others, which it names.
+    // What it is made of: shapes to be tried on every ray, and a tree (perhaps empty) of the others, which it
+    // names.
     const std::vector<const Shape*>& list() const { return list_; }
     const Bvh& bvh() const { return bvh_; }
     const Shape& named(std::uint32_t name) const;
     void intersectBoxed(const Ray& ray, HitQuery& query) const;
 
-    // BvhRay::slack for rays from no farther than this: the roundings of the way to object space and back, as far as they
-    // go with the distance from the ray's origin.
+    // BvhRay::slack for rays from no farther than this: the roundings of the way to object space and back, as
+    // far as they go with the distance from the ray's origin.
     Real slackFrom(Real farthestOrigin) const {
         return slackFactor_ * (farthestOrigin + static_cast<Real>(bvh_.frame().extent));
     }
@@ -38,8 +39,8 @@ class ShapeTree {
 
     std::vector<const Shape*> list_;  // first: what they hit shortens the ray for the tree
     std::vector<const Shape*> boxed_;
-    Bvh bvh_;                         // over boxed_, which it names by index or by place in memory
-    Real slackFactor_ = 0;            // BvhRay::slack for a distance of 1
+    Bvh bvh_;               // over boxed_, which it names by index or by place in memory
+    Real slackFactor_ = 0;  // BvhRay::slack for a distance of 1
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -1,14 +1,14 @@
 // Object space to world space and back, with bounds on the rounding.
 #pragma once
 
-#include "raytracer/scene/affine.h"
 #include "raytracer/geometry/ray.h"
+#include "raytracer/scene/affine.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// A ray in object space, with the t of the ray in the world. Where the transform's scale is 1e-200 its direction's square
-// overflows: who squares it looks at that (isSafeSquare).
+// A ray in object space, with the t of the ray in the world. Where the transform's scale is 1e-200 its
+// direction's square overflows: who squares it looks at that (isSafeSquare).
 template <class T>
 struct ObjectRayT {
     Vec3T<T> origin{0};
@@ -38,16 +38,17 @@ class Transform {
         return product(linear_, object) + Vec3T<T>(translation_);
     }
 
-    // A bound, for each axis in world units, on how far pointToWorld(p) is from the true image of a point p that lies
-    // on its surface to within a few roundings of its own coordinates: the matrix product, its rounded entries and the
-    // roundings of p (gamma_8), the sum and the rounded translation (gamma_2).
+    // A bound, for each axis in world units, on how far pointToWorld(p) is from the true image of a point p
+    // that lies on its surface to within a few roundings of its own coordinates: the matrix product, its
+    // rounded entries and the roundings of p (gamma_8), the sum and the rounded translation (gamma_2).
     template <class T>
     Vec3T<T> pointError(const Vec3T<T>& object) const {
         return T(gamma(8)) * absoluteProduct(linear_, object) + Vec3T<T>(gamma(2) * abs(translation_));
     }
 
-    // A bound, for each axis in object units, on the error of pointToObject(world) when `world` is uncertain by
-    // worldError: the roundings of difference and product (gamma_5) and this transform's own rounded numbers (gamma_2).
+    // A bound, for each axis in object units, on the error of pointToObject(world) when `world` is uncertain
+    // by worldError: the roundings of difference and product (gamma_5) and this transform's own rounded
+    // numbers (gamma_2).
     template <class T>
     Vec3T<T> objectError(const Vec3T<T>& world, const Vec3T<T>& worldError) const {
         const Vec3T<T> uncertain = worldError + T(gamma(5)) * abs(world - Vec3T<T>(translation_)) +
@@ -55,11 +56,12 @@ class Transform {
         return absoluteProduct(inverse_, uncertain);
     }
 
-    // How much larger, at most, an error can become on the way to object space and back: the largest sum of a row of
-    // |linear| |inverse|. At most 3 for any rotation times a scale, at most 1 without a rotation.
+    // How much larger, at most, an error can become on the way to object space and back: the largest sum of a
+    // row of |linear| |inverse|. At most 3 for any rotation times a scale, at most 1 without a rotation.
     Real conditioning() const;
 
-    // The world direction of a surface normal: inverse transpose, not of unit length, the sign kept under mirroring.
+    // The world direction of a surface normal: inverse transpose, not of unit length, the sign kept under
+    // mirroring.
     template <class T>
     Vec3T<T> normalToWorld(const Vec3T<T>& object) const {
         return product(object, inverse_);

@@ -8,9 +8,10 @@
 
 namespace raytracer {
 
-// Grouped by the names' first word, worst first. In the page a click on a picture opens it large at the worst pixel,
-// and each further click swaps reference and ours in place; it lists its keys itself. Without scripts it is a table.
-// `title` says what was graded.
-std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds, const std::string& title);
+// Grouped by the names' first word, worst first. In the page a click on a picture opens it large at the worst
+// pixel, and each further click swaps reference and ours in place; it lists its keys itself. Without scripts
+// it is a table. `title` says what was graded.
+std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds,
+                        const std::string& title);
 
 }  // namespace raytracer

@@ -1,7 +1,8 @@
-// A JSON text as a flat tree: 16 bytes a value and 16 a key, in one vector; strings stay where they are in the text.
+// A JSON text as a flat tree: 16 bytes a value and 16 a key, in one vector; strings stay where they are in
+// the text.
 //
-// nlohmann::json would hold a std::map for each object and let the last of two equal keys win in silence; this finds
-// duplicate keys, and lets each value say its JSON pointer (RFC 6901) without storing it.
+// nlohmann::json would hold a std::map for each object and let the last of two equal keys win in silence;
+// this finds duplicate keys, and lets each value say its JSON pointer (RFC 6901) without storing it.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@
 
 namespace raytracer {
 
-// what() is the part of a SceneError after the file's name: ":LINE:COLUMN: ...", ": /json/pointer: ...", or, about the
-// whole document, ": ...".
+// what() is the part of a SceneError after the file's name: ":LINE:COLUMN: ...", ": /json/pointer: ...", or,
+// about the whole document, ": ...".
 struct JsonError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -36,8 +37,9 @@ class JsonDocument {
         Kind kind;
     };
 
-    // UTF-8, with a byte order mark or without; it must outlive the document. Throws JsonError for what is no JSON, for a
-    // key that an object has twice, and for a number too large for a double. Nesting of any depth takes no stack.
+    // UTF-8, with a byte order mark or without; it must outlive the document. Throws JsonError for what is no
+    // JSON, for a key that an object has twice, and for a number too large for a double. Nesting of any depth
+    // takes no stack.
     JsonDocument(const char* begin, const char* end);
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;

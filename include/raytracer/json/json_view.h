@@ -1,5 +1,5 @@
-// A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that the JsonError that
-// it throws says so: ": /camera/eye: expected 3 numbers, found an array of 2".
+// A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that the
+// JsonError that it throws says so: ": /camera/eye: expected 3 numbers, found an array of 2".
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,8 @@ class JsonView {
     class Iterator;
     struct Children;
 
-    explicit JsonView(const JsonDocument& document, std::uint32_t node = 0) : document_(&document), node_(node) {}
+    explicit JsonView(const JsonDocument& document, std::uint32_t node = 0)
+        : document_(&document), node_(node) {}
 
     bool boolean() const;
     double number() const;
@@ -31,10 +32,10 @@ class JsonView {
     // The position of this string in `choices`.
     std::size_t choice(std::span<const std::string_view> choices) const;
 
-    std::string_view key() const;    // of an object's member
-    Children elements() const;       // of an array
-    Children members() const;        // of an object
-    std::size_t size() const;        // of either, else 0; counted anew at each call
+    std::string_view key() const;  // of an object's member
+    Children elements() const;     // of an array
+    Children members() const;      // of an object
+    std::size_t size() const;      // of either, else 0; counted anew at each call
     JsonView element(std::size_t index) const;
 
     // That this is an array of so many, which the error calls `expected`.
@@ -44,7 +45,8 @@ class JsonView {
 
     std::string pointer() const { return document_->pointer(node_); }
     [[noreturn]] void fail(const std::string& message) const { document_->fail(node_, message); }
-    [[noreturn]] void failExpected(const std::string& expected) const;  // "expected ..., found " and this value
+    [[noreturn]] void failExpected(
+        const std::string& expected) const;  // "expected ..., found " and this value
 
   private:
     const JsonDocument::Node& node() const { return (*document_)[node_]; }

@@ -15,8 +15,8 @@
 
 namespace raytracer {
 
-// The caller keeps the grammar (in an object every value has its key, what begins ends); nothing is checked. Objects
-// take a line for each key, arrays of plain values a single line.
+// The caller keeps the grammar (in an object every value has its key, what begins ends); nothing is checked.
+// Objects take a line for each key, arrays of plain values a single line.
 class JsonWriter {
   public:
     JsonWriter& beginObject() { return begin('{'); }
@@ -26,7 +26,8 @@ class JsonWriter {
 
     JsonWriter& key(std::string_view name);
 
-    // Text is UTF-8. A number reads back as the very same double; what JSON has no number for (infinities, NaN) is null.
+    // Text is UTF-8. A number reads back as the very same double; what JSON has no number for (infinities,
+    // NaN) is null.
     JsonWriter& value(std::string_view text);
     JsonWriter& value(const char* text) { return value(std::string_view(text)); }
     JsonWriter& value(double number);
@@ -56,7 +57,8 @@ class JsonWriter {
     bool afterKey_ = false;
 };
 
-// `text` with quotes around it and what JSON forbids in a string escaped; also "<", so that it can stand in a <script>.
+// `text` with quotes around it and what JSON forbids in a string escaped; also "<", so that it can stand in a
+// <script>.
 std::string jsonString(std::string_view text);
 
 }  // namespace raytracer

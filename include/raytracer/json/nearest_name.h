@@ -8,9 +8,10 @@
 
 namespace raytracer {
 
-// Collects candidates for `name` and keeps the nearest (the first of equals), counting letters inserted, left out,
-// replaced or swapped with their neighbour, whatever their case (Damerau, Levenshtein; the restricted distance). Only a
-// candidate with at most one such error for each three letters counts: what is further off is a different word.
+// Collects candidates for `name` and keeps the nearest (the first of equals), counting letters inserted, left
+// out, replaced or swapped with their neighbour, whatever their case (Damerau, Levenshtein; the restricted
+// distance). Only a candidate with at most one such error for each three letters counts: what is further off
+// is a different word.
 class NearestName {
   public:
     explicit NearestName(std::string_view name);

@@ -38,13 +38,11 @@ inline Register sqrtOf(Register x) {
 #if defined(RAYTRACER_LANES_avx2)
     if constexpr (sizeof(Real) == 8)
         return reinterpret_cast<Register>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(x)));
-    else
-        return reinterpret_cast<Register>(_mm256_sqrt_ps(reinterpret_cast<__m256>(x)));
+    else return reinterpret_cast<Register>(_mm256_sqrt_ps(reinterpret_cast<__m256>(x)));
 #elif defined(__x86_64__)
     if constexpr (sizeof(Real) == 8)
         return reinterpret_cast<Register>(_mm_sqrt_pd(reinterpret_cast<__m128d>(x)));
-    else
-        return reinterpret_cast<Register>(_mm_sqrt_ps(reinterpret_cast<__m128>(x)));
+    else return reinterpret_cast<Register>(_mm_sqrt_ps(reinterpret_cast<__m128>(x)));
 #else
     for (int i = 0; i < registerLanes; ++i) x[i] = std::sqrt(x[i]);
     return x;
@@ -55,13 +53,11 @@ inline unsigned bitsOf(RegisterMask m) {
 #if defined(RAYTRACER_LANES_avx2)
     if constexpr (sizeof(Real) == 8)
         return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m)));
-    else
-        return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(m)));
+    else return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(m)));
 #elif defined(__x86_64__)
     if constexpr (sizeof(Real) == 8)
         return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(m)));
-    else
-        return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));
+    else return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));
 #else
     unsigned bits = 0;
     for (int i = 0; i < registerLanes; ++i) bits |= static_cast<unsigned>(m[i] != 0) << i;
@@ -72,11 +68,11 @@ inline unsigned bitsOf(RegisterMask m) {
 inline Register choose(RegisterMask m, Register yes, Register no) {
 #if defined(RAYTRACER_LANES_avx2)
     if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(_mm256_blendv_pd(reinterpret_cast<__m256d>(no), reinterpret_cast<__m256d>(yes),
-                                                           reinterpret_cast<__m256d>(m)));
+        return reinterpret_cast<Register>(_mm256_blendv_pd(
+            reinterpret_cast<__m256d>(no), reinterpret_cast<__m256d>(yes), reinterpret_cast<__m256d>(m)));
     else
-        return reinterpret_cast<Register>(_mm256_blendv_ps(reinterpret_cast<__m256>(no), reinterpret_cast<__m256>(yes),
-                                                           reinterpret_cast<__m256>(m)));
+        return reinterpret_cast<Register>(_mm256_blendv_ps(
+            reinterpret_cast<__m256>(no), reinterpret_cast<__m256>(yes), reinterpret_cast<__m256>(m)));
 #else
     return reinterpret_cast<Register>((reinterpret_cast<RegisterMask>(yes) & m) |
                                       (reinterpret_cast<RegisterMask>(no) & ~m));
@@ -87,14 +83,18 @@ inline Register choose(RegisterMask m, Register yes, Register no) {
 inline Register smaller(Register x, Register y) {
 #if defined(RAYTRACER_LANES_avx2)
     if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(_mm256_min_pd(reinterpret_cast<__m256d>(x), reinterpret_cast<__m256d>(y)));
+        return reinterpret_cast<Register>(
+            _mm256_min_pd(reinterpret_cast<__m256d>(x), reinterpret_cast<__m256d>(y)));
     else
-        return reinterpret_cast<Register>(_mm256_min_ps(reinterpret_cast<__m256>(x), reinterpret_cast<__m256>(y)));
+        return reinterpret_cast<Register>(
+            _mm256_min_ps(reinterpret_cast<__m256>(x), reinterpret_cast<__m256>(y)));
 #elif defined(__x86_64__)
     if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(_mm_min_pd(reinterpret_cast<__m128d>(x), reinterpret_cast<__m128d>(y)));
+        return reinterpret_cast<Register>(
+            _mm_min_pd(reinterpret_cast<__m128d>(x), reinterpret_cast<__m128d>(y)));
     else
-        return reinterpret_cast<Register>(_mm_min_ps(reinterpret_cast<__m128>(x), reinterpret_cast<__m128>(y)));
+        return reinterpret_cast<Register>(
+            _mm_min_ps(reinterpret_cast<__m128>(x), reinterpret_cast<__m128>(y)));
 #else
     return choose(x < y, x, y);
 #endif
@@ -102,14 +102,18 @@ inline Register smaller(Register x, Register y) {
 inline Register larger(Register x, Register y) {
 #if defined(RAYTRACER_LANES_avx2)
     if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(_mm256_max_pd(reinterpret_cast<__m256d>(x), reinterpret_cast<__m256d>(y)));
+        return reinterpret_cast<Register>(
+            _mm256_max_pd(reinterpret_cast<__m256d>(x), reinterpret_cast<__m256d>(y)));
     else
-        return reinterpret_cast<Register>(_mm256_max_ps(reinterpret_cast<__m256>(x), reinterpret_cast<__m256>(y)));
+        return reinterpret_cast<Register>(
+            _mm256_max_ps(reinterpret_cast<__m256>(x), reinterpret_cast<__m256>(y)));
 #elif defined(__x86_64__)
     if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(_mm_max_pd(reinterpret_cast<__m128d>(x), reinterpret_cast<__m128d>(y)));
+        return reinterpret_cast<Register>(
+            _mm_max_pd(reinterpret_cast<__m128d>(x), reinterpret_cast<__m128d>(y)));
     else
-        return reinterpret_cast<Register>(_mm_max_ps(reinterpret_cast<__m128>(x), reinterpret_cast<__m128>(y)));
+        return reinterpret_cast<Register>(
+            _mm_max_ps(reinterpret_cast<__m128>(x), reinterpret_cast<__m128>(y)));
 #else
     return choose(x > y, x, y);
 #endif

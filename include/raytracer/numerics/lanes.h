@@ -1,7 +1,8 @@
 // Several Reals side by side, one for each ray of a packet, in the processor's vector registers.
 //
-// Every operation is IEEE's on each lane by itself, so a lane's number has the very bits that Real would have. This file is
-// compiled once for each instruction set, into a namespace of its own; only packet_tracer.cpp includes it.
+// Every operation is IEEE's on each lane by itself, so a lane's number has the very bits that Real would
+// have. This file is compiled once for each instruction set, into a namespace of its own; only
+// packet_tracer.cpp includes it.
 #pragma once
 
 #include <cstring>
@@ -17,7 +18,6 @@ inline namespace RAYTRACER_LANES_NAMESPACE {
 // The bits of several truths: lane i's is 1 << i.
 using LaneBits = unsigned;
 inline constexpr LaneBits allLanes = (LaneBits{1} << laneCount) - 1;
-
 
 struct Mask {
     RegisterMask part[registerCount];
@@ -104,7 +104,9 @@ inline bool all(const Mask& mask) { return bits(mask) == allLanes; }
 inline Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
     return detail::partwise<Lanes>(detail::choose, mask, yes, no);
 }
-inline Mask select(const Mask& mask, const Mask& yes, const Mask& no) { return (mask & yes) | ((!mask) & no); }
+inline Mask select(const Mask& mask, const Mask& yes, const Mask& no) {
+    return (mask & yes) | ((!mask) & no);
+}
 inline Lanes sqrt(const Lanes& x) { return detail::partwise<Lanes>(detail::sqrtOf, x); }
 inline Lanes abs(const Lanes& a) {
     const auto one = [](Register x) {
@@ -135,12 +137,14 @@ inline Real greatest(const Lanes& x) { return -least(-x); }
 inline void storeLeast(const Vec3T<Lanes>& v, double (&to)[4]) {
 #if defined(RAYTRACER_LANES_avx2) && defined(RAYTRACER_PRECISION_double)
     static_assert(registerCount == 2);
-    const Register x = detail::smaller(v.x.part[0], v.x.part[1]), y = detail::smaller(v.y.part[0], v.y.part[1]),
+    const Register x = detail::smaller(v.x.part[0], v.x.part[1]),
+                   y = detail::smaller(v.y.part[0], v.y.part[1]),
                    z = detail::smaller(v.z.part[0], v.z.part[1]);
-    const Register xy = detail::smaller(__builtin_shufflevector(x, y, 0, 4, 2, 6), __builtin_shufflevector(x, y, 1, 5, 3, 7));
+    const Register xy =
+        detail::smaller(__builtin_shufflevector(x, y, 0, 4, 2, 6), __builtin_shufflevector(x, y, 1, 5, 3, 7));
     const Register zz = detail::smaller(z, __builtin_shufflevector(z, z, 1, 0, 3, 2));
-    const Register all =
-        detail::smaller(__builtin_shufflevector(xy, zz, 0, 1, 4, 5), __builtin_shufflevector(xy, zz, 2, 3, 6, 7));
+    const Register all = detail::smaller(__builtin_shufflevector(xy, zz, 0, 1, 4, 5),
+                                         __builtin_shufflevector(xy, zz, 2, 3, 6, 7));
     std::memcpy(to, &all, sizeof to);
 #else
     for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<double>(least(v[axis]));
@@ -159,7 +163,9 @@ inline void setLane(Mask& mask, int lane, bool value) {
     mask.part[lane / registerLanes][lane % registerLanes] = value ? -1 : 0;
 }
 inline Real laneOf(const Lanes& x, int lane) { return x.part[lane / registerLanes][lane % registerLanes]; }
-inline void setLane(Lanes& x, int lane, Real value) { x.part[lane / registerLanes][lane % registerLanes] = value; }
+inline void setLane(Lanes& x, int lane, Real value) {
+    x.part[lane / registerLanes][lane % registerLanes] = value;
+}
 template <int n>
 glm::vec<n, Real, glm::defaultp> laneOf(const glm::vec<n, Lanes, glm::defaultp>& v, int lane) {
     glm::vec<n, Real, glm::defaultp> result;
@@ -205,7 +211,8 @@ struct PrimitiveOf<Lanes> {
 template <>
 struct LaneByLane<Lanes> : OneLaneAfterTheOther<Lanes> {};
 template <int n>
-struct LaneByLane<glm::vec<n, Lanes, glm::defaultp>> : OneLaneAfterTheOther<glm::vec<n, Lanes, glm::defaultp>> {};
+struct LaneByLane<glm::vec<n, Lanes, glm::defaultp>>
+    : OneLaneAfterTheOther<glm::vec<n, Lanes, glm::defaultp>> {};
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

@@ -1,30 +1,32 @@
 // Rounding errors and the arithmetic that is built to survive them. The only file that owns a tolerance.
 //
-// Every bound here is relative: a multiple of the unit roundoff of Real and of the magnitudes that went into a result.
-// None is a length, so none prefers a unit of length.
+// Every bound here is relative: a multiple of the unit roundoff of Real and of the magnitudes that went into
+// a result. None is a length, so none prefers a unit of length.
 //
-// Sums and products. One operation gives fl(x op y) = (x op y)(1 + d), |d| <= u; n of them one after the other are wrong by
-// gamma_n of the result (Higham, Accuracy and Stability of Numerical Algorithms, lemma 3.1), a sum by gamma_n of what its
-// terms are without their signs. So a bound counts roundings. For M p + t with M and t rounded themselves and p right to
-// three roundings: 1 + 3 for the factors, 1 for the product, 2 for the sum of the three, 1 for the sum with t, so
-// gamma_8 |M||p| + gamma_2 |t| (Transform::pointError; after pbrt, "Managing Rounding Error"). In the same way:
-// Transform::objectError, Shape::touches, closeChord, directLight, Mesh::toObject.
+// Sums and products. One operation gives fl(x op y) = (x op y)(1 + d), |d| <= u; n of them one after the
+// other are wrong by gamma_n of the result (Higham, Accuracy and Stability of Numerical Algorithms,
+// lemma 3.1), a sum by gamma_n of what its terms are without their signs. So a bound counts roundings. For M
+// p + t with M and t rounded themselves and p right to three roundings: 1 + 3 for the factors, 1 for the
+// product, 2 for the sum of the three, 1 for the sum with t, so gamma_8 |M||p| + gamma_2 |t|
+// (Transform::pointError; after pbrt, "Managing Rounding Error"). In the same way: Transform::objectError,
+// Shape::touches, closeChord, directLight, Mesh::toObject.
 //
-// Quadrics far from the ray's origin o. In b^2 - a c, with c = |o|^2 - 1, nearly all cancels: the errors are of |o|^2 u, the
-// rest is of the order of 1. From the point of the line that is closest to the centre, b = 0 and c is of the order of 1
-// wherever there is a hit, and what is left is the error of that point, |o| u (Haines, Gunther and Akenine-Moller,
-// Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7). For sphere and cylinder from farSquared
-// on, for the cone always (chord.h).
+// Quadrics far from the ray's origin o. In b^2 - a c, with c = |o|^2 - 1, nearly all cancels: the errors are
+// of |o|^2 u, the rest is of the order of 1. From the point of the line that is closest to the centre, b = 0
+// and c is of the order of 1 wherever there is a hit, and what is left is the error of that point, |o| u
+// (Haines, Gunther and Akenine-Moller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
+// ch. 7). For sphere and cylinder from farSquared on, for the cone always (chord.h).
 //
-// Boxes, in float. The distance of a plane, (plane - origin) / direction, takes four roundings: of the direction, of its
-// inverse, of the difference, of the product. Entry and exit are compared, each wrong by gamma_4, so one is to be
-// made larger by (1 + gamma_4) / (1 - gamma_4) < 1 + 2^-20 (Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013, who has
-// three roundings and hence two units in the last place; as there, it costs nothing, being in the inverse:
-// BvhTraversal::growth). The origin's rounding goes with its distance from zero, not with the plane's from it: it
-// widens the origin (BvhRay::slack, prepare in bvh_kernel.inc).
+// Boxes, in float. The distance of a plane, (plane - origin) / direction, takes four roundings: of the
+// direction, of its inverse, of the difference, of the product. Entry and exit are compared, each wrong by
+// gamma_4, so one is to be made larger by (1 + gamma_4) / (1 - gamma_4) < 1 + 2^-20 (Ize, Robust BVH Ray
+// Traversal, JCGT 2(2), 2013, who has three roundings and hence two units in the last place; as there, it
+// costs nothing, being in the inverse: BvhTraversal::growth). The origin's rounding goes with its distance
+// from zero, not with the plane's from it: it widens the origin (BvhRay::slack, prepare in bvh_kernel.inc).
 //
-// Triangles. Which side of an edge the line passes by is found exactly, so that two triangles never disagree about the edge
-// that they share: differenceOfProducts (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013).
+// Triangles. Which side of an edge the line passes by is found exactly, so that two triangles never disagree
+// about the edge that they share: differenceOfProducts (Woop, Benthin and Wald, Watertight Ray/Triangle
+// Intersection, JCGT 2(1), 2013).
 #pragma once
 
 #include <algorithm>
@@ -48,25 +50,26 @@ constexpr Real gamma(int n) {
     return static_cast<Real>(n) * unitRoundoff / (1 - static_cast<Real>(n) * unitRoundoff);
 }
 
-// Two hits whose t differ by less than this factor might be one place where two surfaces coincide, so they are looked
-// at more closely (HitQuery). Half of the digits: far above the rounding error of any t that is worth its name, far
-// below what a picture shows. It decides nothing but whether to look.
+// Two hits whose t differ by less than this factor might be one place where two surfaces coincide, so they
+// are looked at more closely (HitQuery). Half of the digits: far above the rounding error of any t that is
+// worth its name, far below what a picture shows. It decides nothing but whether to look.
 inline constexpr Real coincidenceWindow = [] {
     Real window = 1;
     for (int bit = 0; bit < std::numeric_limits<Real>::digits / 2; ++bit) window /= 2;
     return window;
 }();
 
-// From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at most a fifth
-// of the digits in the textbook's discriminant.
+// From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at
+// most a fifth of the digits in the textbook's discriminant.
 inline constexpr Real farSquared = [] {
     Real squared = 1;
     for (int bit = 0; bit < std::numeric_limits<Real>::digits / 5; ++bit) squared *= 2;
     return squared;
 }();
 
-// The words in which a formula is written once for one ray and for several (lanes.h has them for Lanes): comparisons of T
-// give a Truth<T>, a choice is a select, and a branch is taken where any of the rays asks for it.
+// The words in which a formula is written once for one ray and for several (lanes.h has them for Lanes):
+// comparisons of T give a Truth<T>, a choice is a select, and a branch is taken where any of the rays asks
+// for it.
 template <class T>
 using Truth = decltype(std::declval<T>() < std::declval<T>());
 inline bool any(bool truth) { return truth; }
@@ -139,8 +142,8 @@ Truth<T> isSafeSquare(const T& squared) {
     return (squared > T(small)) & (squared < T(1 / small));
 }
 
-// v / |v|, at any magnitude: where the squared length is not safe, v is first brought to the order of 1 by a power of two.
-// The zero vector stays zero.
+// v / |v|, at any magnitude: where the squared length is not safe, v is first brought to the order of 1 by a
+// power of two. The zero vector stays zero.
 Vec3 normalizedOfAnySize(const Vec3& v);
 template <class T>
 Vec3T<T> normalized(const Vec3T<T>& v) {
@@ -158,7 +161,8 @@ inline Vec3 normalizedOfAnySize(const Vec3& v) {
     return scaled * (1 / std::sqrt(glm::dot(scaled, scaled)));
 }
 
-// x^n for x in [0, 1]. Integers by repeated squaring, the same bits on every machine (libm's pow is not), others by pow.
+// x^n for x in [0, 1]. Integers by repeated squaring, the same bits on every machine (libm's pow is not),
+// others by pow.
 template <class T>
 T power(T x, Real n) {
     constexpr Real largestCounted = 16777216;  // 2^24: every such integer is exact in every Real
@@ -172,9 +176,10 @@ T power(T x, Real n) {
     return result;
 }
 
-// a * b - c * d with the exact sign, unless a product underflows: rounding is monotone, so unequal rounded products are in the
-// order of the exact ones; where they are equal, their rounding errors, exact by fma, are all of the difference. The exact
-// fallback is Woop, Benthin and Wald's (section 3.3), who have the next larger type for it: there is none for every Real.
+// a * b - c * d with the exact sign, unless a product underflows: rounding is monotone, so unequal rounded
+// products are in the order of the exact ones; where they are equal, their rounding errors, exact by fma, are
+// all of the difference. The exact fallback is Woop, Benthin and Wald's (section 3.3), who have the next
+// larger type for it: there is none for every Real.
 inline Real differenceOfProducts(Real a, Real b, Real c, Real d) {
     const Real ab = a * b, cd = c * d;
     if (ab != cd) return ab - cd;

@@ -20,7 +20,9 @@ template <class Function>
 void forEachLane(std::uint32_t primitive, Function function) {
     function(0, primitive);
 }
-inline std::uint32_t faceOf(std::uint32_t primitive) { return primitive; }  // of rays that all meet the same face
+inline std::uint32_t faceOf(std::uint32_t primitive) {
+    return primitive;
+}  // of rays that all meet the same face
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

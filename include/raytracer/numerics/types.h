@@ -1,8 +1,9 @@
 // The number type of the core, chosen at compile time.
 //
-// The core's sources are compiled three times, for float, double and long double, each into an inline namespace of its
-// own, so that one binary holds all three without a template parameter in the code. `renderer.h` is the interface that
-// picks one at run time. A file that does not say which (a test) gets double.
+// The core's sources are compiled three times, for float, double and long double, each into an inline
+// namespace of its own, so that one binary holds all three without a template parameter in the code.
+// `renderer.h` is the interface that picks one at run time. A file that does not say which (a test) gets
+// double.
 #pragma once
 
 #include <glm/mat3x3.hpp>

@@ -7,8 +7,8 @@
 namespace raytracer {
 
 struct Texture {
-    int width = 0, height = 0;           // texels, both >= 1
-    std::vector<std::uint8_t> texels;    // width * height * 3, row-major from the top left
+    int width = 0, height = 0;         // texels, both >= 1
+    std::vector<std::uint8_t> texels;  // width * height * 3, row-major from the top left
 };
 
 }  // namespace raytracer

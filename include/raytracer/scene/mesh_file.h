@@ -11,26 +11,28 @@
 
 namespace raytracer {
 
-// An indexed triangle mesh in object space. Triangle i has the corners positions[positionIndex[3i + 0..2]], counter-
-// clockwise seen from outside, in file order (a polygon of n corners is the fan of its n - 2 triangles in order).
+// An indexed triangle mesh in object space. Triangle i has the corners positions[positionIndex[3i + 0..2]],
+// counter- clockwise seen from outside, in file order (a polygon of n corners is the fan of its n - 2
+// triangles in order).
 struct MeshData {
     std::vector<glm::dvec3> positions;
-    std::vector<glm::dvec2> texCoords;              // (u, v), v up
-    std::vector<std::uint32_t> positionIndex;       // 3 for each triangle
-    std::vector<std::uint32_t> texCoordIndex;       // 3 for each triangle, or empty when no face has vt; noTexCoord
+    std::vector<glm::dvec2> texCoords;         // (u, v), v up
+    std::vector<std::uint32_t> positionIndex;  // 3 for each triangle
+    std::vector<std::uint32_t>
+        texCoordIndex;  // 3 for each triangle, or empty when no face has vt; noTexCoord
     static constexpr std::uint32_t noTexCoord = ~std::uint32_t{0};  // for a corner without vt: (0, 0)
 
     std::size_t triangleCount() const { return positionIndex.size() / 3; }
 };
 
-// The file is missing, unreadable or not an OBJ that we understand; what() is one line without the file's name, with
-// "line N: " in front where a line is to blame.
+// The file is missing, unreadable or not an OBJ that we understand; what() is one line without the file's
+// name, with "line N: " in front where a line is to blame.
 struct MeshError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Reads positions, texture coordinates and faces (polygons, negative indices, v, v/vt, v//vn, v/vt/vn); groups, objects,
-// normals, materials and smoothing are read past. Throws MeshError.
+// Reads positions, texture coordinates and faces (polygons, negative indices, v, v/vt, v//vn, v/vt/vn);
+// groups, objects, normals, materials and smoothing are read past. Throws MeshError.
 MeshData loadObj(const std::string& path);
 
 // The same from text in memory.

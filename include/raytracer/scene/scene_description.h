@@ -1,8 +1,8 @@
 // The scene as its author wrote it: the numbers of the JSON file, checked but not computed with.
 //
-// Everything here is in the user's own units and spaces (positions and lengths in world units, angles in degrees) and
-// in double, the precision of JSON numbers. `scene_loader` makes it; the core (compiled once for each precision) builds
-// its `Scene` from it, so that every precision starts from the very same numbers.
+// Everything here is in the user's own units and spaces (positions and lengths in world units, angles in
+// degrees) and in double, the precision of JSON numbers. `scene_loader` makes it; the core (compiled once for
+// each precision) builds its `Scene` from it, so that every precision starts from the very same numbers.
 #pragma once
 
 #include <cstddef>

@@ -20,8 +20,8 @@ struct LoadedScene {
     std::vector<std::string> warnings;  // one line each, in the form of SceneError's
 };
 
-// Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). A key that is
-// not known is a warning, or an error when `strict`. Throws SceneError.
+// Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). A
+// key that is not known is a warning, or an error when `strict`. Throws SceneError.
 LoadedScene loadScene(const std::string& path, bool strict);
 
 }  // namespace raytracer

@@ -8,16 +8,16 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// The assignment's camera: frame v = up, w = -look, u = v x w, taken as given. Positions are in the scene's frame; the
-// film is measured in units of a power of two and directions are scaled by one, so that no magnitude of the file's
-// numbers overflows.
+// The assignment's camera: frame v = up, w = -look, u = v x w, taken as given. Positions are in the scene's
+// frame; the film is measured in units of a power of two and directions are scaled by one, so that no
+// magnitude of the file's numbers overflows.
 class Camera {
   public:
     Camera() = default;
     Camera(const CameraDescription& description, const SceneFrame& frame);
 
-    // Film coordinates of a point of the picture, (0, 0) at its top left, (width, height) at its bottom right; the centre
-    // of pixel (x, y) is (x + 1/2, y + 1/2).
+    // Film coordinates of a point of the picture, (0, 0) at its top left, (width, height) at its bottom
+    // right; the centre of pixel (x, y) is (x + 1/2, y + 1/2).
     template <class T>
     Vec2T<T> getPixelUV(const T& x, const T& y, int width, int height) const {
         return {T(left_) + T(right_ - left_) * x / T(static_cast<Real>(width)),

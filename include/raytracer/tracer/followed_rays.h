@@ -1,4 +1,5 @@
-// The rays behind some pixels' centres, kept with what each brings: what the pixels would be, had they been followed less deep.
+// The rays behind some pixels' centres, kept with what each brings: what the pixels would be, had they been
+// followed less deep.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +20,10 @@ struct FollowedRay {
 
 // As they are followed with one max_recursion and cutoff.
 struct FollowedRays {
-    std::vector<FollowedRay> rays;      // pixel by pixel, each one's own first
-    std::vector<std::size_t> ends;      // of each pixel's
-    std::vector<glm::dvec3> brightest;  // the most that a ray's colour can be, by the max_recursion that it has left
+    std::vector<FollowedRay> rays;  // pixel by pixel, each one's own first
+    std::vector<std::size_t> ends;  // of each pixel's
+    std::vector<glm::dvec3>
+        brightest;  // the most that a ray's colour can be, by the max_recursion that it has left
 
     std::size_t pixelCount() const { return ends.size(); }
     std::span<const FollowedRay> of(std::size_t pixel) const;
@@ -37,8 +39,8 @@ struct PixelAndRays {
     double rays = 0;
 };
 
-// Had they been followed with no more than this max_recursion, and no less than this cutoff: what a render has, but for
-// rounding.
+// Had they been followed with no more than this max_recursion, and no less than this cutoff: what a render
+// has, but for rounding.
 PixelAndRays shallower(const FollowedRays& followed, std::size_t pixel, int max_recursion, double cutoff);
 
 }  // namespace raytracer

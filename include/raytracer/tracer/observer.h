@@ -18,10 +18,13 @@ struct Shadow {
 class Observer {
   public:
     virtual ~Observer() = default;
-    virtual bool asksWhatShadows() const { return false; }  // if not, any shape in a light's way will do as Shadow::by
+    virtual bool asksWhatShadows() const {
+        return false;
+    }  // if not, any shape in a light's way will do as Shadow::by
     virtual void enter(const Ray& ray, const RayPath& path) = 0;
     virtual void meet(const ShadingPoint& point) = 0;
-    virtual void light(const DirectLight& direct, const Shadow* shadow, const Color& sum) = 0;  // null: no shadow ray
+    virtual void light(const DirectLight& direct, const Shadow* shadow,
+                       const Color& sum) = 0;  // null: no shadow ray
     virtual void notCast(RayKind kind, NotCast reason) = 0;
     virtual void leave(const Color& color) = 0;
 };

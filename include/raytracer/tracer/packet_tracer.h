@@ -1,5 +1,6 @@
-// Rays in packets: those that lie together are followed side by side, in the lanes of vector registers, for as long as they
-// meet the same shape. A packet's numbers are Scene::rayColor's own, to the bit; it is only sooner there.
+// Rays in packets: those that lie together are followed side by side, in the lanes of vector registers, for
+// as long as they meet the same shape. A packet's numbers are Scene::rayColor's own, to the bit; it is only
+// sooner there.
 #pragma once
 
 #include <span>
@@ -12,9 +13,11 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 // Fills in the points' colours; x and y beyond count may change.
 using TracePacket = void (*)(const Scene& scene, PointPacket& points, RenderContext& context);
 
-// The traversal alone, for benchmarks and tests: the nearest hits of up to PointPacket::most rays, which leave the same side of
-// the same shape, if any; with an end, any hit before it. (What coincides is left to Scene::closestHit.)
-using MeetPacket = void (*)(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end, std::span<Hit> hits);
+// The traversal alone, for benchmarks and tests: the nearest hits of up to PointPacket::most rays, which
+// leave the same side of the same shape, if any; with an end, any hit before it. (What coincides is left to
+// Scene::closestHit.)
+using MeetPacket = void (*)(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end,
+                            std::span<Hit> hits);
 
 // For this processor's instruction set (bvh.h); null where it, or Real, has no packets.
 TracePacket packetTracer();

@@ -19,23 +19,25 @@ enum class Pass {
 // The terms of the light model; one that is off is left out of the sum.
 struct Terms {
     bool ambient = true, diffuse = true, specular = true;
-    bool shadows = true;      // coloured by refractive shapes, whether or not `refraction` is on
+    bool shadows = true;  // coloured by refractive shapes, whether or not `refraction` is on
     bool reflections = true, refraction = true;
     bool textures = true;
 };
 
 struct RenderOptions {
-    ImageSize size;              // of the whole picture
-    PixelRectangle crop;         // the part to render
+    ImageSize size;       // of the whole picture
+    PixelRectangle crop;  // the part to render
     int max_recursion = 3;
     Pass pass = Pass::Color;
     bool shadows = true, refraction = true;  // the terms that are not a matter of the materials' colours
-    int threads = 0;             // 0: one for each processor
+    int threads = 0;                         // 0: one for each processor
 
     // The knobs that trade speed for accuracy.
-    int samples = 1;     // samples x samples rays a pixel on a regular grid, box-filtered; 1: its centre
-    double adaptive = 0; // > 0: all samples only where the corners of the pixel's own grid differ by more than this
-    double cutoff = 0;   // a reflected or refracted ray that can change its sample by less than this is not cast
+    int samples = 1;  // samples x samples rays a pixel on a regular grid, box-filtered; 1: its centre
+    double adaptive =
+        0;  // > 0: all samples only where the corners of the pixel's own grid differ by more than this
+    double cutoff =
+        0;  // a reflected or refracted ray that can change its sample by less than this is not cast
     bool bilinear = false;  // textures: the four nearest texels, weighted, instead of the nearest one
 };
 
@@ -43,8 +45,8 @@ struct RenderOptions {
 struct RenderCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t tests = 0;
-    // The most that rays not cast for RenderOptions::cutoff can have changed any one pixel, of the samples taken: which
-    // ones `adaptive` takes it does not know.
+    // The most that rays not cast for RenderOptions::cutoff can have changed any one pixel, of the samples
+    // taken: which ones `adaptive` takes it does not know.
     double cutoffBound = 0;
 
     RenderCounts& operator+=(const RenderCounts& other);

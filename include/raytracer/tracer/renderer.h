@@ -3,11 +3,11 @@
 
 #include <memory>
 
+#include "raytracer/bvh/build_options.h"
+#include "raytracer/scene/scene_description.h"
 #include "raytracer/tracer/explanation.h"
 #include "raytracer/tracer/followed_rays.h"
-#include "raytracer/bvh/build_options.h"
 #include "raytracer/tracer/render_options.h"
-#include "raytracer/scene/scene_description.h"
 #include "raytracer/util/progress.h"
 
 namespace raytracer {
@@ -17,7 +17,8 @@ class Renderer {
   public:
     virtual ~Renderer() = default;
 
-    // Every pixel of options.crop goes to the sink exactly once; it depends on the scene, options and its place alone.
+    // Every pixel of options.crop goes to the sink exactly once; it depends on the scene, options and its
+    // place alone.
     virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
                                 ProgressListener* progress = nullptr) const = 0;
 
@@ -25,13 +26,13 @@ class Renderer {
     virtual RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                       std::span<glm::dvec3> colors) const = 0;
 
-    // The rays behind the centres of some pixels, those of pixels[i] as FollowedRays::of(i): when options.samples is 1 and
-    // options.pass is Color, the ones that renderPixels follows.
+    // The rays behind the centres of some pixels, those of pixels[i] as FollowedRays::of(i): when
+    // options.samples is 1 and options.pass is Color, the ones that renderPixels follows.
     virtual RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                 FollowedRays& followed) const = 0;
 
-    // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for it when
-    // options.samples is 1 and options.pass is Color.
+    // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for
+    // it when options.samples is 1 and options.pass is Color.
     virtual RayExplanation explain(const RenderOptions& options, int x, int y) const = 0;
 };
 
@@ -42,7 +43,8 @@ std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision 
 // The longer side of the film gets longEdge pixels, the other lround(longEdge * short / long), at least 1.
 ImageSize imageSize(const CameraDescription& camera, int longEdge);
 
-// Takes the terms that are a matter of the materials' colours out of the scene: what is left is rendered as it is.
+// Takes the terms that are a matter of the materials' colours out of the scene: what is left is rendered as
+// it is.
 void keepTerms(SceneDescription& scene, const Terms& terms);
 
 // Reads every material as not refractive.

@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include "raytracer/geometry/shape_tree.h"
 #include "raytracer/tracer/camera.h"
 #include "raytracer/tracer/followed_rays.h"
 #include "raytracer/tracer/observer.h"
 #include "raytracer/tracer/packet_order.h"
 #include "raytracer/tracer/render_options.h"
 #include "raytracer/util/progress.h"
-#include "raytracer/geometry/shape_tree.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -28,7 +28,8 @@ struct RenderContext {
     double dropped = 0;  // the most that rays not cast so far can have changed the pixel
 };
 
-// What a ray's colour is multiplied by on its way to the pixel, and how often it may be reflected or refracted.
+// What a ray's colour is multiplied by on its way to the pixel, and how often it may be reflected or
+// refracted.
 struct RayPath {
     Color weight{1};
     int max_recursion = 0;
@@ -37,7 +38,8 @@ struct RayPath {
 
 // A few points of the picture, in pixels, (0, 0) at the top left; and what is seen there.
 struct PointPacket {
-    static constexpr int width = packetWidth, height = packetHeight;  // pixels that it holds when it is filled best
+    static constexpr int width = packetWidth,
+                         height = packetHeight;             // pixels that it holds when it is filled best
     static constexpr int most = width * height, least = 3;  // fewer are sooner traced one at a time
 
     int count = 0;
@@ -68,32 +70,38 @@ class Scene {
     Intersection closestIntersection(const Ray& ray, RenderContext& context) const;
 
     // The colour seen along a ray:
-    // K_R I_R + K_T I_T + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L). A miss is black.
+    // K_R I_R + K_T I_T + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L). A miss is
+    // black.
     Color rayColor(const Ray& ray, const RayPath& path, RenderContext& context) const;
 
     // rayColor where the ray's nearest hit is known.
     Color hitColor(const Ray& ray, const Hit& hit, const RayPath& path, RenderContext& context) const;
 
-    // The query's nearest hit; where another one is within rounding of it, the first listed of those that go through the
-    // same point.
+    // The query's nearest hit; where another one is within rounding of it, the first listed of those that go
+    // through the same point.
     Hit closestHit(const Ray& ray, HitQuery& query, RenderContext& context) const;
 
-    // Fills in the points' colours: each its own, whatever the others are, but soonest where they lie together.
+    // Fills in the points' colours: each its own, whatever the others are, but soonest where they lie
+    // together.
     void pointColors(PointPacket& points, RenderContext& context) const;
 
     // The means of pixels' samples, of up to PointPacket::most: soonest where they lie together.
-    void pixelColors(std::span<const PixelPlace> pixels, std::span<Color> colors, RenderContext& context) const;
+    void pixelColors(std::span<const PixelPlace> pixels, std::span<Color> colors,
+                     RenderContext& context) const;
 
     // Why the next ray on a path is not cast: for all rays that meet the same material alike.
-    NotCast whyNotReflected(const Material& material, const RayPath& onwards, const RenderContext& context) const;
-    NotCast whyNotRefracted(const Material& material, const RayPath& onwards, const RenderContext& context) const;
+    NotCast whyNotReflected(const Material& material, const RayPath& onwards,
+                            const RenderContext& context) const;
+    NotCast whyNotRefracted(const Material& material, const RayPath& onwards,
+                            const RenderContext& context) const;
     // The most that a ray on this path can change its sample; only for a cutoff.
     double mostChange(const RayPath& path, const RenderContext& context) const;
 
     const ShapeTree& tree() const { return tree_; }
     bool hasRefractiveShape() const { return hasRefractiveShape_; }
 
-    // The most that a ray's colour can be, by the materials' and lights' colours alone: for max_recursion 0, 1, ...
+    // The most that a ray's colour can be, by the materials' and lights' colours alone: for max_recursion 0,
+    // 1, ...
     std::vector<Color> brightestColors(int max_recursion) const;
 
     // Every pixel of options.crop to the sink, by tiles on options.threads threads (render.cpp).
@@ -104,12 +112,14 @@ class Scene {
                               std::span<glm::dvec3> colors) const;
 
     // Renderer::follow.
-    RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels, FollowedRays& followed) const;
+    RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                        FollowedRays& followed) const;
 
   private:
     void traverse(const Ray& ray, HitQuery& query, RenderContext& context) const;
     Color pointColor(Real x, Real y, RenderContext& context) const;
-    Shadow castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light, RenderContext& context) const;
+    Shadow castShadow(const ShadingPoint& point, const Vec3& toLight, const Light& light,
+                      RenderContext& context) const;
     Color lightColor(const ShadingPoint& point, RenderContext& context) const;
     Color reflectedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;
     Color refractedColor(const ShadingPoint& point, const RayPath& path, RenderContext& context) const;

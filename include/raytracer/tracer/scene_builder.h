@@ -1,8 +1,8 @@
 // SceneDescription to Scene.
 #pragma once
 
-#include "raytracer/tracer/scene.h"
 #include "raytracer/scene/scene_description.h"
+#include "raytracer/tracer/scene.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {

@@ -1,9 +1,10 @@
-// The unit and origin in which the core computes: chosen from the scene, so that a picture depends on neither.
+// The unit and origin in which the core computes: chosen from the scene, so that a picture depends on
+// neither.
 //
-// A scene of 1e-12 units, or one that lies 1e8 of its own sizes from the origin, is brought to the order of 1 before
-// its numbers become Real. The unit is a power of two, so a scene multiplied by 2^k becomes the very same scene. The
-// origin is zero for a scene that lies near it; for one far from it, a point of a grid as coarse as the scene is large,
-// so that subtracting it from coordinates of that distance is exact.
+// A scene of 1e-12 units, or one that lies 1e8 of its own sizes from the origin, is brought to the order of 1
+// before its numbers become Real. The unit is a power of two, so a scene multiplied by 2^k becomes the very
+// same scene. The origin is zero for a scene that lies near it; for one far from it, a point of a grid as
+// coarse as the scene is large, so that subtracting it from coordinates of that distance is exact.
 #pragma once
 
 #include "raytracer/scene/affine.h"
@@ -12,8 +13,8 @@
 namespace raytracer {
 
 struct SceneFrame {
-    int exponent = 0;                      // one unit here is 2^exponent of the file's
-    long double origin[3] = {0, 0, 0};     // in the file's units
+    int exponent = 0;                   // one unit here is 2^exponent of the file's
+    long double origin[3] = {0, 0, 0};  // in the file's units
 
     // A position of the file, in this frame.
     void pointToFrame(const glm::dvec3& point, long double (&out)[3]) const;
@@ -22,7 +23,8 @@ struct SceneFrame {
     Affine toFrame(const Affine& worldFromObject) const;
 };
 
-// Looks at the camera and at every shape of finite size; where these have no extent at all, at planes and lights too.
+// Looks at the camera and at every shape of finite size; where these have no extent at all, at planes and
+// lights too.
 SceneFrame chooseFrame(const SceneDescription& scene);
 
 }  // namespace raytracer

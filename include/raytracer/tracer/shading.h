@@ -1,5 +1,5 @@
-// Phong's light model at a point: the geometry and the colours, without casting rays. For one ray, or several that meet the
-// same material.
+// Phong's light model at a point: the geometry and the colours, without casting rays. For one ray, or several
+// that meet the same material.
 #pragma once
 
 #include "raytracer/geometry/shape.h"
@@ -22,23 +22,26 @@ struct ShadingPointT {
     ShadingPointT(const RayT<T>& ray, const IntersectionT<T>& hit, bool bilinear);
 
     const IntersectionT<T>* hit;
-    Vec3T<T> V;      // unit, towards the ray's origin
-    Vec3T<T> N;      // unit, the normal turned to the side that the ray comes from
-    bool entering;   // the ray meets the exterior side; N is turned by it, though V.N may be 0 but for rounding
-    ColorT<T> K_D;   // color_diffuse times the texture's colour
+    Vec3T<T> V;  // unit, towards the ray's origin
+    Vec3T<T> N;  // unit, the normal turned to the side that the ray comes from
+    bool
+        entering;  // the ray meets the exterior side; N is turned by it, though V.N may be 0 but for rounding
+    ColorT<T> K_D;  // color_diffuse times the texture's colour
 
-    // The one maker of secondary rays: from this point, on the side that the ray came from or on the other one.
+    // The one maker of secondary rays: from this point, on the side that the ray came from or on the other
+    // one.
     enum class Side { Near, Far };
     RayT<T> leave(const Vec3T<T>& direction, Side side) const;
 };
 using ShadingPoint = ShadingPointT<Real>;
 
-// One light's share: K_A I_AL, which always counts, and K_D I_L (N.L) + K_S I_L (V.R)^n, which a shadow takes away.
+// One light's share: K_A I_AL, which always counts, and K_D I_L (N.L) + K_S I_L (V.R)^n, which a shadow takes
+// away.
 template <class T>
 struct DirectLightT {
     ColorT<T> ambient{0}, diffuse{0}, specular{0};
-    Vec3T<T> toLight{0};     // from the point to the light, world units
-    T N_L{0}, V_R{0};        // 0 where the light is behind the surface or reflected away from the viewer
+    Vec3T<T> toLight{0};  // from the point to the light, world units
+    T N_L{0}, V_R{0};     // 0 where the light is behind the surface or reflected away from the viewer
 
     ColorT<T> lit() const { return diffuse + specular; }
 };
@@ -77,8 +80,8 @@ DirectLightT<T> directLight(const ShadingPointT<T>& point, const Light& light) {
     result.ambient = ColorT<T>(material.color_ambient * light.color_ambient);
     result.toLight = Vec3T<T>(light.position) - point.hit->position;
 
-    // A light in the surface's own plane lights nothing; whether it is must not be left to rounding, since the specular
-    // term would jump from nothing to all.
+    // A light in the surface's own plane lights nothing; whether it is must not be left to rounding, since
+    // the specular term would jump from nothing to all.
     const Vec3T<T> error = point.hit->positionError + T(gamma(4)) * abs(result.toLight);
     const Truth<T> before = glm::dot(point.N, result.toLight) > glm::dot(abs(point.N), error);
     if (!any(before)) return result;
@@ -90,9 +93,9 @@ DirectLightT<T> directLight(const ShadingPointT<T>& point, const Light& light) {
     result.V_R = select(before, min(max(V_R, T(0)), T(1)), T(0));
     const Truth<T> shines = result.V_R > T(0);
     if (any(shines) && !isBlack(material.color_specular))
-        result.specular = select(shines,
-                                 ColorT<T>(material.color_specular * light.color) * power(result.V_R, material.shininess),
-                                 ColorT<T>(T(0)));
+        result.specular = select(
+            shines, ColorT<T>(material.color_specular * light.color) * power(result.V_R, material.shininess),
+            ColorT<T>(T(0)));
     return result;
 }
 
@@ -110,7 +113,8 @@ Truth<T> refractedDirection(const ShadingPointT<T>& point, Vec3T<T>& direction) 
     const T cosine = glm::dot(point.N, point.V);
     const T squared = T(1) - eta * eta * (T(1) - cosine * cosine);
     const Truth<T> passes = squared >= T(0);
-    if (any(passes)) direction = (eta * cosine - sqrt(select(passes, squared, T(0)))) * point.N - eta * point.V;
+    if (any(passes))
+        direction = (eta * cosine - sqrt(select(passes, squared, T(0)))) * point.N - eta * point.V;
     return passes;
 }
 

@@ -18,8 +18,9 @@ class JobQueue {
     ~JobQueue() = default;
 };
 
-// Calls work(queue) on up to `threads` threads (0: one for each processor), of which the caller is one; work takes jobs until
-// none is left. Returns when all have ended, and then throws what the lowest job has thrown, if any has.
+// Calls work(queue) on up to `threads` threads (0: one for each processor), of which the caller is one; work
+// takes jobs until none is left. Returns when all have ended, and then throws what the lowest job has thrown,
+// if any has.
 void onThreads(std::uint32_t jobs, int threads, const std::function<void(JobQueue&)>& work);
 
 // work(job) for every 0 <= job < jobs, as onThreads.

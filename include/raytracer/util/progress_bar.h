@@ -8,7 +8,8 @@
 
 namespace raytracer {
 
-// A line on stderr that is written over. Shows nothing in the first second, and nothing at all where stderr is not a terminal.
+// A line on stderr that is written over. Shows nothing in the first second, and nothing at all where stderr
+// is not a terminal.
 class TerminalLine {
   public:
     TerminalLine();

@@ -19,8 +19,7 @@ class Rare {
     Rare& operator=(const Rare& other) { return *this = Rare(other); }
     Rare& operator=(Rare&&) noexcept = default;
     template <class U = T>
-        requires(!std::same_as<std::remove_cvref_t<U>, Rare>)
-    Rare& operator=(U&& value) {
+    requires(!std::same_as<std::remove_cvref_t<U>, Rare>) Rare& operator=(U&& value) {
         return *this = Rare(T(std::forward<U>(value)));
     }
     ~Rare() = default;
