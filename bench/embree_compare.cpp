@@ -65,6 +65,7 @@ std::shared_ptr<const MeshData> bumpySphere(std::uint32_t n) {
             for (const std::uint32_t index : {top + column, bottom + next, top + next})
                 mesh->positionIndex.push_back(index);
         }
+    mesh->findBounds();
     return mesh;
 }
 

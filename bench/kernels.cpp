@@ -18,8 +18,6 @@ using namespace raytracer;
 
 namespace {
 
-using ShapeType = ShapeDescription::Type;
-
 constexpr std::size_t rayCount = 1024;  // a power of two: the loops below walk through them in a circle
 
 // A small closed mesh: a sphere of rows x 2 rows quads, each two triangles, the pole's of no area left in.
@@ -41,6 +39,7 @@ std::shared_ptr<const MeshData> sphereMesh(int rows) {
                                 c = corner(row + 1, column + 1), d = corner(row, column + 1);
             mesh->positionIndex.insert(mesh->positionIndex.end(), {a, b, c, a, c, d});
         }
+    mesh->findBounds();
     return mesh;
 }
 

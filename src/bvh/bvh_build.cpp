@@ -10,6 +10,7 @@
 
 #include "bvh_split.h"
 #include "raytracer/bvh/bvh.h"
+#include "raytracer/scene/mesh_file.h"
 #include "raytracer/util/parallel.h"
 
 namespace raytracer {
@@ -28,7 +29,7 @@ class BvhBuilder {
         : bvh_(bvh), threads_(threadCount(threads)), splitter_(references_, threads_) {}
 
     void build(std::span<const FloatBox> boxes, const BvhNames& names);
-    void build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices);
+    void build(const MeshData& mesh);
 
   private:
     // A subtree under construction, with references of its own that relocate() makes global.
@@ -85,21 +86,20 @@ void BvhBuilder::build(std::span<const FloatBox> boxes, const BvhNames& names) {
     });
 }
 
-void BvhBuilder::build(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices) {
-    positions_ = positions, indices_ = indices;
+void BvhBuilder::build(const MeshData& mesh) {
+    positions_ = mesh.positions;
+    indices_ = mesh.positionIndex;
     bvh_.frame_.triangles = true;
     leafSize_ = blockSize;
-    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-    for (const glm::dvec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
-    bvh_.frame_.center = low + (high - low) / 2.0;
-    const glm::dvec3 half = glm::max(high - bvh_.frame_.center, bvh_.frame_.center - low);
+    bvh_.frame_.center = mesh.low + (mesh.high - mesh.low) / 2.0;
+    const glm::dvec3 half = glm::max(mesh.high - bvh_.frame_.center, bvh_.frame_.center - mesh.low);
     const double extent = std::max(half.x, std::max(half.y, half.z));
     if (!(extent <= std::numeric_limits<double>::max() / 4)) return;
     const int exponent = extent > 0 ? std::clamp(std::ilogb(extent) + 1, -1000, 1000) : 0;
     bvh_.frame_.scale = std::scalbn(1.0, -exponent);
     bvh_.frame_.extent = std::max(extent, std::numeric_limits<double>::min());
 
-    buildTree(static_cast<std::uint32_t>(indices.size() / 3), [&](std::uint32_t i) {
+    buildTree(static_cast<std::uint32_t>(mesh.triangleCount()), [&](std::uint32_t i) {
         const glm::dvec3 a = framePoint(3 * i), b = framePoint(3 * i + 1), c = framePoint(3 * i + 2);
         const glm::dvec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
         BuildBox box{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0},
@@ -272,11 +272,10 @@ Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int thr
     return bvh;
 }
 
-Bvh Bvh::ofTriangles(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices,
-                     int threads) {
+Bvh Bvh::ofTriangles(const MeshData& mesh, int threads) {
     Bvh bvh;
-    bvh.frame_.count = indices.size() / 3;
-    BvhBuilder(bvh, threads).build(positions, indices);
+    bvh.frame_.count = mesh.triangleCount();
+    BvhBuilder(bvh, threads).build(mesh);
     return bvh;
 }
 

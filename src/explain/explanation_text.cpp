@@ -155,8 +155,8 @@ class Writer {
 
 }  // namespace
 
-std::string faceName(ShapeDescription::Type type, std::size_t primitive) {
-    using Type = ShapeDescription::Type;
+std::string faceName(ShapeType type, std::size_t primitive) {
+    using Type = ShapeType;
     constexpr const char* cylinder[] = {"body", "top", "bottom"};
     constexpr const char* cone[] = {"body", "bottom"};
     constexpr const char* cube[] = {"x = 1", "x = -1", "y = 1", "y = -1", "z = 1", "z = -1"};

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -21,7 +20,7 @@ namespace {
 // The products of up to four numbers of the file neither overflow nor underflow, whatever the unit of length.
 using Real = long double;
 using Vec = glm::vec<3, Real, glm::defaultp>;
-using Type = ShapeDescription::Type;
+using Type = ShapeType;
 
 // A unit vector written with three decimals is off by at most sqrt(3) * 0.0005 in length; the cosine between
 // two, by at most twice that.
@@ -99,25 +98,6 @@ View viewOf(const CameraDescription& camera) {
     return view;
 }
 
-struct Box {
-    Vec low, high;
-};
-
-// Around a mesh's vertices in object space, found once for all its shapes.
-class MeshBoxes {
-  public:
-    const Box& of(const MeshData& mesh) {
-        const auto [place, isNew] = boxes_.try_emplace(&mesh, Box{Vec(0), Vec(0)});
-        if (!isNew || mesh.positions.empty()) return place->second;
-        glm::dvec3 low = mesh.positions.front(), high = low;
-        for (const glm::dvec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
-        return place->second = {low, high};
-    }
-
-  private:
-    std::map<const MeshData*, Box> boxes_;
-};
-
 // A shape with its place in the world, relative to the eye.
 struct PlacedShape {
     const ShapeDescription* shape;
@@ -139,7 +119,7 @@ PlacedShape placed(const SceneDescription& scene, const ShapeDescription& shape)
 
 // How far the shape reaches in direction n, from its centre and in object space: the largest n . p of its
 // points.
-Real reach(const ShapeDescription& shape, const Vec& n, MeshBoxes& boxes) {
+Real reach(const ShapeDescription& shape, const Vec& n) {
     const Real around = std::sqrt(n.x * n.x + n.y * n.y);
     switch (shape.type) {
         case Type::Sphere: return glm::length(n);
@@ -147,9 +127,9 @@ Real reach(const ShapeDescription& shape, const Vec& n, MeshBoxes& boxes) {
         case Type::Cone: return std::max(around, n.z);
         case Type::Cube: return std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
         case Type::Mesh: {
-            const Box& box = boxes.of(*shape.mesh);
-            const Vec corner(n.x > 0 ? box.high.x : box.low.x, n.y > 0 ? box.high.y : box.low.y,
-                             n.z > 0 ? box.high.z : box.low.z);
+            const MeshData& mesh = *shape.mesh;
+            const Vec corner(n.x > 0 ? mesh.high.x : mesh.low.x, n.y > 0 ? mesh.high.y : mesh.low.y,
+                             n.z > 0 ? mesh.high.z : mesh.low.z);
             return glm::dot(n, corner);
         }
         case Type::Plane: break;
@@ -157,11 +137,11 @@ Real reach(const ShapeDescription& shape, const Vec& n, MeshBoxes& boxes) {
     return std::numeric_limits<Real>::infinity();
 }
 
-const char* whereBeyond(const PlacedShape& placed, const View& view, MeshBoxes& boxes) {
+const char* whereBeyond(const PlacedShape& placed, const View& view) {
     for (const Bound& bound : view.bounds) {
         const Vec& n = bound.normal;
         const Real radius =
-            reach(*placed.shape, n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2), boxes);
+            reach(*placed.shape, n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2));
         const Real doubt =
             margin * (glm::length(n) * placed.place + std::abs(radius) + std::abs(bound.least));
         if (glm::dot(n, placed.center) + radius < bound.least - doubt) return bound.beyond;
@@ -185,18 +165,17 @@ bool isBehind(const PlacedShape& plane, const View& view) {
 }
 
 // Where the shape is, if no ray of the view meets it; null if one may.
-const char* whereUnseen(const PlacedShape& placed, const View& view, MeshBoxes& boxes) {
-    if (placed.shape->type != Type::Plane) return whereBeyond(placed, view, boxes);
+const char* whereUnseen(const PlacedShape& placed, const View& view) {
+    if (placed.shape->type != Type::Plane) return whereBeyond(placed, view);
     return isBehind(placed, view) ? "behind the camera" : nullptr;
 }
 
 // Sees round corners: what lies outside of the view may be seen in it.
 bool showsOthers(const MaterialDescription& material) { return material.reflective || material.refractive; }
 
-bool anyShowsOthers(const SceneDescription& scene, const View& view, MeshBoxes& boxes) {
+bool anyShowsOthers(const SceneDescription& scene, const View& view) {
     return std::ranges::any_of(scene.shapes, [&](const ShapeDescription& shape) {
-        return showsOthers(scene.materials[shape.material]) &&
-               !whereUnseen(placed(scene, shape), view, boxes);
+        return showsOthers(scene.materials[shape.material]) && !whereUnseen(placed(scene, shape), view);
     });
 }
 
@@ -268,11 +247,10 @@ std::vector<std::string> sceneAdvice(const SceneDescription& scene) {
     Lines lines;
     adviseOnCamera(scene.camera, lines);
     const View view = viewOf(scene.camera);
-    MeshBoxes boxes;
-    const bool mirrored = anyShowsOthers(scene, view, boxes);
+    const bool mirrored = anyShowsOthers(scene, view);
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const PlacedShape shape = placed(scene, scene.shapes[i]);
-        const char* where = mirrored ? nullptr : whereUnseen(shape, view, boxes);
+        const char* where = mirrored ? nullptr : whereUnseen(shape, view);
         if (where)
             lines.add(pointer("/shapes/", i) + ": the " + typeName(shape.shape->type) + " is " + where +
                       "; it is not seen, but it may cast a shadow");

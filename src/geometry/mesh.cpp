@@ -46,16 +46,13 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOpti
     : data_(std::move(data)) {
     if constexpr (!std::is_same_v<Real, double>)
         positions_.assign(data_->positions.begin(), data_->positions.end());
-    Vec3 low(infinity), high(-infinity);
-    for (std::uint32_t i = 0; i < data_->positions.size(); ++i) {
-        low = glm::min(low, position(i));
-        high = glm::max(high, position(i));
-    }
+    // Rounding is monotone: the least of the doubles, as Real, is the least of all as Real.
+    const Vec3 low(data_->low), high(data_->high);
     center_ = low / Real(2) + high / Real(2);
     size_ = glm::max(high - center_, center_ - low);
     largest_ = glm::max(abs(low), abs(high));
     if (options.accelerator == Accelerator::Bvh && triangleCount() > listLimit)
-        bvh_ = Bvh::ofTriangles(data_->positions, data_->positionIndex, options.threads);
+        bvh_ = Bvh::ofTriangles(*data_, options.threads);
 }
 
 std::array<Vec2, 3> TriangleMesh::texCoords(std::uint32_t triangle) const {

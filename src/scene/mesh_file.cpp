@@ -1,8 +1,11 @@
 #include "raytracer/scene/mesh_file.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <utility>
+
+#include <glm/common.hpp>
 
 #include "obj_chunk.h"
 #include "obj_line.h"
@@ -73,6 +76,15 @@ void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh) {
 
 }  // namespace
 
+void MeshData::findBounds() {
+    low = glm::dvec3(std::numeric_limits<double>::infinity());
+    high = -low;
+    for (const glm::dvec3& p : positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+}
+
 MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount) {
     const std::vector<std::string_view> chunks = splitAtLines(text, chunkCount);
     std::vector<ObjCounts> above(chunkCount);
@@ -88,6 +100,7 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount) {
     parallelFor(jobs, 0,
                 [&](std::uint32_t i) { triangles[i] = parseObjChunk(chunks[i], above[i], whole, mesh); });
     appendTriangles(triangles, mesh);
+    mesh.findBounds();
     return mesh;
 }
 

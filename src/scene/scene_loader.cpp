@@ -94,13 +94,12 @@ void SceneReader::readShapes(JsonView shapes) {
 }
 
 ShapeDescription SceneReader::readShape(JsonView view) {
-    static constexpr std::array types = {"sphere"sv, "plane"sv, "cylinder"sv, "cone"sv, "cube"sv, "mesh"sv};
     static constexpr std::array known = {"type"sv, "transform"sv, "material"sv, "path"sv};
     const auto type = view.find("type");
     const bool isMesh = type && type->string() == "mesh";  // nothing else has a path
     const JsonObject json = keys_.check(view, std::span(known).first(isMesh ? 4 : 3));
     ShapeDescription shape;
-    shape.type = static_cast<ShapeDescription::Type>(json["type"].choice(types));
+    shape.type = static_cast<ShapeType>(json["type"].choice(shapeTypeNames));
     shape.transform = transforms_.find(json["transform"]);
     shape.material = materials_.find(json["material"]);
     if (isMesh) shape.mesh = files_.mesh(json["path"]);

@@ -56,12 +56,12 @@ std::unique_ptr<Shape> buildShape(const ShapeDescription& description, const Tra
                                   const Material& material, std::uint32_t index, const BuildOptions& options,
                                   MeshCache& meshes) {
     switch (description.type) {
-        case ShapeDescription::Type::Sphere: return std::make_unique<Sphere>(transform, material, index);
-        case ShapeDescription::Type::Plane: return std::make_unique<Plane>(transform, material, index);
-        case ShapeDescription::Type::Cylinder: return std::make_unique<Cylinder>(transform, material, index);
-        case ShapeDescription::Type::Cone: return std::make_unique<Cone>(transform, material, index);
-        case ShapeDescription::Type::Cube: return std::make_unique<Cube>(transform, material, index);
-        case ShapeDescription::Type::Mesh: break;
+        case ShapeType::Sphere: return std::make_unique<Sphere>(transform, material, index);
+        case ShapeType::Plane: return std::make_unique<Plane>(transform, material, index);
+        case ShapeType::Cylinder: return std::make_unique<Cylinder>(transform, material, index);
+        case ShapeType::Cone: return std::make_unique<Cone>(transform, material, index);
+        case ShapeType::Cube: return std::make_unique<Cube>(transform, material, index);
+        case ShapeType::Mesh: break;
     }
     auto& triangles = meshes[description.mesh.get()];
     if (!triangles) triangles = std::make_shared<TriangleMesh>(description.mesh, options);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+
+#include <glm/common.hpp>
 
 #include "raytracer/scene/mesh_file.h"
 
@@ -33,39 +34,28 @@ struct Extent {
     }
 };
 
-// The largest |coordinate| of a shape in object space; looks at each mesh once.
-class ObjectRadii {
-  public:
-    double of(const ShapeDescription& shape) {
-        if (shape.type != ShapeDescription::Type::Mesh) return 1;
-        const auto [entry, isNew] = ofMesh_.try_emplace(shape.mesh.get(), 0);
-        double& largest = entry->second;
-        if (isNew)
-            for (const glm::dvec3& p : shape.mesh->positions)
-                largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        return largest;
-    }
+// The largest |coordinate| of a shape in object space.
+double radiusObject(const ShapeDescription& shape) {
+    if (shape.type != ShapeType::Mesh) return 1;
+    const glm::dvec3 largest = glm::max(glm::abs(shape.mesh->low), glm::abs(shape.mesh->high));
+    return std::max({largest.x, largest.y, largest.z});
+}
 
-  private:
-    std::map<const MeshData*, double> ofMesh_;
-};
-
-void addShape(Extent& extent, const Affine& transform, long double radiusObject) {
+void addShape(Extent& extent, const Affine& transform, long double size) {
     long double radius[3];
     for (int row = 0; row < 3; ++row) {
         const auto& r = transform.linear[row];
-        radius[row] = (std::abs(r[0]) + std::abs(r[1]) + std::abs(r[2])) * radiusObject;
+        radius[row] = (std::abs(r[0]) + std::abs(r[1]) + std::abs(r[2])) * size;
     }
     extent.add(transform.translation, radius);
 }
 
 Extent extentOf(const SceneDescription& scene) {
     Extent extent;
-    ObjectRadii radii;
     extent.add(scene.camera.eye);
     for (const ShapeDescription& shape : scene.shapes)
-        if (shape.type != ShapeDescription::Type::Plane)
-            addShape(extent, compose(scene.transforms[shape.transform]), radii.of(shape));
+        if (shape.type != ShapeType::Plane)
+            addShape(extent, compose(scene.transforms[shape.transform]), radiusObject(shape));
     if (extent.size() > 0) return extent;
     for (const ShapeDescription& shape : scene.shapes)
         extent.add(compose(scene.transforms[shape.transform]).translation, {0, 0, 0});

@@ -65,8 +65,7 @@ SceneDescription facingMirrors(double reflect, double ambient) {
     scene.transforms.resize(2);
     scene.transforms[0].translate = glm::dvec3(0, 0, 1);
     scene.transforms[1].translate = glm::dvec3(0, 0, -1);
-    for (std::size_t i = 0; i < 2; ++i)
-        scene.shapes.push_back({ShapeDescription::Type::Plane, i, 0, nullptr});
+    for (std::size_t i = 0; i < 2; ++i) scene.shapes.push_back({ShapeType::Plane, i, 0, nullptr});
     return scene;
 }
 

@@ -68,7 +68,7 @@ SceneDescription stage(bool glass) {
     return scene;
 }
 
-void addShape(SceneDescription& scene, ShapeDescription::Type type, const TransformDescription& transform,
+void addShape(SceneDescription& scene, ShapeType type, const TransformDescription& transform,
               std::size_t material, std::shared_ptr<const MeshData> mesh = nullptr) {
     scene.transforms.push_back(transform);
     scene.shapes.push_back({type, scene.transforms.size() - 1, material, std::move(mesh)});
@@ -84,7 +84,7 @@ TransformDescription randomTransform(Random& random, double size) {
 }
 
 void addRandomSolids(SceneDescription& scene, Random& random, int count) {
-    using Type = ShapeDescription::Type;
+    using Type = ShapeType;
     constexpr Type types[] = {Type::Sphere, Type::Cylinder, Type::Cone, Type::Cube};
     for (int i = 0; i < count; ++i)
         addShape(scene, types[random.below(4)], randomTransform(random, 0.4), random.below(3));
@@ -102,6 +102,7 @@ std::shared_ptr<const MeshData> triangleSoup(Random& random, std::uint32_t count
                                   : i % 5 == 0 ? at + 1e-6 * random.inCube(1)
                                                : at + size * random.inCube(1));
     }
+    mesh->findBounds();
     return mesh;
 }
 
@@ -121,6 +122,7 @@ std::shared_ptr<const MeshData> ball(std::uint32_t n) {
             for (const std::uint32_t index : {top + column, bottom + next, top + next})
                 mesh->positionIndex.push_back(index);
         }
+    mesh->findBounds();
     return mesh;
 }
 
@@ -173,7 +175,7 @@ TEST_CASE("many solids are the same with and without a tree") {
         Random random(7);
         SceneDescription scene = stage(glass);
         addRandomSolids(scene, random, 150);
-        addShape(scene, ShapeDescription::Type::Plane, {"", glm::dvec3(0, 0, -1), {}, {}, {}}, 0);
+        addShape(scene, ShapeType::Plane, {"", glm::dvec3(0, 0, -1), {}, {}, {}}, 0);
         checkAll(scene, 36);
     }
 }
@@ -187,9 +189,9 @@ TEST_CASE("shapes that coincide, are tiny, vast or flat are the same with and wi
         transform.translate = glm::dvec3(0, -0.5 - size, 0);
         transform.scale = glm::dvec3(size);
         for (const std::size_t material : {0, 1, 2})  // three in one place
-            addShape(scene, ShapeDescription::Type::Sphere, transform, material);
+            addShape(scene, ShapeType::Sphere, transform, material);
         transform.scale = glm::dvec3(size, 1e-7 * size, size);
-        addShape(scene, ShapeDescription::Type::Cube, transform, 0);
+        addShape(scene, ShapeType::Cube, transform, 0);
     }
     checkAll(scene, 36);
 }
@@ -199,7 +201,7 @@ TEST_CASE("meshes are the same with and without a tree") {
     for (const auto& mesh : {triangleSoup(random, 400), ball(8), triangleSoup(random, 9)}) {
         SceneDescription scene = stage(true);
         for (const std::size_t material : {0, 1, 2})
-            addShape(scene, ShapeDescription::Type::Mesh, randomTransform(random, 1.5), material, mesh);
+            addShape(scene, ShapeType::Mesh, randomTransform(random, 1.5), material, mesh);
         checkAll(scene, 36);
     }
 }
@@ -209,10 +211,11 @@ TEST_CASE("a mesh far from its own origin is the same with and without a tree") 
     for (const double distance : {1e3, 1e7}) {
         auto mesh = std::make_shared<MeshData>(*ball(6));
         for (glm::dvec3& p : mesh->positions) p += distance;
+        mesh->findBounds();
         SceneDescription scene = stage(true);
         TransformDescription transform;
         transform.translate = glm::dvec3(-distance);
-        addShape(scene, ShapeDescription::Type::Mesh, transform, 2, mesh);
+        addShape(scene, ShapeType::Mesh, transform, 2, mesh);
         addRandomSolids(scene, random, 30);
         checkAll(scene, 36);
     }
@@ -224,7 +227,7 @@ TEST_CASE(
     Random random(11);
     const auto mesh = triangleSoup(random, 60000);
     for (const int threads : {1, 3}) {
-        const Bvh bvh = Bvh::ofTriangles(mesh->positions, mesh->positionIndex, threads);
+        const Bvh bvh = Bvh::ofTriangles(*mesh, threads);
         int missing = 0;
         for (std::uint32_t triangle = 0; triangle < mesh->triangleCount(); triangle += 7) {
             const glm::dvec3* corner = &mesh->positions[3 * triangle];
@@ -274,7 +277,7 @@ TEST_CASE("a beam meets whatever one of its rays does, with each instruction set
         boxes.push_back(box);
         names.names.push_back(i);
     }
-    const Bvh trees[2] = {Bvh::ofTriangles(mesh->positions, mesh->positionIndex), Bvh::ofBoxes(boxes, names)};
+    const Bvh trees[2] = {Bvh::ofTriangles(*mesh), Bvh::ofBoxes(boxes, names)};
     for (const InstructionSet set : instructionSets()) {
         setInstructionSet(set);
         for (const Bvh& tree : trees) {

@@ -12,7 +12,7 @@ using namespace raytracer::test;
 
 namespace {
 
-using Type = ShapeDescription::Type;
+using Type = ShapeType;
 
 // The picture as the core hands it over.
 class DoubleSink final : public PixelSink {

@@ -14,7 +14,7 @@ using namespace raytracer::test;
 
 namespace {
 
-using Type = ShapeDescription::Type;
+using Type = ShapeType;
 using Warnings = std::vector<std::string>;
 
 // The camera is at the origin and looks along -z, 90 degrees wide and high; a light far behind it.
@@ -187,6 +187,7 @@ TEST_CASE("a mesh is where its vertices are") {
     MeshData data;
     data.positions = {{10, 0, 0}, {11, 0, 0}, {10, 1, 0}};
     data.positionIndex = {0, 1, 2};
+    data.findBounds();
     TestScene scene;
     scene.add(Type::Mesh, {0, 0, -3});
     scene.add(Type::Mesh, {-10, 0, -3});

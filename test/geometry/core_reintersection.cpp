@@ -38,6 +38,7 @@ TEST_CASE("re-intersection: a plane and a triangle never meet their own ray, whe
     auto triangle = std::make_shared<MeshData>();
     triangle->positions = {{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
     triangle->positionIndex = {0, 1, 2};
+    triangle->findBounds();
     const Material material;
     Random random(8);
     int again = 0;

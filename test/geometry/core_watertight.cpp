@@ -67,6 +67,7 @@ TEST_CASE("watertight: by a sliver") {
         auto data = std::make_shared<MeshData>();
         data->positions = {middle, right, rounded(side), left, rounded(-side)};
         data->positionIndex = {0, 1, 2, 0, 2, 3, 0, 3, 1, 3, 4, 1};
+        data->findBounds();
         const TriangleMesh triangles(data);
         const ObjectRay line{Vec3(0, 0, -1), Vec3(0, 0, 1)};
         int crossings = 0;

@@ -6,7 +6,7 @@
 
 using namespace raytracer;
 using namespace raytracer::test;
-using Type = ShapeDescription::Type;
+using Type = ShapeType;
 
 namespace {
 

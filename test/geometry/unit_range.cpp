@@ -9,7 +9,7 @@
 
 using namespace raytracer;
 using namespace raytracer::test;
-using Type = ShapeDescription::Type;
+using Type = ShapeType;
 
 namespace {
 

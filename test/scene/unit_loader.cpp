@@ -152,7 +152,7 @@ TEST_CASE("Every key arrives where it belongs") {
         CHECK(transform.matrix == glm::dmat4({1, 0, 0, 0}, {0.5, 1, 0, 0}, {0, 0, 1, 0}, {3, 2, 1, 1}));
     }
     SECTION("shape, mesh and texture") {
-        CHECK(scene.shapes.at(0).type == ShapeDescription::Type::Mesh);
+        CHECK(scene.shapes.at(0).type == ShapeType::Mesh);
         CHECK(scene.shapes[0].mesh->triangleCount() == 1);
         CHECK(scene.textures.at(0).name == "check");
         CHECK(scene.textures[0].texture->width == 4);

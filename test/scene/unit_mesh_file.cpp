@@ -40,6 +40,8 @@ TEST_CASE("An OBJ's faces become triangles in file order") {
     SECTION("a triangle") {
         const MeshData mesh = parse(square + "f 1 2 3\n");
         CHECK(mesh.positions == std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+        CHECK(mesh.low == glm::dvec3(0, 0, 0));
+        CHECK(mesh.high == glm::dvec3(1, 1, 0));
         CHECK(mesh.positionIndex == Indices{0, 1, 2});
         CHECK(mesh.texCoordIndex.empty());
         CHECK(mesh.triangleCount() == 1);

@@ -103,6 +103,7 @@ inline std::shared_ptr<const MeshData> roundMesh(bool coarse = false) {
                 }
                 mesh->positionIndex.insert(mesh->positionIndex.end(), triangles.begin(), triangles.end());
             }
+    mesh->findBounds();
     return mesh;
 }
 

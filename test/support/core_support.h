@@ -89,6 +89,7 @@ inline std::shared_ptr<const MeshData> cubeMesh() {
             mesh->texCoordIndex.push_back(base + corner);
         }
     }
+    mesh->findBounds();
     return mesh;
 }
 

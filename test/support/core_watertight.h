@@ -12,6 +12,7 @@ namespace test {
 inline std::shared_ptr<const MeshData> starMesh(const glm::dvec3& center, Random& random) {
     auto mesh = std::make_shared<MeshData>(*roundMesh(true));
     for (glm::dvec3& p : mesh->positions) p = p * random.between(0.7, 1.3) + center;
+    mesh->findBounds();
     return mesh;
 }
 

@@ -57,7 +57,7 @@ struct SceneMaker {
         return m;
     }
     // A shape of the material made last.
-    void shape(ShapeDescription::Type type, const TransformDescription& transform) {
+    void shape(ShapeType type, const TransformDescription& transform) {
         scene.transforms.push_back(transform);
         scene.shapes.push_back({type, scene.transforms.size() - 1, scene.materials.size() - 1, nullptr});
     }

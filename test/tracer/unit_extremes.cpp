@@ -35,7 +35,7 @@ SceneDescription betweenFarCubes(SceneDescription scene, double distance) {
     for (const double side : {-distance, distance}) {
         scene.transforms.push_back(
             {"", side * glm::dvec3(0.48, 0.6, 0.64), {}, glm::dvec3(distance * 0x1p-20), {}});
-        scene.shapes.push_back({ShapeDescription::Type::Cube, scene.transforms.size() - 1, 0, nullptr});
+        scene.shapes.push_back({ShapeType::Cube, scene.transforms.size() - 1, 0, nullptr});
     }
     return scene;
 }

@@ -21,6 +21,8 @@
 
 namespace raytracer {
 
+struct MeshData;  // mesh_file.h
+
 struct FloatBox {
     float low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
     bool ball = false;  // it is a cube but for rounding, and what is in it lies in the ball inscribed in it
@@ -121,10 +123,8 @@ class Bvh {
     static Bvh ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads = 0);
     static bool usable(const FloatBox& box);
 
-    // Over triangles, three indices each. Empty where the coordinates are so large that their differences
-    // overflow.
-    static Bvh ofTriangles(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> indices,
-                           int threads = 0);
+    // Over a mesh's triangles. Empty where the coordinates are so large that their differences overflow.
+    static Bvh ofTriangles(const MeshData& mesh, int threads = 0);
 
     bool empty() const { return !hasRoot_; }
 

@@ -14,6 +14,6 @@ std::string explanationJson(const RayExplanation& explanation, const SceneDescri
 
 // What a shape's part is called: "body", "x = -1", "triangle 17" (from 0, in the file's order); empty where
 // it has only one.
-std::string faceName(ShapeDescription::Type type, std::size_t primitive);
+std::string faceName(ShapeType type, std::size_t primitive);
 
 }  // namespace raytracer

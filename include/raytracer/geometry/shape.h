@@ -10,6 +10,7 @@
 #include "raytracer/geometry/hit_query.h"
 #include "raytracer/geometry/material.h"
 #include "raytracer/geometry/transform.h"
+#include "raytracer/scene/scene_description.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -32,7 +33,7 @@ struct IntersectionT {
 };
 using Intersection = IntersectionT<Real>;
 
-enum class ShapeKind : std::uint8_t { Sphere, Plane, Cylinder, Cone, Cube, Mesh };
+using ShapeKind = ShapeType;
 
 // Beside the virtual functions, for one ray, each shape has the same as templates, for one or several
 // (`meet`, `surface`), which src/shape_formulas.h and src/mesh_formulas.h define.

@@ -18,9 +18,12 @@ struct MeshData {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec2> texCoords;         // (u, v), v up
     std::vector<std::uint32_t> positionIndex;  // 3 for each triangle
-    std::vector<std::uint32_t>
-        texCoordIndex;  // 3 for each triangle, or empty when no face has vt; noTexCoord
+    std::vector<std::uint32_t> texCoordIndex;  // 3 for each triangle, or empty where no face has vt
     static constexpr std::uint32_t noTexCoord = ~std::uint32_t{0};  // for a corner without vt: (0, 0)
+
+    // The box around all positions, as findBounds has found it: whoever fills positions calls that once.
+    glm::dvec3 low{0}, high{0};
+    void findBounds();
 
     std::size_t triangleCount() const { return positionIndex.size() / 3; }
 };

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -62,15 +63,17 @@ struct TransformDescription {
     Rare<glm::dmat4> matrix;  // columns, as in the file; bottom row 0 0 0 1
 };
 
+enum class ShapeType : std::uint8_t { Sphere, Plane, Cylinder, Cone, Cube, Mesh };
+
 struct ShapeDescription {
-    enum class Type { Sphere, Plane, Cylinder, Cone, Cube, Mesh };
-    Type type = Type::Sphere;
+    ShapeType type = ShapeType::Sphere;
     std::size_t transform = 0, material = 0;  // indices into SceneDescription
-    std::shared_ptr<const MeshData> mesh;     // for Type::Mesh; shared by shapes that name the same file
+    std::shared_ptr<const MeshData> mesh;     // for ShapeType::Mesh; shared by shapes that name the same file
 };
 
-// "sphere", "plane", ...: as in the file.
-const char* typeName(ShapeDescription::Type type);
+// As in the file.
+inline constexpr std::string_view shapeTypeNames[] = {"sphere", "plane", "cylinder", "cone", "cube", "mesh"};
+inline const char* typeName(ShapeType type) { return shapeTypeNames[static_cast<std::size_t>(type)].data(); }
 
 struct TextureDescription {
     std::string name;
