@@ -14,7 +14,7 @@ namespace {
 struct Jobs {
     std::uint32_t count;
     std::atomic<std::uint32_t> next{0};
-    std::mutex mutex;
+    std::mutex mutex{};
     std::exception_ptr error{};
     std::uint32_t errorJob = 0;
 };
