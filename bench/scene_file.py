@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy
 
-# The defaults of a key that a material or light leaves out (SPEC.md, reference/defaults.json).
+# The defaults of a key that a material or light leaves out (scenes/scene.schema.json).
 MATERIAL_DEFAULTS = {
     "color_ambient": [0, 0, 0], "color_diffuse": [1, 1, 1], "color_specular": [1, 1, 1], "shininess": 10,
     "reflective": False, "color_reflect": [1, 1, 1], "refractive": False, "color_refract": [1, 1, 1],

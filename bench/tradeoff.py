@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What the knobs cost and give: `raytracer tradeoff` on six scenes with different bottlenecks, and the README's tables from it.
+"""What the knobs cost and give: `raytracer tradeoff` on six scenes with different bottlenecks, and bench/README.md's tables from it.
 
     bench/tradeoff.py [--raytracer PROGRAM] [--size 120] [--out bench/results] [--from tradeoff.csv]
 
-Writes tradeoff.svg, tradeoff.html and tradeoff.csv into --out, and tradeoff.md: the tables of README's chapter. --from only makes
+Writes tradeoff.svg, tradeoff.html and tradeoff.csv into --out, and tradeoff.md: the tables of bench/README.md. --from only makes
 the tables anew. Times are processor seconds; the tables have their ratios.
 """
 import argparse

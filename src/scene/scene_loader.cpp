@@ -106,7 +106,7 @@ ShapeDescription SceneReader::readShape(JsonView view) {
     return shape;
 }
 
-// Only now is it known that someone can see it (DESIGN.md, invariant 6).
+// Only now is it known that someone can see it (src/README.md, 7: the model has what a scene needs).
 void SceneReader::loadTextureOf(std::size_t material) {
     const auto index = textureOfMaterial_[material];
     if (!index) return;

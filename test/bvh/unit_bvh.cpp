@@ -1,5 +1,5 @@
 // The tree may discard but never decide: with it or without, and with any instruction set, pictures are the
-// same to the last bit of every colour (DESIGN.md, invariant 2).
+// same to the last bit of every colour (src/README.md, invariant 2).
 #include <algorithm>
 #include <memory>
 #include <random>

@@ -1,4 +1,4 @@
-// A pixel is a pure function of (scene, options, x, y): DESIGN.md, invariant 1.
+// A pixel is a pure function of (scene, options, x, y): src/README.md, invariant 1.
 #include <algorithm>
 
 #include <catch2/catch.hpp>

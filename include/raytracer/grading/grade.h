@@ -12,7 +12,7 @@
 
 namespace raytracer {
 
-// The stages of the light model that reference pictures show (SPEC.md), and the options of `render` that show
+// The stages of the light model that reference pictures show, and the options of `render` that show
 // them.
 struct Stage {
     std::string_view name;  // X-NAME.png
