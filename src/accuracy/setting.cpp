@@ -1,9 +1,10 @@
 #include "raytracer/accuracy/setting.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <numeric>
+
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -16,11 +17,7 @@ RenderOptions withSetting(RenderOptions options, const Setting& setting) {
     return options;
 }
 
-std::string shortNumber(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
+std::string shortNumber(double value) { return formatted("%.3g", value); }
 
 const char* precisionName(Precision precision) {
     switch (precision) {

@@ -1,10 +1,10 @@
 // The charts: RMSE over processor seconds, both logarithmic.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/util/html.h"
+#include "raytracer/util/text.h"
 #include "tradeoff_style.h"
 
 namespace raytracer {
@@ -13,13 +13,6 @@ namespace {
 
 // In the units of the SVG.
 constexpr double width = 420, height = 300, left = 46, right = 12, top = 12, bottom = 40;
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 // Maps a positive number to a place, whole decades at both ends.
 class LogAxis {

@@ -1,8 +1,7 @@
 // The page: every scene's chart, front, pictures and arithmetic.
-#include <cstdio>
-
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/util/html.h"
+#include "raytracer/util/text.h"
 #include "tradeoff_style.h"
 
 namespace raytracer {
@@ -17,13 +16,6 @@ how far its picture is from a converged one (RMSE of 1, in linear light, before 
 <i class="key"></i> beaten by another one. <i class="key plain"></i> the defaults. Dotted: how far the reference itself is to be
 trusted. Letters: the pictures below; press one to see the reference in its place.</p>
 )html";
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 // Lines break between options, never in one.
 std::string optionsOf(const Setting& setting) {

@@ -1,17 +1,9 @@
-#include <cstdio>
-
 #include "raytracer/accuracy/tradeoff_report.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
 namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    char text[512];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 std::string csvLine(const std::string& scene, const char* question, const Trial& t) {
     const Setting& s = t.setting;

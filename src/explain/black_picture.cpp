@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -10,6 +9,8 @@
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -118,11 +119,8 @@ std::string unlit(const Tally& tally, const SceneDescription& scene) {
 
 std::string reason(const Tally& tally, const SceneDescription& scene) {
     if (tally.brightest <= 0) return unlit(tally, scene) + "; and there is no ambient light on it";
-    char text[100];
-    std::snprintf(text, sizeof text,
-                  "it is too dark to be seen: the largest channel that was found is %.3g of 1",
-                  tally.brightest);
-    return text;
+    return formatted("it is too dark to be seen: the largest channel that was found is %.3g of 1",
+                     tally.brightest);
 }
 
 std::vector<Pixel> pixelsThatHit(const Renderer& renderer, RenderOptions options) {

@@ -1,29 +1,20 @@
 #include "raytracer/explain/explanation_text.h"
 
-#include <cstdio>
-
 #include "raytracer/pictures/image.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
 namespace {
 
-std::string number(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.9g", value + 0.0);  // no "-0"
-    return text;
-}
+std::string number(double value) { return formatted("%.9g", value + 0.0); }  // no "-0"
 
 std::string triple(const glm::dvec3& v) {
-    char text[120];
-    std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g)", v.x + 0.0, v.y + 0.0, v.z + 0.0);
-    return text;
+    return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
 }
 
 std::string bytes(const glm::dvec3& color) {
-    char text[40];
-    std::snprintf(text, sizeof text, "(%d, %d, %d)", toByte(color.x), toByte(color.y), toByte(color.z));
-    return text;
+    return formatted("(%d, %d, %d)", toByte(color.x), toByte(color.y), toByte(color.z));
 }
 
 const char* reasonText(NotCast reason) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -12,6 +11,7 @@
 
 #include "raytracer/scene/affine.h"
 #include "raytracer/scene/mesh_file.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -48,11 +48,7 @@ class Lines {
     std::size_t notShown_ = 0;
 };
 
-std::string number(Real value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6Lg", value);
-    return text;
-}
+std::string number(Real value) { return formatted("%.6Lg", value); }
 
 // The camera's frame, and what it sees: the points p + s d, s >= 0, for all p between `starts` and d between
 // `directions`, taken from the eye. A convex region; its bounds are planes, normal . p >= least.

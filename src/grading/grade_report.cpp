@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 
 #include "grade_report_page.h"
 #include "raytracer/util/html.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -15,9 +15,7 @@ namespace {
 
 std::string number(double value, const char* format = "%.4g") {
     if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
+    return formatted(format, value);
 }
 
 std::string attribute(const char* name, const std::string& value) {

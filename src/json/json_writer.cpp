@@ -2,17 +2,14 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
 namespace {
 
-std::string unicodeEscape(char c) {
-    char escape[7];
-    std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    return escape;
-}
+std::string unicodeEscape(char c) { return formatted("\\u%04x", static_cast<unsigned char>(c)); }
 
 }  // namespace
 

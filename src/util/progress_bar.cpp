@@ -5,6 +5,8 @@
 
 #include <unistd.h>
 
+#include "raytracer/util/text.h"
+
 namespace raytracer {
 
 namespace {
@@ -44,12 +46,9 @@ std::string ProgressBar::line(double fraction, double elapsedSeconds) {
     const int filled = static_cast<int>(fraction * barWidth);
     const double left = fraction > 0 ? elapsedSeconds * (1 - fraction) / fraction : 0;
     const long seconds = std::lround(left);
-    char tail[64];
-    std::snprintf(tail, sizeof tail, "] %3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60,
-                  seconds % 60);
     std::string bar(static_cast<std::size_t>(barWidth), ' ');
     bar.replace(0, static_cast<std::size_t>(filled), static_cast<std::size_t>(filled), '#');
-    return '[' + bar + tail;
+    return '[' + bar + formatted("] %3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
 }
 
 }  // namespace raytracer
