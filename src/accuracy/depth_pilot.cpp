@@ -7,9 +7,9 @@ namespace raytracer {
 DepthPilot::DepthPilot(const Renderer& renderer, const RenderOptions& options,
                        std::span<const PixelPlace> pixels, const Setting& deepest)
     : deepest_(deepest.max_recursion) {
-    spent_ = rayCount(renderer.follow(withSetting(options, deepest), pixels, followed_));
+    spent_ = rayCount(renderer.rayTrees(withSetting(options, deepest), pixels, trees_));
     for (std::size_t pixel = 0; pixel < pixels.size(); ++pixel) {
-        const std::span<const FollowedRay> rays = followed_.of(pixel);
+        const std::span<const RayTreeNode> rays = trees_.of(pixel);
         if (rays.size() > 1) deep_.push_back(pixel);
         else ofOneRay_ += 1 + rays[0].shadows;
     }
@@ -34,8 +34,8 @@ std::vector<DepthChoice> DepthPilot::measure(double cutoff) const {
         glm::dvec3 never(0);
         std::size_t top = 0;
         color[0] = glm::dvec3(0);
-        for (const FollowedRay& ray : followed_.of(pixel)) {
-            const int least = followedFrom(followed_, ray, cutoff);
+        for (const RayTreeNode& ray : trees_.of(pixel)) {
+            const int least = leastRecursion(trees_, ray, cutoff);
             if (least > deepest_) {
                 never += ray.light;
                 continue;
@@ -72,8 +72,8 @@ double DepthPilot::distance(const DepthChoice& a, const DepthChoice& b) {
     if (!isNew) return found->second;
     double sum = 0;
     for (const std::size_t pixel : deep_)
-        sum += squaredError(shallower(followed_, pixel, a.max_recursion, a.cutoff).color,
-                            shallower(followed_, pixel, b.max_recursion, b.cutoff).color);
+        sum += squaredError(prunedPixel(trees_, pixel, a.max_recursion, a.cutoff).color,
+                            prunedPixel(trees_, pixel, b.max_recursion, b.cutoff).color);
     return found->second = std::sqrt(sum / static_cast<double>(pixelCount()));
 }
 

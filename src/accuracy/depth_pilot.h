@@ -18,7 +18,7 @@ class DepthPilot {
     const DepthChoice& measured(int max_recursion, double cutoff);
     double distance(const DepthChoice& a, const DepthChoice& b);  // RMSE between them
 
-    std::size_t pixelCount() const { return followed_.pixelCount(); }
+    std::size_t pixelCount() const { return trees_.pixelCount(); }
     double raysSpent() const { return spent_; }  // for all pixels
 
   private:
@@ -26,7 +26,7 @@ class DepthPilot {
     std::vector<DepthChoice> measure(double cutoff) const;
 
     int deepest_;
-    FollowedRays followed_;
+    RayTrees trees_;
     double spent_ = 0, ofOneRay_ = 0;  // rays: in all; of the pixels that are the same at every depth
     std::vector<std::size_t> deep_;    // the other pixels
     std::map<double, std::vector<DepthChoice>> measured_;  // by cutoff: each max_recursion

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <glm/common.hpp>
-
 #include "raytracer/tracer/packet_order.h"
+#include "raytracer/tracer/sample_grid.h"
 
 namespace raytracer {
 
@@ -22,9 +21,9 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
 
 constexpr int placesOfCell = 16;  // along an axis, where a sample of the truth may lie in its cell
 
-// Whether adaptive takes all samples of a pixel, from how far its corners are apart.
-bool isActive(double spread, const Setting& setting) {
-    return setting.adaptive == 0 || spread > setting.adaptive;
+// Whether all samples of a pixel are taken.
+bool isActive(const ColorSpread<double>& corners, const Setting& setting) {
+    return setting.adaptive == 0 || corners.largest() > setting.adaptive;
 }
 
 // One pixel of a cell.
@@ -54,18 +53,21 @@ std::vector<PixelPlace> scatteredPixels(const PixelRectangle& crop, std::size_t 
 struct Pilot::Grid {
     struct Pixel {
         glm::dvec3 corners{0}, others{0};  // sums
-        double spread = 0;                 // the largest of the channels', of the corners as shown
+        ColorSpread<double> spread;        // of the corners
         bool isWhole = false;              // the others are there too
+
+        void addCorner(const glm::dvec3& color) {
+            corners += color;
+            spread.add(color);
+        }
     };
     Setting setting;
     std::vector<Pixel> pixels;
     double cornerRays = 0, otherRays = 0;  // of all pixels, and of those that are whole
 
-    double samples() const { return setting.samples * setting.samples; }  // of a pixel; of these
-    double corners() const { return std::min(4.0, samples()); }
-    bool isCorner(int i, int j) const {
-        return (i == 0 || i == setting.samples - 1) && (j == 0 || j == setting.samples - 1);
-    }
+    SampleGrid rule() const { return {setting.samples}; }
+    double samples() const { return rule().count(); }  // of a pixel; of these
+    double corners() const { return rule().cornerCount(); }
 };
 
 Pilot::Pilot(const Renderer& renderer, const RenderOptions& options, std::vector<PixelPlace> pixels)
@@ -114,37 +116,23 @@ Pilot::Grid& Pilot::gridOf(Setting setting) {
 }
 
 void Pilot::addSamples(Grid& grid, std::span<const std::size_t> pixels, bool corners, bool others) {
-    const int n = grid.setting.samples, step = others ? 1 : std::max(1, n - 1);
-    const auto forEachSample = [&](auto work) {
-        for (const std::size_t pixel : pixels)
-            for (int j = 0; j < n; j += step)
-                for (int i = 0; i < n; i += step)
-                    if (const bool isCorner = grid.isCorner(i, j); isCorner ? corners : others)
-                        work(pixel, i, j, isCorner);
-    };
+    const SampleGrid rule = grid.rule();
     std::vector<PixelPlace> places;
-    forEachSample([&](std::size_t pixel, int i, int j, bool) {
-        places.push_back({n * pixels_[pixel].x + i, n * pixels_[pixel].y + j});
-    });
+    for (const std::size_t pixel : pixels) {
+        const PixelPlace first{rule.n * pixels_[pixel].x, rule.n * pixels_[pixel].y};
+        const auto add = [&](int i, int j) { places.push_back({first.x + i, first.y + j}); };
+        if (corners) rule.forEachCorner(add);
+        if (others) rule.forEachOther(add);
+    }
     const double before = spent_;
-    const std::vector<glm::dvec3> colors = samples(grid.setting, n, places);
-    std::size_t next = 0;
-    glm::dvec3 low, high;
-    forEachSample([&](std::size_t pixel, int i, int j, bool isCorner) {
+    const std::vector<glm::dvec3> colors = samples(grid.setting, rule.n, places);
+    auto color = colors.begin();
+    for (const std::size_t pixel : pixels) {
         Grid::Pixel& sums = grid.pixels[pixel];
-        const glm::dvec3& color = colors[next++];
-        if (!isCorner) {
-            sums.others += color;
-            return;
-        }
-        const glm::dvec3 shown = glm::clamp(color, 0.0, 1.0);
-        low = i == 0 && j == 0 ? shown : glm::min(low, shown);
-        high = i == 0 && j == 0 ? shown : glm::max(high, shown);
-        sums.corners += color;
-        sums.spread = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-    });
-    if (others)
-        for (const std::size_t pixel : pixels) grid.pixels[pixel].isWhole = true;
+        if (corners) rule.forEachCorner([&](int, int) { sums.addCorner(*color++); });
+        if (others) rule.forEachOther([&](int, int) { sums.others += *color++; });
+        sums.isWhole |= others;
+    }
     const double rays = spent_ - before;
     const double cornerPart = !corners ? 0 : others ? grid.corners() / grid.samples() : 1;
     grid.cornerRays += cornerPart * rays;

@@ -6,14 +6,14 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 void RayFollower::enter(const RayPath& path) {
     if (open_.empty()) max_recursion_ = path.max_recursion;
     open_.push_back(rays_.size());
-    FollowedRay ray;
+    RayTreeNode ray;
     ray.weight = glm::dvec3(path.weight);
     ray.depth = static_cast<std::uint16_t>(max_recursion_ - path.max_recursion);
     rays_.push_back(ray);
 }
 
 void RayFollower::light(bool castsShadowRay, const Color& sum) {
-    FollowedRay& ray = rays_[open_.back()];
+    RayTreeNode& ray = rays_[open_.back()];
     ray.light += ray.weight * glm::dvec3(sum);
     if (castsShadowRay) ++ray.shadows;
 }
@@ -28,7 +28,7 @@ void RayFollower::light(const DirectLight&, const Shadow* shadow, const Color& s
 void RayFollower::notCast(RayKind, NotCast) {}
 void RayFollower::leave(const Color&) { leave(); }
 
-void RayFollower::moveTo(FollowedRays& followed) {
+void RayFollower::moveTo(RayTrees& followed) {
     followed.rays.insert(followed.rays.end(), rays_.begin(), rays_.end());
     followed.ends.push_back(followed.rays.size());
     rays_.clear();

@@ -1,7 +1,7 @@
 // Watches rayColor for a pixel and keeps what each ray brings.
 #pragma once
 
-#include "raytracer/tracer/followed_rays.h"
+#include "raytracer/tracer/ray_tree.h"
 #include "raytracer/tracer/scene.h"
 
 namespace raytracer {
@@ -21,10 +21,10 @@ class RayFollower final : public Observer {
     void leave(const Color& color) override;
 
     // The pixel's, to the end of what is there; another pixel comes next.
-    void moveTo(FollowedRays& followed);
+    void moveTo(RayTrees& followed);
 
   private:
-    std::vector<FollowedRay> rays_;
+    std::vector<RayTreeNode> rays_;
     std::vector<std::size_t> open_;  // the ray being followed, after those that led to it
     int max_recursion_ = 0;
 };

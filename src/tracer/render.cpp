@@ -5,6 +5,7 @@
 
 #include "ray_follower.h"
 #include "raytracer/tracer/packet_tracer.h"
+#include "raytracer/tracer/sample_grid.h"
 #include "raytracer/util/parallel.h"
 
 namespace raytracer {
@@ -29,26 +30,16 @@ class PixelGroup {
         : scene_(scene),
           pixels_(pixels),
           context_(context),
-          samples_(context.options->samples),
-          cell_(1 / static_cast<Real>(samples_)),
-          tolerance_(static_cast<Real>(context.options->adaptive)) {
-        for (int pixel = 0; pixel < count(); ++pixel) {
-            Sum& sum = sums_[pixel];
-            sum.color = Color(0), sum.taken = 0, sum.dropped = 0;
-        }
-    }
+          grid_{context.options->samples},
+          tolerance_(static_cast<Real>(context.options->adaptive)) {}
 
     void render(std::span<Color> colors) {
-        // The corners first: where they agree to within `adaptive` they stand for the whole grid.
-        const int last = samples_ - 1;
         for (int pixel = 0; pixel < count(); ++pixel)
-            add(pixel, 0, 0), add(pixel, last, 0), add(pixel, 0, last), add(pixel, last, last);
+            grid_.forEachCorner([&](int i, int j) { add(pixel, i, j); });
         take();
-        if (last > 1) {
-            for (int pixel = 0; pixel < count(); ++pixel)
-                if (!isFlat(sums_[pixel])) addTheRest(pixel);
-            take();
-        }
+        for (int pixel = 0; pixel < count(); ++pixel)
+            if (!isFlat(sums_[pixel])) grid_.forEachOther([&](int i, int j) { add(pixel, i, j); });
+        take();
         for (int pixel = 0; pixel < count(); ++pixel) {
             const Sum& sum = sums_[pixel];
             colors[static_cast<std::size_t>(pixel)] = sum.color / static_cast<Real>(sum.taken);
@@ -58,10 +49,10 @@ class PixelGroup {
 
   private:
     struct Sum {
-        Color color;
-        int taken;
-        double dropped;
-        Color low, high;  // of the samples, as a picture shows them; only for `adaptive`
+        Color color{0};
+        int taken = 0;
+        double dropped = 0;
+        ColorSpread<Real> spread;  // of the samples; only for `adaptive`
     };
 
     int count() const { return static_cast<int>(pixels_.size()); }
@@ -69,16 +60,9 @@ class PixelGroup {
     void add(int pixel, int i, int j) {
         const PixelPlace& place = pixels_[static_cast<std::size_t>(pixel)];
         owners_[points_.count] = pixel;
-        points_.add(static_cast<Real>(place.x) + (static_cast<Real>(i) + Real(0.5)) * cell_,
-                    static_cast<Real>(place.y) + (static_cast<Real>(j) + Real(0.5)) * cell_);
+        points_.add(static_cast<Real>(place.x) + grid_.offset<Real>(i),
+                    static_cast<Real>(place.y) + grid_.offset<Real>(j));
         if (points_.count == PointPacket::most) take();
-    }
-
-    void addTheRest(int pixel) {
-        const auto isOuter = [&](int k) { return k == 0 || k == samples_ - 1; };
-        for (int j = 0; j < samples_; ++j)
-            for (int i = 0; i < samples_; ++i)
-                if (!(isOuter(i) && isOuter(j))) add(pixel, i, j);
     }
 
     void take() {
@@ -87,11 +71,7 @@ class PixelGroup {
         for (int i = 0; i < points_.count; ++i) {
             Sum& sum = sums_[owners_[i]];
             const Color color = points_.colorOf(i);
-            if (tolerance_ > 0) {
-                const Color shown = glm::clamp(color, Real(0), Real(1));
-                sum.low = sum.taken == 0 ? shown : glm::min(sum.low, shown);
-                sum.high = sum.taken == 0 ? shown : glm::max(sum.high, shown);
-            }
+            if (tolerance_ > 0) sum.spread.add(color);
             sum.color += color;
             sum.dropped += points_.dropped[i];
             ++sum.taken;
@@ -99,15 +79,13 @@ class PixelGroup {
         points_.count = 0;
     }
 
-    bool isFlat(const Sum& sum) const {
-        return tolerance_ > 0 && maxComponent(sum.high - sum.low) <= tolerance_;
-    }
+    bool isFlat(const Sum& sum) const { return tolerance_ > 0 && sum.spread.largest() <= tolerance_; }
 
     const Scene& scene_;
     std::span<const PixelPlace> pixels_;
     RenderContext& context_;
-    int samples_;
-    Real cell_, tolerance_;
+    SampleGrid grid_;
+    Real tolerance_;
     PointPacket points_;
     int owners_[PointPacket::most];
     Sum sums_[PointPacket::most];
@@ -222,13 +200,13 @@ RenderCounts Scene::renderPixels(const RenderOptions& options, std::span<const P
     return shareOut(*this, options, (pixels.size() + batch - 1) / batch, nullptr, work);
 }
 
-RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
-                           FollowedRays& followed) const {
+RenderCounts Scene::rayTrees(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                             RayTrees& followed) const {
     RenderOptions once = options;
     once.samples = 1;
     once.pass = Pass::Color;
     const std::size_t batch = 64, jobs = (pixels.size() + batch - 1) / batch;
-    std::vector<FollowedRays> parts(jobs);
+    std::vector<RayTrees> parts(jobs);
     const auto work = [&](std::uint32_t job, RenderContext& context) {
         const std::size_t begin = std::size_t{job} * batch;
         std::span<const PixelPlace> some = pixels.subspan(begin, std::min(batch, pixels.size() - begin));
@@ -244,7 +222,7 @@ RenderCounts Scene::follow(const RenderOptions& options, std::span<const PixelPl
     };
     const RenderCounts counts = shareOut(*this, once, jobs, nullptr, work);
     followed = {};
-    for (const FollowedRays& part : parts) {
+    for (const RayTrees& part : parts) {
         const std::size_t before = followed.rays.size();
         followed.rays.insert(followed.rays.end(), part.rays.begin(), part.rays.end());
         for (const std::size_t end : part.ends) followed.ends.push_back(before + end);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "raytracer/tracer/cutoff.h"
+
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
@@ -125,7 +127,7 @@ NotCast Scene::whyNotRefracted(const Material& material, const RayPath& onwards,
 }
 
 double Scene::mostChange(const RayPath& path, const RenderContext& context) const {
-    return static_cast<double>(maxComponent(abs(path.weight) * context.brightest[path.max_recursion]));
+    return throughputBound(path.weight, context.brightest[path.max_recursion]);
 }
 
 bool Scene::isWorthCasting(const RayPath& path, const RenderContext& context) const {

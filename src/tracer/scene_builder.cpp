@@ -113,9 +113,9 @@ class SceneRenderer final : public Renderer {
         return scene_->renderPixels(options, pixels, colors);
     }
 
-    RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
-                        FollowedRays& followed) const override {
-        return scene_->follow(options, pixels, followed);
+    RenderCounts rayTrees(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                          RayTrees& trees) const override {
+        return scene_->rayTrees(options, pixels, trees);
     }
 
     RayExplanation explain(const RenderOptions& options, int x, int y) const override {

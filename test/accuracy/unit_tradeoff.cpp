@@ -194,13 +194,13 @@ TEST_CASE("a pilot's adaptive pixels are the render's, and cost about as many ra
     });
 }
 
-TEST_CASE("followed rays tell every shallower picture, and its rays") {
+TEST_CASE("pruned ray trees are the pixels of every smaller recursion, and their rays") {
     forEveryScene(32, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const std::vector<PixelPlace> pixels = allPixels(options);
         const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
-        FollowedRays followed;
-        renderer.follow(withSetting(options, deepest), pixels, followed);
-        REQUIRE(followed.pixelCount() == pixels.size());
+        RayTrees trees;
+        renderer.rayTrees(withSetting(options, deepest), pixels, trees);
+        REQUIRE(trees.pixelCount() == pixels.size());
         for (const Setting& setting :
              {deepest, Setting{.max_recursion = 9, .cutoff = 0.3},
               Setting{.max_recursion = 2, .cutoff = 0.02}, Setting{.max_recursion = 1, .cutoff = 0.1},
@@ -212,7 +212,7 @@ TEST_CASE("followed rays tell every shallower picture, and its rays") {
             double counted = 0;
             double off = 0;
             for (std::size_t i = 0; i < pixels.size(); ++i) {
-                const PixelAndRays pixel = shallower(followed, i, setting.max_recursion, setting.cutoff);
+                const PrunedPixel pixel = prunedPixel(trees, i, setting.max_recursion, setting.cutoff);
                 counted += pixel.rays;
                 off = std::max(off, squaredError(pixel.color, colors[i]));
             }
@@ -226,8 +226,8 @@ TEST_CASE("a depth costs and leaves out what its pixels say, one by one") {
     forEveryScene(32, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const std::vector<PixelPlace> pixels = allPixels(options);
         const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
-        FollowedRays followed;
-        renderer.follow(withSetting(options, deepest), pixels, followed);
+        RayTrees trees;
+        renderer.rayTrees(withSetting(options, deepest), pixels, trees);
         DepthPilot pilot(renderer, options, pixels, deepest);
         for (const int depth : {0, 1, 2, 5, 9})
             for (const double cutoff : {0.02, 0.1, 0.5}) {
@@ -235,9 +235,9 @@ TEST_CASE("a depth costs and leaves out what its pixels say, one by one") {
                 double rays = 0;
                 std::vector<double> errors;
                 for (std::size_t i = 0; i < pixels.size(); ++i) {
-                    const PixelAndRays pixel = shallower(followed, i, depth, cutoff);
+                    const PrunedPixel pixel = prunedPixel(trees, i, depth, cutoff);
                     rays += pixel.rays / static_cast<double>(pixels.size());
-                    errors.push_back(squaredError(pixel.color, shallower(followed, i, 9, 0.02).color));
+                    errors.push_back(squaredError(pixel.color, prunedPixel(trees, i, 9, 0.02).color));
                 }
                 const ErrorEstimate error = rootOf(meanOf(errors));
                 const DepthChoice choice = pilot.measured(depth, cutoff);
@@ -251,14 +251,14 @@ TEST_CASE("a depth costs and leaves out what its pixels say, one by one") {
     });
 }
 
-TEST_CASE("followed rays of colours as large as any stay numbers") {
+TEST_CASE("ray trees of huge colours stay finite") {
     SceneDescription scene = loadScene(SOURCE_DIR "/scenes/refraction.json", true).description;
     for (LightDescription& light : scene.lights) light.color = glm::dvec3(1e300);
     const RenderOptions options = wholePicture(scene, 16);
-    FollowedRays followed;
+    RayTrees trees;
     const RenderOptions deep = withSetting(options, {.max_recursion = 6, .cutoff = 0.1});
-    makeRenderer(scene, Precision::Double)->follow(deep, allPixels(options), followed);
-    for (const FollowedRay& ray : followed.rays) CHECK(std::isfinite(glm::dot(ray.light, glm::dvec3(1))));
+    makeRenderer(scene, Precision::Double)->rayTrees(deep, allPixels(options), trees);
+    for (const RayTreeNode& ray : trees.rays) CHECK(std::isfinite(glm::dot(ray.light, glm::dvec3(1))));
 }
 
 TEST_CASE("a truth of two noisy estimates gives the error without bias") {
@@ -286,7 +286,7 @@ TEST_CASE("a truth that grows takes other samples, and no more than it lacks") {
     class Places : public Renderer {
       public:
         RenderCounts render(const RenderOptions&, PixelSink&, ProgressListener*) const override { return {}; }
-        RenderCounts follow(const RenderOptions&, std::span<const PixelPlace>, FollowedRays&) const override {
+        RenderCounts rayTrees(const RenderOptions&, std::span<const PixelPlace>, RayTrees&) const override {
             return {};
         }
         RayExplanation explain(const RenderOptions&, int, int) const override { return {}; }

@@ -6,7 +6,7 @@
 #include "raytracer/bvh/build_options.h"
 #include "raytracer/scene/scene_description.h"
 #include "raytracer/tracer/explanation.h"
-#include "raytracer/tracer/followed_rays.h"
+#include "raytracer/tracer/ray_tree.h"
 #include "raytracer/tracer/render_options.h"
 #include "raytracer/util/progress.h"
 
@@ -26,10 +26,10 @@ class Renderer {
     virtual RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                                       std::span<glm::dvec3> colors) const = 0;
 
-    // The rays behind the centres of some pixels, those of pixels[i] as FollowedRays::of(i): when
+    // The rays behind the centres of some pixels, those of pixels[i] as RayTrees::of(i): when
     // options.samples is 1 and options.pass is Color, the ones that renderPixels follows.
-    virtual RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
-                                FollowedRays& followed) const = 0;
+    virtual RenderCounts rayTrees(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                                  RayTrees& trees) const = 0;
 
     // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for
     // it when options.samples is 1 and options.pass is Color.

@@ -7,9 +7,9 @@
 
 #include "raytracer/geometry/shape_tree.h"
 #include "raytracer/tracer/camera.h"
-#include "raytracer/tracer/followed_rays.h"
 #include "raytracer/tracer/observer.h"
 #include "raytracer/tracer/packet_order.h"
+#include "raytracer/tracer/ray_tree.h"
 #include "raytracer/tracer/render_options.h"
 #include "raytracer/util/progress.h"
 
@@ -23,7 +23,7 @@ struct RenderContext {
     const RenderOptions* options;
     const Color* brightest = nullptr;  // by max_recursion: Scene::brightestColors; only for a cutoff
     Observer* observer = nullptr;
-    RayFollower* followers = nullptr;  // one for each point of a packet (Scene::follow)
+    RayFollower* followers = nullptr;  // one for each point of a packet (Scene::rayTrees)
     RenderCounts counts{};
     double dropped = 0;  // the most that rays not cast so far can have changed the pixel
 };
@@ -111,9 +111,9 @@ class Scene {
     RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
                               std::span<glm::dvec3> colors) const;
 
-    // Renderer::follow.
-    RenderCounts follow(const RenderOptions& options, std::span<const PixelPlace> pixels,
-                        FollowedRays& followed) const;
+    // Renderer::rayTrees.
+    RenderCounts rayTrees(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                          RayTrees& trees) const;
 
   private:
     void traverse(const Ray& ray, HitQuery& query, RenderContext& context) const;
