@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "page.h"
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/util/html.h"
 #include "raytracer/util/text.h"
-#include "tradeoff_style.h"
 
 namespace raytracer {
 
@@ -154,9 +154,10 @@ std::string tradeoffSvg(std::span<const SceneTradeoff> scenes) {
     const std::size_t columns = std::min<std::size_t>(3, scenes.size()),
                       rows = (scenes.size() + columns - 1) / columns;
     std::string svg =
-        formatted("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %g %g'><style>",
+        formatted("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %g %g'><style>\n",
                   width * static_cast<double>(columns), (height + title) * static_cast<double>(rows)) +
-        chartColors + chartStyle + "</style><rect width='100%' height='100%' fill='var(--card)'/>\n";
+        accuracy_page::colors + "\n" + accuracy_page::chart +
+        "</style><rect width='100%' height='100%' fill='var(--card)'/>\n";
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         svg += formatted("<g transform='translate(%g %g)'>", width * static_cast<double>(i % columns),
                          (height + title) * static_cast<double>(i / columns) + title);

@@ -1,21 +1,12 @@
 // The page: every scene's chart, front, pictures and arithmetic.
+#include "page.h"
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/util/html.h"
 #include "raytracer/util/text.h"
-#include "tradeoff_style.h"
 
 namespace raytracer {
 
 namespace {
-
-constexpr const char* introduction =
-    R"html(<p>Each point is a setting of <code>--samples</code>, <code>--adaptive</code>,
-<code>--max-recursion</code>, <code>--cutoff</code> and <code>--texture-filter</code>: how long it takes, all threads together, and
-how far its picture is from a converged one (RMSE of 1, in linear light, before it is rounded to bytes).
-<i class="key front"></i> on the front: no other setting is both faster and closer.
-<i class="key"></i> beaten by another one. <i class="key plain"></i> the defaults. Dotted: how far the reference itself is to be
-trusted. Letters: the pictures below; press one to see the reference in its place.</p>
-)html";
 
 // Lines break between options, never in one.
 std::string optionsOf(const Setting& setting) {
@@ -34,12 +25,7 @@ std::string tableRow(const Trial& trial, double plain) {
 
 template <class Wanted>
 std::string table(const SceneTradeoff& scene, std::span<const Trial> trials, Wanted wanted) {
-    std::string html =
-        "<div class=\"scroll\"><table><thead><tr><th>seconds</th><th title=\"times what the defaults "
-        "take\">&times;</th>"
-        "<th>RMSE</th><th>PSNR</th><th>maximum</th>"
-        "<th title=\"of the pixels, off by more than 1/255\">% "
-        "off</th><th>setting</th></tr></thead><tbody>\n";
+    std::string html = accuracy_page::table;
     for (const Trial& trial : trials)
         if (wanted(trial)) html += tableRow(trial, plainSeconds(scene));
     return html + "</tbody></table></div>\n";
@@ -84,18 +70,16 @@ std::string section(const SceneTradeoff& scene) {
 }  // namespace
 
 std::string tradeoffPage(std::span<const SceneTradeoff> scenes) {
-    std::string html = std::string(
-                           "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
-                           "<title>Speed for accuracy</title>\n"
-                           "<meta name=\"viewport\" content=\"width=device-width\">\n<style>") +
-                       chartColors + chartStyle + pageStyle +
-                       "</style></head>\n<body>\n<header class=\"head\"><h1>Speed for accuracy</h1>\n" +
-                       introduction + "<nav>";
+    std::string html =
+        pageHead("Speed for accuracy", std::string(accuracy_page::colors) + "\n" + accuracy_page::chart +
+                                           "\n" + accuracy_page::style) +
+        "<header class=\"head\"><h1>Speed for accuracy</h1>\n" + accuracy_page::introduction + "<nav>";
     for (const SceneTradeoff& scene : scenes)
         html += "<a href=\"#" + escaped(scene.name) + "\">" + escaped(scene.name) + "</a>\n";
     html += "</nav></header>\n<main>\n";
     for (const SceneTradeoff& scene : scenes) html += section(scene);
-    return html + "</main>\n<div id=\"tip\"></div>\n<script>" + pageScript + "</script>\n</body>\n</html>\n";
+    return html + "</main>\n<div id=\"tip\"></div>\n<script>\n" + accuracy_page::script +
+           "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace raytracer

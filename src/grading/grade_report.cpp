@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "grade_report_page.h"
+#include "page.h"
 #include "raytracer/util/html.h"
 #include "raytracer/util/text.h"
 
@@ -128,17 +128,16 @@ std::string summary(std::span<const GradeResult> results, const Thresholds& thre
 
 std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds,
                         const std::string& title) {
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>" +
-                       escaped(title) +
-                       "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" +
-                       reportStyle + "</style></head>\n<body>\n<header class=\"page\"><h1>" + escaped(title) +
-                       "</h1>\n" + summary(results, thresholds) + reportControls + "</header>\n<main>\n";
+    std::string html = pageHead(title, grading_page::style) + "<header class=\"page\"><h1>" + escaped(title) +
+                       "</h1>\n" + summary(results, thresholds) + grading_page::controls +
+                       "</header>\n<main>\n";
     for (const Group& group : groupsOf(results)) {
         html += "<section><h2>" + escaped(group.front()->test.group) + "</h2>\n";
         for (const GradeResult* result : group) html += card(*result, thresholds);
         html += "</section>\n";
     }
-    return html + "</main>\n" + reportViewer + "<script>" + reportScript + "</script>\n</body>\n</html>\n";
+    return html + "</main>\n" + grading_page::viewer + "<script>\n" + grading_page::script +
+           "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace raytracer

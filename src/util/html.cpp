@@ -18,6 +18,12 @@ std::string escaped(std::string_view text) {
     return html;
 }
 
+std::string pageHead(std::string_view title, std::string_view style) {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>" + escaped(title) +
+           "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n" +
+           std::string(style) + "</style></head>\n<body>\n";
+}
+
 std::string base64(std::span<const char> bytes) {
     constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;

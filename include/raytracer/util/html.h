@@ -10,6 +10,9 @@ namespace raytracer {
 // Text for between tags or for an attribute in double quotes.
 std::string escaped(std::string_view text);
 
+// A page from its doctype to the opened body. `title` is escaped here, `style` is CSS.
+std::string pageHead(std::string_view title, std::string_view style);
+
 // RFC 4648, section 4.
 std::string base64(std::span<const char> bytes);
 
