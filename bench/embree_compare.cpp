@@ -345,8 +345,9 @@ std::vector<std::span<const Ray>> packetsOf(const std::vector<Ray>& rays) {
 Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const RayEnd* end,
                    RTCIntersectContext& context, int rounds) {
     const auto packets = packetsOf(rays);
-    const ShapeTree tree(subject.shapes, BuildOptions{});
-    const MeetPacket meet = packetMeeter();
+    const BuildOptions options;
+    const ShapeTree tree(subject.shapes, options);
+    const auto meet = packetKernel(options.instructionSet)->meet;
     const auto ours = [&] {
         std::size_t found = 0;
         Hit hits[8];

@@ -5,13 +5,12 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
-#include <string_view>
 
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
 
-#include "bvh_instruction_sets.h"
+#include "bvh_kernel.h"
 
 namespace raytracer {
 
@@ -23,48 +22,20 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 // finite.
 constexpr float largestCoordinate = 0x1p40f;
 
-InstructionSet chooseInstructionSet() {
-    const char* name = std::getenv("RAYTRACER_SIMD");
-    const std::string_view asked = name ? name : "";
-    if (asked == "scalar") return InstructionSet::Scalar;
-    if (isSupported(InstructionSet::Avx2) && asked != "sse2") return InstructionSet::Avx2;
-    return isSupported(InstructionSet::Sse2) ? InstructionSet::Sse2 : InstructionSet::Scalar;
+template <InstructionSet... sets>
+const BvhKernel& kernelAmong(InstructionSet set) {
+    const BvhKernel* const kernels[] = {&bvhKernel<sets>()...};
+    return *kernels[static_cast<std::size_t>(set)];
 }
 
-using Prepare = double (*)(BvhTraversal&, const BvhFrame&, const BvhRay&);
-using PrepareBeam = double (*)(BvhTraversal&, const BvhFrame&, const BvhBeam&);
-using Advance = bool (*)(BvhTraversal&, float limit);
-
-struct Chosen {
-    InstructionSet set;
-    Prepare prepare;
-    PrepareBeam prepareBeam;
-    Advance advance;
-};
-
-Chosen choose(InstructionSet set) {
-#if defined(__x86_64__)
-    if (set == InstructionSet::Avx2) return {set, avx2::prepare, avx2::prepareBeam, avx2::advance};
-    if (set == InstructionSet::Sse2) return {set, sse2::prepare, sse2::prepareBeam, sse2::advance};
-#endif
-    return {set, scalar::prepare, scalar::prepareBeam, scalar::advance};
+const BvhKernel& kernelOf(InstructionSet set) {
+    using enum InstructionSet;
+    return kernelAmong<RAYTRACER_INSTRUCTION_SETS>(set);
 }
-
-Chosen chosen = choose(chooseInstructionSet());
 
 }  // namespace
 
-bool isSupported(InstructionSet set) {
-#if defined(__x86_64__)
-    return set != InstructionSet::Avx2 || (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"));
-#else
-    return set == InstructionSet::Scalar;
-#endif
-}
-
-InstructionSet instructionSet() { return chosen.set; }
-
-void setInstructionSet(InstructionSet set) { chosen = choose(set); }
+Bvh::Bvh(std::size_t count, InstructionSet set) : kernel_(&kernelOf(set)) { frame_.count = count; }
 
 void* allocateOnLargePages(std::size_t bytes, std::size_t alignment) {
     constexpr std::size_t page = std::size_t{1} << 21;  // x86's and most ARM's
@@ -95,19 +66,19 @@ std::size_t Bvh::memory() const {
     return nodes_.capacity() * sizeof(BvhNode) + words_.capacity() * sizeof(words_[0]);
 }
 
-BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) {
-    tScale_ = chosen.prepare(state_, bvh.frame_, ray);
+BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) : kernel_(bvh.kernel_) {
+    tScale_ = kernel_->prepareRay(state_, bvh.frame_, ray);
     start(bvh);
 }
 
-BvhCursor::BvhCursor(const Bvh& bvh, const BvhBeam& beam) {
-    tScale_ = chosen.prepareBeam(state_, bvh.frame_, beam);
+BvhCursor::BvhCursor(const Bvh& bvh, const BvhBeam& beam) : kernel_(bvh.kernel_) {
+    tScale_ = kernel_->prepareBeam(state_, bvh.frame_, beam);
     start(bvh);
 }
 
 void BvhCursor::start(const Bvh& bvh) {
     usable_ = tScale_ > 0;
-    if (!usable_ || bvh.empty()) return;
+    if (!usable_) return;
     state_.nodes = bvh.nodes_.data();
     state_.words = bvh.frame_.triangles ? bvh.words_.data() : nullptr;
     state_.stack[0] = bvh.root_;
@@ -119,7 +90,7 @@ bool BvhCursor::next(double limit) {
     // Rounded up; the factor is far more than the roundings of product and conversion.
     const double scaled =
         std::clamp(limit * tScale_ * (1 + 0x1p-20), 0.0, double{std::numeric_limits<float>::max()});
-    return chosen.advance(state_, static_cast<float>(scaled));
+    return kernel_->advance(state_, static_cast<float>(scaled));
 }
 
 }  // namespace raytracer

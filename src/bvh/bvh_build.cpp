@@ -261,10 +261,9 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
     return BvhNode::leafBit | place;
 }
 
-Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads) {
-    Bvh bvh;
-    bvh.frame_.count = boxes.size();
-    BvhBuilder(bvh, threads).build(boxes, names);
+Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, const BuildOptions& options) {
+    Bvh bvh(boxes.size(), options.instructionSet);
+    BvhBuilder(bvh, options.threads).build(boxes, names);
     for (const FloatBox& box : boxes)
         for (int axis = 0; axis < 3; ++axis)
             bvh.frame_.extent = std::max(
@@ -272,10 +271,9 @@ Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int thr
     return bvh;
 }
 
-Bvh Bvh::ofTriangles(const MeshData& mesh, int threads) {
-    Bvh bvh;
-    bvh.frame_.count = mesh.triangleCount();
-    BvhBuilder(bvh, threads).build(mesh);
+Bvh Bvh::ofTriangles(const MeshData& mesh, const BuildOptions& options) {
+    Bvh bvh(mesh.triangleCount(), options.instructionSet);
+    BvhBuilder(bvh, options.threads).build(mesh);
     return bvh;
 }
 

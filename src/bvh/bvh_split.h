@@ -8,11 +8,9 @@
 #include <limits>
 #include <vector>
 
-namespace raytracer {
+#include "raytracer/numerics/vector4.h"
 
-// GCC's and Clang's vectors, on any processor.
-using Float4 [[gnu::vector_size(16)]] = float;
-using Int4 [[gnu::vector_size(16)]] = std::int32_t;
+namespace raytracer {
 
 struct BuildBox {
     static constexpr float infinite = std::numeric_limits<float>::infinity();

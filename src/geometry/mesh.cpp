@@ -52,7 +52,7 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOpti
     size_ = glm::max(high - center_, center_ - low);
     largest_ = glm::max(abs(low), abs(high));
     if (options.accelerator == Accelerator::Bvh && triangleCount() > listLimit)
-        bvh_ = Bvh::ofTriangles(*data_, options.threads);
+        bvh_ = Bvh::ofTriangles(*data_, options);
 }
 
 std::array<Vec2, 3> TriangleMesh::texCoords(std::uint32_t triangle) const {

@@ -32,7 +32,7 @@ ShapeTree::ShapeTree(const std::vector<std::unique_ptr<Shape>>& shapes, const Bu
         for (const auto& shape : shapes) list_.push_back(shape.get());
         return;
     }
-    bvh_ = Bvh::ofBoxes(boxes, nameBoxed(), options.threads);
+    bvh_ = Bvh::ofBoxes(boxes, nameBoxed(), options);
     slackFactor_ = gamma(32) * conditioning;
 }
 

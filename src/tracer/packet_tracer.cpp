@@ -178,8 +178,6 @@ ColorLanes PacketTracer::refractedColor(const ShadingPointT<Lanes>& point, LaneB
                          ColorLanes(0));
 }
 
-}  // namespace
-
 void tracePacket(const Scene& scene, PointPacket& points, RenderContext& context) {
     const RenderOptions& options = *context.options;
     for (int lane = points.count; lane < laneCount; ++lane)
@@ -215,6 +213,15 @@ void meetPacket(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* 
         hits[static_cast<std::size_t>(lane)] = query.found() >> lane & 1 ? query.hit(lane) : Hit{};
 }
 
+constexpr PacketKernel kernel{tracePacket, meetPacket};
+
+}  // namespace
 }  // namespace RAYTRACER_LANES_NAMESPACE
+
+template <>
+const PacketKernel& packetKernel<InstructionSet::RAYTRACER_INSTRUCTION_SET>() {
+    return kernel;
+}
+
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

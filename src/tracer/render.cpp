@@ -148,10 +148,8 @@ Color Scene::pointColor(Real x, Real y, RenderContext& context) const {
 }
 
 void Scene::pointColors(PointPacket& points, RenderContext& context) const {
-    const TracePacket tracePacket = packetTracer();
-    if (usesPackets_ && tracePacket && context.options->pass == Pass::Color &&
-        points.count >= PointPacket::least)
-        return tracePacket(*this, points, context);
+    if (packets_ && context.options->pass == Pass::Color && points.count >= PointPacket::least)
+        return packets_->trace(*this, points, context);
     for (int i = 0; i < points.count; ++i) {
         context.dropped = 0;
         if (context.followers) context.observer = &context.followers[i];

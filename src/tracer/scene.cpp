@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "raytracer/tracer/cutoff.h"
+#include "raytracer/tracer/packet_tracer.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 void Scene::index(const BuildOptions& options) {
     tree_ = ShapeTree(shapes, options);
-    usesPackets_ = options.accelerator == Accelerator::Bvh;
+    if (options.accelerator == Accelerator::Bvh) packets_ = packetKernel(options.instructionSet);
     hasRefractiveShape_ = std::any_of(shapes.begin(), shapes.end(),
                                       [](const auto& shape) { return shape->material().refractive; });
 }

@@ -1,5 +1,5 @@
-"""packet_tracer.cpp is compiled with -mavx2. A function there that other files may have too (an inline one of the standard
-library, say) could be linked for them as well and run on a processor without AVX2: there must be none.
+"""bvh_kernel.cpp and packet_tracer.cpp are compiled for AVX2 too. A function there that other files may have as well (an inline
+one of the standard library, say) could be linked for them and run on a processor without AVX2: there must be none.
 
     packets_check.py PROGRAM NM OBJECT...
 """

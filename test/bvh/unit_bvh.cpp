@@ -15,29 +15,18 @@ using namespace raytracer::test;
 
 namespace {
 
-std::vector<InstructionSet> instructionSets() {
-    std::vector<InstructionSet> sets;
-    for (const InstructionSet set : {InstructionSet::Scalar, InstructionSet::Sse2, InstructionSet::Avx2})
-        if (isSupported(set)) sets.push_back(set);
-    return sets;
-}
-
-FloatImage picture(const SceneDescription& scene, Precision precision, Accelerator accelerator,
+FloatImage picture(const SceneDescription& scene, Precision precision, const BuildOptions& options,
                    int longEdge) {
-    return renderFloats(*makeRenderer(scene, precision, {accelerator, 0}), wholePicture(scene, longEdge));
+    return renderFloats(*makeRenderer(scene, precision, options), wholePicture(scene, longEdge));
 }
 
 // With packets of rays too, where the instruction set has them: without a tree there are none.
 void checkAll(const SceneDescription& scene, int longEdge) {
-    const InstructionSet usual = instructionSet();
     for (const Precision precision : {Precision::Double, Precision::Float, Precision::Extended}) {
-        const FloatImage without = picture(scene, precision, Accelerator::None, longEdge);
-        for (const InstructionSet set : instructionSets()) {
-            setInstructionSet(set);
-            CHECK(picture(scene, precision, Accelerator::Bvh, longEdge).pixels == without.pixels);
-        }
+        const FloatImage without = picture(scene, precision, {Accelerator::None, 0}, longEdge);
+        for (const InstructionSet set : supportedInstructionSets())
+            CHECK(picture(scene, precision, {Accelerator::Bvh, 0, set}, longEdge).pixels == without.pixels);
     }
-    setInstructionSet(usual);
 }
 
 class Random {
@@ -136,12 +125,13 @@ TEST_CASE("the scenes are the same with and without a tree") {
 }
 
 TEST_CASE("packets are the same whatever the samples, the depth and the terms") {
-    const InstructionSet usual = instructionSet();
     for (const std::string& file : sceneFiles()) {
         INFO(file);
         const SceneDescription scene = loadScene(file, true).description;
         const auto without = makeRenderer(scene, Precision::Double, {Accelerator::None, 0});
-        const auto with = makeRenderer(scene, Precision::Double, {Accelerator::Bvh, 0});
+        std::vector<std::unique_ptr<Renderer>> with;
+        for (const InstructionSet set : supportedInstructionSets())
+            with.push_back(makeRenderer(scene, Precision::Double, {Accelerator::Bvh, 0, set}));
 #if defined(__OPTIMIZE__)
         const int edge = 30;  // pixels
 #else
@@ -155,10 +145,9 @@ TEST_CASE("packets are the same whatever the samples, the depth and the terms") 
         for (const RenderOptions& options : {several, deep, plain}) {
             FloatSink one(options.crop);
             const RenderCounts counts = without->render(options, one);
-            for (const InstructionSet set : instructionSets()) {
-                setInstructionSet(set);
+            for (const auto& renderer : with) {
                 FloatSink packets(options.crop);
-                const RenderCounts packetCounts = with->render(options, packets);
+                const RenderCounts packetCounts = renderer->render(options, packets);
                 CHECK(packets.image().pixels == one.image().pixels);
                 CHECK(packetCounts.shadow == counts.shadow);
                 CHECK(packetCounts.reflection == counts.reflection);
@@ -167,7 +156,6 @@ TEST_CASE("packets are the same whatever the samples, the depth and the terms") 
             }
         }
     }
-    setInstructionSet(usual);
 }
 
 TEST_CASE("many solids are the same with and without a tree") {
@@ -227,7 +215,7 @@ TEST_CASE(
     Random random(11);
     const auto mesh = triangleSoup(random, 60000);
     for (const int threads : {1, 3}) {
-        const Bvh bvh = Bvh::ofTriangles(*mesh, threads);
+        const Bvh bvh = Bvh::ofTriangles(*mesh, {Accelerator::Bvh, threads});
         int missing = 0;
         for (std::uint32_t triangle = 0; triangle < mesh->triangleCount(); triangle += 7) {
             const glm::dvec3* corner = &mesh->positions[3 * triangle];
@@ -262,7 +250,6 @@ BvhBeam beamAround(std::span<const BvhRay> rays) {
 }
 
 TEST_CASE("a beam meets whatever one of its rays does, with each instruction set") {
-    const InstructionSet usual = instructionSet();
     Random random(12);
     const auto mesh = triangleSoup(random, 5000);
     std::vector<FloatBox> boxes;
@@ -277,9 +264,9 @@ TEST_CASE("a beam meets whatever one of its rays does, with each instruction set
         boxes.push_back(box);
         names.names.push_back(i);
     }
-    const Bvh trees[2] = {Bvh::ofTriangles(*mesh), Bvh::ofBoxes(boxes, names)};
-    for (const InstructionSet set : instructionSets()) {
-        setInstructionSet(set);
+    for (const InstructionSet set : supportedInstructionSets()) {
+        const BuildOptions options{Accelerator::Bvh, 0, set};
+        const Bvh trees[2] = {Bvh::ofTriangles(*mesh, options), Bvh::ofBoxes(boxes, names, options)};
         for (const Bvh& tree : trees) {
             int used = 0, missing = 0;
             for (int n = 0; n < 3000; ++n) {
@@ -309,7 +296,6 @@ TEST_CASE("a beam meets whatever one of its rays does, with each instruction set
             CHECK_FALSE(BvhCursor(tree, beamAround(wide)).usable());
         }
     }
-    setInstructionSet(usual);
 }
 
 TEST_CASE("a tree is no use for rays that are out of all proportion, or part") {

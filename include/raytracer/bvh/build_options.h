@@ -1,5 +1,7 @@
-// What the user asks of the building of trees.
+// How trees are built, and by which instructions they and packets of rays are worked on.
 #pragma once
+
+#include "raytracer/numerics/instruction_set.h"
 
 namespace raytracer {
 
@@ -10,6 +12,7 @@ enum class Accelerator { None, Bvh };
 struct BuildOptions {
     Accelerator accelerator = Accelerator::Bvh;
     int threads = 0;  // 0: one for each processor
+    InstructionSet instructionSet = defaultInstructionSet();
 };
 
 }  // namespace raytracer

@@ -3,8 +3,8 @@
 // It may only discard, never decide: whatever it returns is looked at again in Real, and what it leaves out
 // must be something that Real arithmetic would not have hit either. Hence everything here is rounded
 // outwards: boxes, the ray's origin (a small box itself, see BvhRay::slack), distances. A picture is the same
-// with any tree, any instruction set or none. Independent of Real, so compiled once; the only place with
-// SIMD.
+// with any tree, any instruction set or none. Independent of Real, so compiled once but for the traversal's
+// inner loops (bvh_kernel.h), which are compiled for each instruction set.
 //
 // Eight children to a node (Wald, Benthin and Boulos, Getting Rid of Packets, 2008). A mesh's leaf is a block
 // of up to eight triangles, their corners on a 16-bit grid of the block's own, tested together before Real
@@ -18,6 +18,8 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+
+#include "raytracer/bvh/build_options.h"
 
 namespace raytracer {
 
@@ -41,17 +43,6 @@ struct BvhNames {
 // The nearest floats that are surely below and above; coordinates beyond the range of float become infinite.
 float floatBelow(double x);
 float floatAbove(double x);
-
-enum class InstructionSet { Scalar, Sse2, Avx2 };
-
-// The best that this processor has, or a lesser one named by the environment variable RAYTRACER_SIMD: scalar,
-// sse2, avx2.
-InstructionSet instructionSet();
-
-bool isSupported(InstructionSet set);
-
-// For tests: from now on this one, which the processor must have.
-void setInstructionSet(InstructionSet set);
 
 // The points origin + t * direction with t >= 0.
 struct BvhRay {
@@ -114,17 +105,19 @@ struct BvhFrame {
     const char* objects = nullptr;          // BvhNames::start
 };
 
+struct BvhKernel;
+
 class Bvh {
   public:
     Bvh() = default;
 
-    // Over boxes, which must be usable, with a name for each. With threads 0, as many as there are
-    // processors.
-    static Bvh ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, int threads = 0);
+    // Over boxes, which must be usable, with a name for each.
+    static Bvh ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names,
+                       const BuildOptions& options = {});
     static bool usable(const FloatBox& box);
 
     // Over a mesh's triangles. Empty where the coordinates are so large that their differences overflow.
-    static Bvh ofTriangles(const MeshData& mesh, int threads = 0);
+    static Bvh ofTriangles(const MeshData& mesh, const BuildOptions& options = {});
 
     bool empty() const { return !hasRoot_; }
 
@@ -135,6 +128,9 @@ class Bvh {
     friend class BvhBuilder;
     friend class BvhCursor;
 
+    Bvh(std::size_t count, InstructionSet set);
+
+    const BvhKernel* kernel_ = nullptr;
     std::vector<BvhNode, LargePages<BvhNode>> nodes_;
     std::vector<std::uint32_t, LargePages<std::uint32_t>> words_;  // of blocks
     std::uint32_t root_ = 0;
@@ -178,6 +174,7 @@ struct BvhTraversal {
 // The way of a ray, or of a beam of them, through a tree, from near to far but for the overlap of boxes.
 class BvhCursor {
   public:
+    // Through a tree that is not empty.
     BvhCursor(const Bvh& bvh, const BvhRay& ray);
     BvhCursor(const Bvh& bvh, const BvhBeam& beam);
 
@@ -195,6 +192,7 @@ class BvhCursor {
   private:
     void start(const Bvh& bvh);
 
+    const BvhKernel* kernel_;
     BvhTraversal state_;
     double tScale_ = 0;  // the ray's t in units of the normalised direction
     bool usable_ = false;

@@ -6,7 +6,7 @@
 
 #include "raytracer/geometry/hit_query.h"
 #include "raytracer/geometry/shape.h"
-#include "raytracer/numerics/lanes.h"
+#include "raytracer/numerics/ray_lanes.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {

@@ -1,19 +1,17 @@
-// The processor's vector registers, for lanes.h: what the instruction set calls its operations.
+// The processor's vector registers, for lanes.h: what the instruction set calls its operations. Compiled once
+// for each instruction set (CMakeLists.txt), into a namespace of its own. What a set has no instruction for
+// is the plain C++ at the end.
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 #include "raytracer/numerics/packet_size.h"
 #include "raytracer/numerics/types.h"
 
-#if defined(__x86_64__)
+#if !defined(RAYTRACER_LANES_scalar)
 #include <immintrin.h>
-#endif
-
-#if defined(RAYTRACER_LANES_avx2)
-#define RAYTRACER_LANES_NAMESPACE lanes_avx2
-#else
-#define RAYTRACER_LANES_NAMESPACE lanes_plain
 #endif
 
 namespace raytracer {
@@ -21,111 +19,122 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 inline namespace RAYTRACER_LANES_NAMESPACE {
 
 inline constexpr int laneCount = packetWidth * packetHeight;
+
 #if defined(RAYTRACER_LANES_avx2)
 inline constexpr int registerBytes = 32;
 #else
 inline constexpr int registerBytes = 16;
 #endif
-inline constexpr int registerLanes = registerBytes / static_cast<int>(sizeof(Real));
-inline constexpr int registerCount = laneCount / registerLanes;
 
-using Register [[gnu::vector_size(registerBytes)]] = Real;
-using RegisterMask = decltype(Register{} < Register{});  // of each lane all bits or none
+// How lanes lie in registers.
+template <class Number>
+struct RegistersOf {
+    static constexpr int lanes = registerBytes / static_cast<int>(sizeof(Number)), count = laneCount / lanes;
+    using Register [[gnu::vector_size(registerBytes)]] = Number;
+    using Mask = decltype(Register{} < Register{});  // of each lane all bits or none
+};
 
 namespace detail {
 
+using Floats = RegistersOf<float>::Register;
+using Doubles = RegistersOf<double>::Register;
+using FloatsMask = RegistersOf<float>::Mask;
+using DoublesMask = RegistersOf<double>::Mask;
+
+// Plain C++, on GCC's and Clang's vectors; of the functions of one name, an instruction set's own is taken.
+
+template <class Register>
 inline Register sqrtOf(Register x) {
-#if defined(RAYTRACER_LANES_avx2)
-    if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(x)));
-    else return reinterpret_cast<Register>(_mm256_sqrt_ps(reinterpret_cast<__m256>(x)));
-#elif defined(__x86_64__)
-    if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(_mm_sqrt_pd(reinterpret_cast<__m128d>(x)));
-    else return reinterpret_cast<Register>(_mm_sqrt_ps(reinterpret_cast<__m128>(x)));
-#else
-    for (int i = 0; i < registerLanes; ++i) x[i] = std::sqrt(x[i]);
+    for (std::size_t i = 0; i < sizeof x / sizeof x[0]; ++i) x[i] = std::sqrt(x[i]);
     return x;
-#endif
 }
-
-inline unsigned bitsOf(RegisterMask m) {
-#if defined(RAYTRACER_LANES_avx2)
-    if constexpr (sizeof(Real) == 8)
-        return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(m)));
-    else return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(m)));
-#elif defined(__x86_64__)
-    if constexpr (sizeof(Real) == 8)
-        return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(m)));
-    else return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));
-#else
+// The lanes' signs: lane i's is 1 << i.
+template <class Mask>
+inline unsigned bitsOf(Mask m) {
     unsigned bits = 0;
-    for (int i = 0; i < registerLanes; ++i) bits |= static_cast<unsigned>(m[i] != 0) << i;
+    for (std::size_t i = 0; i < sizeof m / sizeof m[0]; ++i) bits |= static_cast<unsigned>(m[i] < 0) << i;
     return bits;
-#endif
 }
-
-inline Register choose(RegisterMask m, Register yes, Register no) {
-#if defined(RAYTRACER_LANES_avx2)
-    if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(_mm256_blendv_pd(
-            reinterpret_cast<__m256d>(no), reinterpret_cast<__m256d>(yes), reinterpret_cast<__m256d>(m)));
-    else
-        return reinterpret_cast<Register>(_mm256_blendv_ps(
-            reinterpret_cast<__m256>(no), reinterpret_cast<__m256>(yes), reinterpret_cast<__m256>(m)));
-#else
-    return reinterpret_cast<Register>((reinterpret_cast<RegisterMask>(yes) & m) |
-                                      (reinterpret_cast<RegisterMask>(no) & ~m));
-#endif
+template <class Mask, class Register>
+inline Register choose(Mask m, Register yes, Register no) {
+    return reinterpret_cast<Register>((reinterpret_cast<Mask>(yes) & m) | (reinterpret_cast<Mask>(no) & ~m));
 }
-
 // The smaller of two, the second where they are equal or one is NaN; and the larger.
+template <class Register>
 inline Register smaller(Register x, Register y) {
-#if defined(RAYTRACER_LANES_avx2)
-    if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(
-            _mm256_min_pd(reinterpret_cast<__m256d>(x), reinterpret_cast<__m256d>(y)));
-    else
-        return reinterpret_cast<Register>(
-            _mm256_min_ps(reinterpret_cast<__m256>(x), reinterpret_cast<__m256>(y)));
-#elif defined(__x86_64__)
-    if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(
-            _mm_min_pd(reinterpret_cast<__m128d>(x), reinterpret_cast<__m128d>(y)));
-    else
-        return reinterpret_cast<Register>(
-            _mm_min_ps(reinterpret_cast<__m128>(x), reinterpret_cast<__m128>(y)));
-#else
     return choose(x < y, x, y);
-#endif
 }
+template <class Register>
 inline Register larger(Register x, Register y) {
-#if defined(RAYTRACER_LANES_avx2)
-    if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(
-            _mm256_max_pd(reinterpret_cast<__m256d>(x), reinterpret_cast<__m256d>(y)));
-    else
-        return reinterpret_cast<Register>(
-            _mm256_max_ps(reinterpret_cast<__m256>(x), reinterpret_cast<__m256>(y)));
-#elif defined(__x86_64__)
-    if constexpr (sizeof(Real) == 8)
-        return reinterpret_cast<Register>(
-            _mm_max_pd(reinterpret_cast<__m128d>(x), reinterpret_cast<__m128d>(y)));
-    else
-        return reinterpret_cast<Register>(
-            _mm_max_ps(reinterpret_cast<__m128>(x), reinterpret_cast<__m128>(y)));
-#else
     return choose(x > y, x, y);
-#endif
+}
+// x y + z and x y - z, rounded once or twice.
+template <class Register>
+inline Register multiplyAdd(Register x, Register y, Register z) {
+    return x * y + z;
+}
+template <class Register>
+inline Register multiplySubtract(Register x, Register y, Register z) {
+    return x * y - z;
 }
 
-inline RegisterMask signBit() { return reinterpret_cast<RegisterMask>(-Register{}); }
+#if defined(RAYTRACER_LANES_sse2)
 
-// The least of a register's lanes.
-inline Real least(Register x) {
-    Real result = x[0];
-    for (int i = 1; i < registerLanes; ++i) result = x[i] < result ? x[i] : result;
-    return result;
+inline Floats sqrtOf(Floats x) { return _mm_sqrt_ps(x); }
+inline Doubles sqrtOf(Doubles x) { return _mm_sqrt_pd(x); }
+inline unsigned bitsOf(FloatsMask m) {
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<Floats>(m)));
+}
+inline unsigned bitsOf(DoublesMask m) {
+    return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<Doubles>(m)));
+}
+inline Floats smaller(Floats x, Floats y) { return _mm_min_ps(x, y); }
+inline Doubles smaller(Doubles x, Doubles y) { return _mm_min_pd(x, y); }
+inline Floats larger(Floats x, Floats y) { return _mm_max_ps(x, y); }
+inline Doubles larger(Doubles x, Doubles y) { return _mm_max_pd(x, y); }
+
+#elif defined(RAYTRACER_LANES_avx2)
+
+inline Floats sqrtOf(Floats x) { return _mm256_sqrt_ps(x); }
+inline Doubles sqrtOf(Doubles x) { return _mm256_sqrt_pd(x); }
+inline unsigned bitsOf(FloatsMask m) {
+    return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<Floats>(m)));
+}
+inline unsigned bitsOf(DoublesMask m) {
+    return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<Doubles>(m)));
+}
+inline Floats choose(FloatsMask m, Floats yes, Floats no) {
+    return _mm256_blendv_ps(no, yes, reinterpret_cast<Floats>(m));
+}
+inline Doubles choose(DoublesMask m, Doubles yes, Doubles no) {
+    return _mm256_blendv_pd(no, yes, reinterpret_cast<Doubles>(m));
+}
+inline Floats smaller(Floats x, Floats y) { return _mm256_min_ps(x, y); }
+inline Doubles smaller(Doubles x, Doubles y) { return _mm256_min_pd(x, y); }
+inline Floats larger(Floats x, Floats y) { return _mm256_max_ps(x, y); }
+inline Doubles larger(Doubles x, Doubles y) { return _mm256_max_pd(x, y); }
+inline Floats multiplyAdd(Floats x, Floats y, Floats z) { return _mm256_fmadd_ps(x, y, z); }
+inline Floats multiplySubtract(Floats x, Floats y, Floats z) { return _mm256_fmsub_ps(x, y, z); }
+
+#endif
+
+// As larger, smaller and > where one is not negative: the numbers are in the order of their bits as integers.
+// (From AVX2 on, processors compare integers faster than floats.)
+#if defined(RAYTRACER_LANES_avx2)
+inline Floats later(Floats x, Floats y) {
+    return reinterpret_cast<Floats>(
+        _mm256_max_epi32(reinterpret_cast<__m256i>(x), reinterpret_cast<__m256i>(y)));
+}
+inline Floats earlier(Floats x, Floats y) {
+    return reinterpret_cast<Floats>(
+        _mm256_min_epi32(reinterpret_cast<__m256i>(x), reinterpret_cast<__m256i>(y)));
+}
+#else
+inline Floats later(Floats x, Floats y) { return larger(x, y); }
+inline Floats earlier(Floats x, Floats y) { return smaller(x, y); }
+#endif
+inline FloatsMask isLater(Floats x, Floats y) {
+    return reinterpret_cast<FloatsMask>(x) > reinterpret_cast<FloatsMask>(y);
 }
 
 }  // namespace detail

@@ -22,7 +22,7 @@
 // gamma_4, so one is to be made larger by (1 + gamma_4) / (1 - gamma_4) < 1 + 2^-20 (Ize, Robust BVH Ray
 // Traversal, JCGT 2(2), 2013, who has three roundings and hence two units in the last place; as there, it
 // costs nothing, being in the inverse: BvhTraversal::growth). The origin's rounding goes with its distance
-// from zero, not with the plane's from it: it widens the origin (BvhRay::slack, prepare in bvh_kernel.inc).
+// from zero, not with the plane's from it: it widens the origin (BvhRay::slack, bvh_prepare.h).
 //
 // Triangles. Which side of an edge the line passes by is found exactly, so that two triangles never disagree
 // about the edge that they share: differenceOfProducts (Woop, Benthin and Wald, Watertight Ray/Triangle
@@ -67,7 +67,7 @@ inline constexpr Real farSquared = [] {
     return squared;
 }();
 
-// The words in which a formula is written once for one ray and for several (lanes.h has them for Lanes):
+// The words in which a formula is written once for one ray and for several (ray_lanes.h has them for Lanes):
 // comparisons of T give a Truth<T>, a choice is a select, and a branch is taken where any of the rays asks
 // for it.
 template <class T>

@@ -26,7 +26,7 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 using Real = RAYTRACER_REAL;
 
-// T is Real, or Lanes (lanes.h): the same numbers of several rays, side by side.
+// T is Real, or Lanes (ray_lanes.h): the same numbers of several rays, side by side.
 template <class T>
 using Vec2T = glm::vec<2, T, glm::defaultp>;
 template <class T>

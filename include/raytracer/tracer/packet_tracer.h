@@ -10,18 +10,22 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// Fills in the points' colours; x and y beyond count may change.
-using TracePacket = void (*)(const Scene& scene, PointPacket& points, RenderContext& context);
+// What packet_tracer.cpp, compiled for an instruction set, offers.
+struct PacketKernel {
+    // Fills in the points' colours; x and y beyond count may change.
+    void (*trace)(const Scene& scene, PointPacket& points, RenderContext& context);
 
-// The traversal alone, for benchmarks and tests: the nearest hits of up to PointPacket::most rays, which
-// leave the same side of the same shape, if any; with an end, any hit before it. (What coincides is left to
-// Scene::closestHit.)
-using MeetPacket = void (*)(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end,
-                            std::span<Hit> hits);
+    // The traversal alone, for benchmarks and tests: the nearest hits of up to PointPacket::most rays, which
+    // leave the same side of the same shape, if any; with an end, any hit before it. (What coincides is left
+    // to Scene::closestHit.)
+    void (*meet)(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end, std::span<Hit> hits);
+};
 
-// For this processor's instruction set (bvh.h); null where it, or Real, has no packets.
-TracePacket packetTracer();
-MeetPacket packetMeeter();
+template <InstructionSet set>
+const PacketKernel& packetKernel();
+
+// Null where it, or Real, has no packets.
+const PacketKernel* packetKernel(InstructionSet set);
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

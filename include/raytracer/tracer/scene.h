@@ -54,6 +54,8 @@ struct PointPacket {
     Color colorOf(int i) const { return {color[0][i], color[1][i], color[2][i]}; }
 };
 
+struct PacketKernel;  // packet_tracer.h
+
 class Scene {
   public:
     SceneFrame frame;
@@ -128,7 +130,7 @@ class Scene {
 
     ShapeTree tree_;
     bool hasRefractiveShape_ = false;
-    bool usesPackets_ = false;
+    const PacketKernel* packets_ = nullptr;
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -1,0 +1,90 @@
+// Lanes of Real, one for each ray of a packet, and the words of numerics.h and primitive.h for them. Only
+// what is compiled for each instruction set includes it.
+#pragma once
+
+#include "raytracer/numerics/lanes.h"
+#include "raytracer/numerics/numerics.h"
+#include "raytracer/numerics/primitive.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+inline namespace RAYTRACER_LANES_NAMESPACE {
+
+using Lanes = LanesOf<Real>;
+using Mask = MaskOf<Real>;
+
+inline Mask maskOf(LaneBits bits) { return Mask::ofBits(bits); }
+inline Lanes lanesOf(const Real (&numbers)[laneCount]) { return Lanes::load(numbers); }
+
+// The least lanes of three, one after the other; the fourth number means nothing.
+template <class Number>
+inline void storeLeast(const Vec3T<LanesOf<Number>>& v, double (&to)[4]) {
+    using Register = typename LanesOf<Number>::Register;
+    if constexpr (LanesOf<Number>::parts == 2 && sizeof(Register) == sizeof to) {
+        const auto halves = [](const LanesOf<Number>& x) { return detail::smaller(x.part[0], x.part[1]); };
+        const Register x = halves(v.x), y = halves(v.y), z = halves(v.z);
+        const Register xy = detail::smaller(__builtin_shufflevector(x, y, 0, 4, 2, 6),
+                                            __builtin_shufflevector(x, y, 1, 5, 3, 7));
+        const Register zz = detail::smaller(z, __builtin_shufflevector(z, z, 1, 0, 3, 2));
+        const Register all = detail::smaller(__builtin_shufflevector(xy, zz, 0, 1, 4, 5),
+                                             __builtin_shufflevector(xy, zz, 2, 3, 6, 7));
+        std::memcpy(to, &all, sizeof to);
+    } else {
+        for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<double>(least(v[axis]));
+    }
+}
+
+template <int n>
+glm::vec<n, Real, glm::defaultp> laneOf(const glm::vec<n, Lanes, glm::defaultp>& v, int lane) {
+    glm::vec<n, Real, glm::defaultp> result;
+    for (int i = 0; i < n; ++i) result[i] = laneOf(v[i], lane);
+    return result;
+}
+template <int n>
+void setLane(glm::vec<n, Lanes, glm::defaultp>& v, int lane, const glm::vec<n, Real, glm::defaultp>& value) {
+    for (int i = 0; i < n; ++i) setLane(v[i], lane, value[i]);
+}
+
+// The number of each ray's face or triangle.
+struct LanePrimitives {
+    std::uint32_t of[laneCount];
+};
+inline Mask equals(const LanePrimitives& a, std::uint32_t b) {
+    LaneBits bits = 0;
+    for (int i = 0; i < laneCount; ++i) bits |= static_cast<LaneBits>(a.of[i] == b) << i;
+    return maskOf(bits);
+}
+template <class Function>
+void forEachLane(const LanePrimitives& primitives, Function function) {
+    for (int i = 0; i < laneCount; ++i) function(i, primitives.of[i]);
+}
+inline std::uint32_t faceOf(const LanePrimitives& primitives) { return primitives.of[0]; }
+
+template <class Result>
+struct OneLaneAfterTheOther {
+    template <class Function, class... Arguments>
+    static Result call(Function function, const Arguments&... arguments) {
+        Result result;
+        for (int i = 0; i < laneCount; ++i) setLane(result, i, function(laneOf(arguments, i)...));
+        return result;
+    }
+};
+
+}  // namespace RAYTRACER_LANES_NAMESPACE
+
+template <>
+struct PrimitiveOf<Lanes> {
+    using type = LanePrimitives;
+};
+template <>
+struct LaneByLane<Lanes> : OneLaneAfterTheOther<Lanes> {};
+template <int n>
+struct LaneByLane<glm::vec<n, Lanes, glm::defaultp>>
+    : OneLaneAfterTheOther<glm::vec<n, Lanes, glm::defaultp>> {};
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer
+
+// A Lanes is a number to GLM.
+template <>
+class std::numeric_limits<raytracer::Lanes> : public std::numeric_limits<raytracer::Real> {};

@@ -1,0 +1,19 @@
+// The traversal's inner loops, which bvh_kernel.cpp has for each instruction set.
+#pragma once
+
+#include "raytracer/bvh/bvh.h"
+
+namespace raytracer {
+
+struct BvhKernel {
+    // Make ready for a ray or a beam. The factor from its t to the traversal's; 0 where it can't be used.
+    double (*prepareRay)(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);
+    double (*prepareBeam)(BvhTraversal& s, const BvhFrame& frame, const BvhBeam& beam);
+    // BvhCursor::next, with the limit in the traversal's units.
+    bool (*advance)(BvhTraversal& s, float limit);
+};
+
+template <InstructionSet set>
+const BvhKernel& bvhKernel();
+
+}  // namespace raytracer

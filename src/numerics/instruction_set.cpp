@@ -1,0 +1,53 @@
+#include "raytracer/numerics/instruction_set.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace raytracer {
+
+namespace {
+
+#define RAYTRACER_TEXT(...) #__VA_ARGS__
+#define RAYTRACER_TEXT_OF(...) RAYTRACER_TEXT(__VA_ARGS__)
+
+// "scalar,sse2" and so on.
+constexpr std::string_view names = RAYTRACER_TEXT_OF(RAYTRACER_INSTRUCTION_SETS);
+
+std::string_view nameOf(InstructionSet set) {
+    std::string_view rest = names;
+    for (auto before = static_cast<int>(set); before > 0; --before) rest.remove_prefix(rest.find(',') + 1);
+    return rest.substr(0, rest.find(','));
+}
+
+// What every processor of its kind has needs no line here.
+bool isSupported([[maybe_unused]] InstructionSet set) {
+#if defined(__x86_64__)
+    if (nameOf(set) == "avx2") return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#endif
+    return true;
+}
+
+}  // namespace
+
+std::vector<InstructionSet> supportedInstructionSets() {
+    using enum InstructionSet;
+    std::vector<InstructionSet> sets{RAYTRACER_INSTRUCTION_SETS};
+    std::erase_if(sets, [](InstructionSet set) { return !isSupported(set); });
+    return sets;
+}
+
+InstructionSet supportedInstructionSet(std::string_view name) {
+    const std::vector<InstructionSet> sets = supportedInstructionSets();
+    const auto found = std::ranges::find(sets, name, nameOf);
+    return found != sets.end() ? *found : sets.back();
+}
+
+InstructionSet defaultInstructionSet() {
+    static const InstructionSet chosen = [] {
+        const char* name = std::getenv("RAYTRACER_SIMD");
+        return supportedInstructionSet(name ? name : "");
+    }();
+    return chosen;
+}
+
+}  // namespace raytracer
