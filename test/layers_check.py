@@ -23,6 +23,9 @@ wrapped = {
     r"CLI/": {"commands"},
 }
 
+# The plain tracer that the tests compare the tracer with shares no more with it than the description of a scene.
+independent = {"test/tracer/plain_tracer.h": {"scene", "pictures"}}
+
 
 def room_of(path):
     parts = path.parts
@@ -52,6 +55,8 @@ def faults_of(root, path):
                 yield f"{place}, of a room that is not known"
             elif room in floor and floor[other] > floor[room]:
                 yield f"{place}, which is above it"
+            elif other not in independent.get(str(relative), rooms):
+                yield f"{place}, which it is to check"
         else:
             target = (path.parent / name).resolve()
             if not target.is_file():
