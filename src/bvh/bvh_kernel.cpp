@@ -14,14 +14,14 @@ inline namespace RAYTRACER_LANES_NAMESPACE {
 namespace {
 
 // A ray's numbers, spread over the lanes; what stays in registers on the way through the nodes.
-struct RayLanes {
+struct SpreadRay {
     FloatLanes nearInverse[3], farInverse[3], nearOffset[3], farOffset[3], limit;
     const char* nearPlane[3];  // of the node at place 0
     const char* farPlane[3];
 };
 
-inline RayLanes spread(const BvhTraversal& s, float limit) {
-    RayLanes ray;
+inline SpreadRay spread(const BvhTraversal& s, float limit) {
+    SpreadRay ray;
     const auto* planes = reinterpret_cast<const char*>(s.nodes->planes);
     constexpr std::size_t planeSize = sizeof s.nodes->planes[0];
     for (int axis = 0; axis < 3; ++axis) {
@@ -39,7 +39,7 @@ inline RayLanes spread(const BvhTraversal& s, float limit) {
 // The distances, at least +0, at which the ray enters the children's boxes, and for which of them that is
 // before it leaves. With an origin that is finite and an inverse that is finite and not zero, no NaN can
 // occur: empty slots give +-infinity.
-inline LaneBits hitChildren(const RayLanes& ray, std::uint32_t place, FloatLanes& distance) {
+inline LaneBits hitChildren(const SpreadRay& ray, std::uint32_t place, FloatLanes& distance) {
     const std::size_t node = std::size_t{place} * bvhUnit;
     const auto planes = [node](const char* first) {
         return FloatLanes::load(static_cast<const float*>(__builtin_assume_aligned(first + node, bvhUnit)));
@@ -122,7 +122,7 @@ inline bool findLeaves(BvhTraversal& s, const BvhNode& node, const FloatLanes& d
 enum class Step { Down, None, Found };
 
 // From a node to the nearest of its children that the ray meets; the others are put on the stack.
-inline Step stepDown(BvhTraversal& s, const RayLanes& ray, std::uint32_t& child) {
+inline Step stepDown(BvhTraversal& s, const SpreadRay& ray, std::uint32_t& child) {
     FloatLanes distance;
     LaneBits hits = hitChildren(ray, child, distance);
     if (hits == 0) return Step::None;
@@ -152,7 +152,7 @@ inline bool findInLeaf(BvhTraversal& s, std::uint32_t child) {
 }
 
 bool advance(BvhTraversal& s, float limit) {
-    const RayLanes ray = spread(s, limit);
+    const SpreadRay ray = spread(s, limit);
     const std::uint32_t limitBits = std::bit_cast<std::uint32_t>(limit);
     while (s.depth > 0) {
         const std::uint64_t entry = s.stack[--s.depth];

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "raytracer/bvh/bvh.h"
 #include "raytracer/numerics/lanes.h"
@@ -38,65 +39,85 @@ inline LaneBits hitBalls(const BvhTraversal& s, const BvhNode& node) {
     return ~bits(reach < squared * length - along * along);
 }
 
-// The triangles of a block that the ray's line might meet: those of which it is not surely outside an edge.
-// Seen along the ray (sheared as by Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, 2013), on
-// the block's grid, where every corner is within 2^17 of the line because the line passes through the block's
-// box.
-inline LaneBits hitTriangles(const BvhTraversal& s, const BvhBlock& block, const std::uint16_t* grid) {
-    const double scale = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + block.exponent) << 52);
-    const double depth = (s.origin[s.z] - static_cast<double>(block.base[s.z])) * scale;
-    const double centerX = (s.origin[s.x] - static_cast<double>(block.base[s.x])) * scale - s.shearX * depth;
-    const double centerY = (s.origin[s.y] - static_cast<double>(block.base[s.y])) * scale - s.shearY * depth;
+// A block's triangles seen along the line (sheared as by Woop, Benthin and Wald, Watertight Ray/Triangle
+// Intersection, 2013), on the block's grid, where every corner is within 2^17 of the line because the line
+// passes through the block's box.
+struct SeenTriangles {
+    double scale, depth;  // of the grid; of the line's start above the block's base
+    FloatLanes x[3], y[3];
+};
 
-    const FloatLanes cx = static_cast<float>(centerX), cy = static_cast<float>(centerY);
+[[gnu::always_inline]] inline SeenTriangles seen(const BvhTraversal& s, const BvhBlock& block,
+                                                 const std::uint16_t* grid) {
+    SeenTriangles seen;
+    seen.scale = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + block.exponent) << 52);
+    const auto start = [&](std::uint32_t axis) {
+        return (s.origin[axis] - static_cast<double>(block.base[axis])) * seen.scale;
+    };
+    seen.depth = start(s.z);
+    const FloatLanes centerX = static_cast<float>(start(s.x) - s.shearX * seen.depth);
+    const FloatLanes centerY = static_cast<float>(start(s.y) - s.shearY * seen.depth);
     const FloatLanes shearX = static_cast<float>(s.shearX), shearY = static_cast<float>(s.shearY);
-    FloatLanes px[3], py[3];
     for (std::uint32_t corner = 0; corner < 3; ++corner) {
-        const std::uint16_t* axes = grid + std::size_t{3} * corner * block.count;
-        const FloatLanes z = integers(axes + std::size_t{s.z} * block.count);
-        px[corner] = integers(axes + std::size_t{s.x} * block.count) - multiplyAdd(shearX, z, cx);
-        py[corner] = integers(axes + std::size_t{s.y} * block.count) - multiplyAdd(shearY, z, cy);
+        const auto along = [&](std::uint32_t axis) {
+            return integers(grid + (std::size_t{3} * corner + axis) * block.count);
+        };
+        const FloatLanes z = along(s.z);
+        seen.x[corner] = along(s.x) - multiplyAdd(shearX, z, centerX);
+        seen.y[corner] = along(s.y) - multiplyAdd(shearY, z, centerY);
     }
-    const FloatLanes u = multiplySubtract(px[2], py[1], py[2] * px[1]);
-    const FloatLanes v = multiplySubtract(px[0], py[2], py[0] * px[2]);
-    const FloatLanes w = multiplySubtract(px[1], py[0], py[1] * px[0]);
+    return seen;
+}
 
-    const unsigned all = (1u << block.count) - 1;
-    // A coordinate is wrong by e: half a step of the grid in it and half in the depth, roundings (of numbers
-    // below 2^18, so less than 1/16 in all), and what the hit itself may be off by. The products' error is
-    // then 4 e 2^17 + 2 e^2 and their own roundings, 2^12 at most.
-    const auto e = static_cast<float>(1.07 + 2 * s.slack * scale);
-    if (!s.isBeam) {
-        const float error = e * (0x1p19f * 1.01f + 4 * e);
-        const FloatLanes least = min(u, min(v, w)), most = max(u, max(v, w));
-        // NaN (an overflow) passes.
-        return all & ~(bits(least < -error) & bits(error < most));
-    }
+// How far the line passes by the edge from corner a to corner b, times its length.
+inline FloatLanes edge(const SeenTriangles& t, int a, int b) {
+    return multiplySubtract(t.x[b], t.y[a], t.y[b] * t.x[a]);
+}
 
-    // A beam's lines run beside its middle: by up to `beside` where they pass the block's base, which moves
-    // all three corners alike and so counts by an edge's length only, and by up to `parting` more on their
-    // way through the block.
+// A coordinate is wrong by e: half a step of the grid in it and half in the depth, roundings (of numbers
+// below 2^18, so less than 1/16 in all), and what the hit itself may be off by.
+inline float coordinateError(const BvhTraversal& s, const SeenTriangles& t) {
+    return static_cast<float>(1.07 + 2 * s.slack * t.scale);
+}
+
+// Those of the triangles that a ray's line is surely outside of. NaN (an overflow) is not.
+inline LaneBits missedByRay(const BvhTraversal& s, const SeenTriangles& t) {
+    // The products' error is 4 e 2^17 + 2 e^2, and their own roundings, 2^12 at most.
+    const float e = coordinateError(s, t), error = e * (0x1p19f * 1.01f + 4 * e);
+    const FloatLanes u = edge(t, 1, 2), v = edge(t, 2, 0), w = edge(t, 0, 1);
+    const FloatLanes least = min(u, min(v, w)), most = max(u, max(v, w));
+    return bits(least < -error) & bits(error < most);
+}
+
+// Those that all of a beam's lines are surely outside of. They run beside its middle: by up to `beside` where
+// they pass the block's base, which moves all three corners alike and so counts by an edge's length only, and
+// by up to `parting` more on their way through the block.
+inline LaneBits missedByBeam(const BvhTraversal& s, const SeenTriangles& t) {
     const auto beside =
-        static_cast<float>((s.originHalf * scale + s.shearHalf * std::abs(depth)) * (1 + 0x1p-20));
-    const auto parting = static_cast<float>(s.shearHalf * 0x1p16 * (1 + 0x1p-20)) + e;
+        static_cast<float>((s.originHalf * t.scale + s.shearHalf * std::abs(t.depth)) * (1 + 0x1p-20));
+    const auto parting = static_cast<float>(s.shearHalf * 0x1p16 * (1 + 0x1p-20)) + coordinateError(s, t);
     const FloatLanes rest = parting * (4 * beside + 2 * parting) + 0x1p13f;
     FloatLanes size[3];
-    for (int corner = 0; corner < 3; ++corner) size[corner] = abs(px[corner]) + abs(py[corner]);
-    const auto errorOf = [&](int a, int b) {
-        const FloatLanes edge = abs(px[a] - px[b]) + abs(py[a] - py[b]);
-        return multiplyAdd(beside, edge, multiplyAdd(parting, size[a] + size[b], rest));
-    };
-    const FloatLanes errorU = errorOf(1, 2), errorV = errorOf(0, 2), errorW = errorOf(0, 1);
-    const FloatLanes least = min(u + errorU, min(v + errorV, w + errorW)),
-                     most = max(u - errorU, max(v - errorV, w - errorW));
-    return all & ~(bits(least < 0) & bits(most > 0));
+    for (int corner = 0; corner < 3; ++corner) size[corner] = abs(t.x[corner]) + abs(t.y[corner]);
+    FloatLanes least = std::numeric_limits<float>::infinity(), most = -least;
+    for (int a = 0; a < 3; ++a) {
+        const int b = (a + 1) % 3;
+        const FloatLanes length = abs(t.x[a] - t.x[b]) + abs(t.y[a] - t.y[b]);
+        const FloatLanes error = multiplyAdd(beside, length, multiplyAdd(parting, size[a] + size[b], rest));
+        const FloatLanes passes = edge(t, a, b);
+        least = min(passes + error, least);
+        most = max(passes - error, most);
+    }
+    return bits(least < 0) & bits(most > 0);
 }
 
 inline bool findTriangles(BvhTraversal& s, const std::uint32_t* words) {
     BvhBlock block;
     std::memcpy(&block, words, sizeof block);
     const std::uint32_t* primitives = words + BvhBlock::words;
-    LaneBits hits = hitTriangles(s, block, reinterpret_cast<const std::uint16_t*>(primitives + block.count));
+    const auto triangles = seen(s, block, reinterpret_cast<const std::uint16_t*>(primitives + block.count));
+    const LaneBits missed = s.isBeam ? missedByBeam(s, triangles) : missedByRay(s, triangles);
+    LaneBits hits = ((1u << block.count) - 1) & ~missed;
     s.foundCount = 0;
     for (; hits != 0; hits &= hits - 1) s.found[s.foundCount++] = primitives[std::countr_zero(hits)];
     return s.foundCount != 0;

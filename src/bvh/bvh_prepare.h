@@ -47,10 +47,29 @@ struct FrameBeam {
     Long4 sign;
 };
 
-// The factor from the beam's t to the traversal's; 0 where it can't be used. Of the planes that the rays
-// enter by, the nearest t of all is that of the nearest origin and the fastest direction; of those that they
-// leave by, the farthest t is that of the farthest origin and the slowest direction. (Where such a t is
-// negative another one is farther, but then the box is behind.)
+// What the distances of a node's planes are reckoned with. Of the planes that the rays enter by, the nearest
+// t of all is that of the nearest origin and the fastest direction; of those that they leave by, the farthest
+// t is that of the farthest origin and the slowest direction. (Where such a t is negative another one is
+// farther, but then the box is behind.) `margin`: how much larger to make the box of origins.
+[[gnu::always_inline]] inline void setSlabs(BvhTraversal& s, const FrameBeam& beam, double tScale,
+                                            Double4 margin) {
+    const Double4 atLeast = Double4{} + leastDirection;
+    const Double4 fastest = withSign(greater(beam.most * (1 / tScale), atLeast), beam.sign);
+    const Double4 slowest = withSign(greater(beam.least * (1 / tScale), atLeast), beam.sign);
+    const Double4 ahead = beam.sign != Long4{} ? beam.low : beam.high,
+                  behind = beam.sign != Long4{} ? beam.high : beam.low;
+    const Double4 signedMargin = withSign(margin, beam.sign);
+    const Float4 inverse = 1 / __builtin_convertvector(fastest, Float4);
+    const Float4 farInverse = 1 / __builtin_convertvector(slowest, Float4) * BvhTraversal::growth;
+    const auto put = [](auto& to, const auto& from) { std::memcpy(to, &from, sizeof from); };
+    put(s.nearInverse, inverse);
+    put(s.farInverse, farInverse);
+    put(s.nearOffset, __builtin_convertvector(ahead + signedMargin, Float4) * inverse);
+    put(s.farOffset, __builtin_convertvector(behind - signedMargin, Float4) * farInverse);
+    for (std::uint32_t axis = 0; axis < 3; ++axis) s.nearPlane[axis] = 2 * axis + (beam.sign[axis] != 0);
+}
+
+// The factor from the beam's t to the traversal's; 0 where it can't be used.
 [[gnu::always_inline]] inline double prepareInFrame(BvhTraversal& s, const BvhFrame& frame,
                                                     const FrameBeam& beam, double slack) {
     // NaN compares false, or spreads through the sum where a comparison has passed it over.
@@ -65,28 +84,11 @@ struct FrameBeam {
 
     // The direction is brought to a length of 1 to 2 along its longest axis by a power of two.
     const double tScale = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) >> 52 << 52);
-    const Double4 atLeast = Double4{} + leastDirection;
-    const Double4 fastest = withSign(greater(beam.most * (1 / tScale), atLeast), beam.sign);
-    const Double4 slowest = withSign(greater(beam.least * (1 / tScale), atLeast), beam.sign);
-
     // The slack; four times what leastDirection may do; four roundings of the origin: its own, that of the
     // origin times the inverse, that of a plane times the inverse where multiplyAdd rounds twice, and one to
     // spare.
     const double spread = s.slack + 0x1p-38 * (farthest + frame.extent * frame.scale);
-    const Double4 margin = withSign(spread + 4 * roundoff * distance, beam.sign);
-    const Double4 ahead = beam.sign != Long4{} ? beam.low : beam.high,
-                  behind = beam.sign != Long4{} ? beam.high : beam.low;
-    const Float4 nearOrigin = __builtin_convertvector(ahead + margin, Float4);
-    const Float4 farOrigin = __builtin_convertvector(behind - margin, Float4);
-    const Float4 inverse = 1 / __builtin_convertvector(fastest, Float4);
-    const Float4 farInverse = 1 / __builtin_convertvector(slowest, Float4) * BvhTraversal::growth;
-    const auto put = [](auto& to, const auto& from) { std::memcpy(to, &from, sizeof from); };
-    put(s.nearInverse, inverse);
-    put(s.farInverse, farInverse);
-    put(s.nearOffset, nearOrigin * inverse);
-    put(s.farOffset, farOrigin * farInverse);
-    for (std::uint32_t axis = 0; axis < 3; ++axis) s.nearPlane[axis] = 2 * axis + (beam.sign[axis] != 0);
-
+    setSlabs(s, beam, tScale, spread + 4 * roundoff * distance);
     s.objects = frame.objects;
     if (frame.balls) s.ballMargin = static_cast<float>(spread + 0x1p-19 * farthest);
     return tScale;
