@@ -35,7 +35,7 @@ using namespace raytracer;
 namespace {
 
 const Setting truth{.samples = 48, .max_recursion = 32, .cutoff = 0.003};
-const Setting looked{.max_recursion = 8, .cutoff = 0.1};  // how the pixels' activity is looked at
+const Setting firstPhase{.max_recursion = 8, .cutoff = 0.1};  // where the local contrast is measured
 
 Setting with(Setting setting, int samples, double adaptive = 0) {
     setting.samples = samples;
@@ -46,18 +46,18 @@ Setting with(Setting setting, int samples, double adaptive = 0) {
 // Which pixels have something going on: between the centre, the corners, 4 x 4 samples, what is seen without
 // recursion, and what only the deepest rays see: in one pixel of a thousand, but there by far more than the
 // targets.
-std::vector<double> activity(Pilot& pilot) {
+std::vector<double> localContrast(Pilot& pilot) {
     const auto colors = [&](const Setting& setting) -> const auto& { return pilot.colors(setting); };
-    const auto &centre = colors(looked), &corners = colors(with(looked, 64, 1)),
-               &more = colors(with(looked, 4));
+    const auto &centre = colors(firstPhase), &corners = colors(with(firstPhase, 64, 1)),
+               &more = colors(with(firstPhase, 4));
     const auto &shallow = colors({.max_recursion = 1}), &deep = colors(with(truth, 1));
-    std::vector<double> activity;
+    std::vector<double> contrast;
     for (std::size_t i = 0; i < centre.size(); ++i)
-        activity.push_back(std::sqrt(squaredError(centre[i], corners[i]) + squaredError(centre[i], more[i]) +
+        contrast.push_back(std::sqrt(squaredError(centre[i], corners[i]) + squaredError(centre[i], more[i]) +
                                      squaredError(corners[i], more[i]) +
                                      squaredError(centre[i], shallow[i]) / 3 +
                                      squaredError(centre[i], deep[i])));
-    return activity;
+    return contrast;
 }
 
 struct Found {
@@ -83,15 +83,15 @@ std::vector<DepthChoice> depths(StratifiedPilot& pilot) {
 
 // Every setting of the grid, with its error predicted from its two parts.
 std::vector<Found> wholeGrid(StratifiedPilot& pilot) {
-    const double shallow = pilot.error(looked, with(truth, 1)).rmse;
+    const double shallow = pilot.error(firstPhase, with(truth, 1)).rmse;
     const std::vector<DepthChoice> deep = depths(pilot);
     std::vector<Found> grid;
     for (const int samples : gridSamples)
         for (const double adaptive : gridAdaptive) {
             if (adaptive > 0 && samples < 3) continue;
-            const Setting setting = with(looked, samples, adaptive);
+            const Setting setting = with(firstPhase, samples, adaptive);
             const double error = std::pow(pilot.error(setting, truth).rmse, 2) - shallow * shallow;
-            const double rays = pilot.rays(setting) / pilot.rays(looked);
+            const double rays = pilot.rays(setting) / pilot.rays(firstPhase);
             for (const DepthChoice& depth : deep)
                 grid.push_back({{samples, adaptive, depth.max_recursion, depth.cutoff},
                                 rays * depth.rays,
@@ -212,10 +212,10 @@ class SceneCheck {
         options_.size = imageSize(scene_.camera, arguments.size);
         options_.crop = {0, 0, options_.size.width, options_.size.height};
         area_ = options_.crop.area();
-        Pilot look(*renderer_, options_,
-                   scatteredPixels(options_.crop, static_cast<std::size_t>(area_ / 8), 77));
+        Pilot first(*renderer_, options_,
+                    scatteredPixels(options_.crop, static_cast<std::size_t>(area_ / 8), 77));
         pilot_ = std::make_unique<StratifiedPilot>(*renderer_, options_);
-        pilot_->add(look.pixels(), activity(look), static_cast<std::size_t>(arguments.pixels));
+        pilot_->add(first.pixels(), localContrast(first), static_cast<std::size_t>(arguments.pixels));
         grid_ = wholeGrid(*pilot_);
         if (!arguments.program.empty()) timer_.emplace(arguments.program, file, arguments.size);
         if (arguments.whole) whole_ = std::make_unique<WholePicture>(*renderer_, options_);

@@ -21,23 +21,23 @@ const DepthChoice& DepthPilot::measured(int max_recursion, double cutoff) {
     return choices[static_cast<std::size_t>(max_recursion)];
 }
 
-// Each ray once, for every max_recursion.
+// One pass over the rays measures every max_recursion.
 std::vector<DepthChoice> DepthPilot::measure(double cutoff) const {
     const auto depths = static_cast<std::size_t>(deepest_) + 1;
-    std::vector<double> rays(depths, 0);  // those that are followed from this max_recursion on
+    std::vector<double> rays(depths, 0);  // that are traced from this max_recursion on
     rays[0] = ofOneRay_;
-    // Sums of squared errors and of their squares, of this max_recursion; and of pixels where it is from this
-    // one on.
-    std::vector<glm::dvec2> of(depths, glm::dvec2(0)), from(depths, glm::dvec2(0));
+    // Sums of squared errors and of their squares: of pixels that change with a larger max_recursion, and of
+    // pixels that do not.
+    std::vector<glm::dvec2> changing(depths, glm::dvec2(0)), converged(depths, glm::dvec2(0));
     std::vector<glm::dvec3> color(depths);
     for (const std::size_t pixel : deep_) {
-        glm::dvec3 never(0);
+        glm::dvec3 terminated(0);
         std::size_t top = 0;
         color[0] = glm::dvec3(0);
         for (const RayTreeNode& ray : trees_.of(pixel)) {
             const int least = leastRecursion(trees_, ray, cutoff);
             if (least > deepest_) {
-                never += ray.light;
+                terminated += ray.light;
                 continue;
             }
             const auto depth = static_cast<std::size_t>(least);
@@ -46,21 +46,21 @@ std::vector<DepthChoice> DepthPilot::measure(double cutoff) const {
             rays[depth] += 1 + ray.shadows;
         }
         for (std::size_t depth = 1; depth <= top; ++depth) color[depth] += color[depth - 1];
-        const glm::dvec3 deepest = color[top] + never;
+        const glm::dvec3 deepest = color[top] + terminated;
         for (std::size_t depth = 0; depth <= top; ++depth) {
             const double error = squaredError(color[depth], deepest);
-            (depth < top ? of : from)[depth] += glm::dvec2(error, error * error);
+            (depth < top ? changing : converged)[depth] += glm::dvec2(error, error * error);
         }
     }
     std::vector<DepthChoice> choices;
     glm::dvec2 whole(0);
-    double followed = 0;
+    double traced = 0;
     for (std::size_t depth = 0; depth < depths; ++depth) {
-        whole += from[depth];
-        followed += rays[depth];
-        const glm::dvec2 sums = of[depth] + whole;
+        whole += converged[depth];
+        traced += rays[depth];
+        const glm::dvec2 sums = changing[depth] + whole;
         const ErrorEstimate error = rootOf(meanOf(sums.x, sums.y, pixelCount()));
-        choices.push_back({static_cast<int>(depth), cutoff, followed / static_cast<double>(pixelCount()),
+        choices.push_back({static_cast<int>(depth), cutoff, traced / static_cast<double>(pixelCount()),
                            error.rmse, error.standardError});
     }
     return choices;

@@ -1,4 +1,4 @@
-// A few pixels, whose rays are followed once: what they would be and cost at every depth.
+// The ray trees of a few pixels, traced once, give the cost and the truncation error of every depth.
 #pragma once
 
 #include <map>
@@ -10,16 +10,16 @@ namespace raytracer {
 
 class DepthPilot {
   public:
-    // As deep as a setting; one sample of each pixel.
+    // Traces one sample of each pixel with the depth of a setting.
     DepthPilot(const Renderer& renderer, const RenderOptions& options, std::span<const PixelPlace> pixels,
                const Setting& deepest);
 
-    // No deeper than that, and no smaller cutoff.
+    // At most that max_recursion, at least that cutoff.
     const DepthChoice& measured(int max_recursion, double cutoff);
-    double distance(const DepthChoice& a, const DepthChoice& b);  // RMSE between them
+    double distance(const DepthChoice& a, const DepthChoice& b);  // RMSE between their pictures
 
     std::size_t pixelCount() const { return trees_.pixelCount(); }
-    double raysSpent() const { return spent_; }  // for all pixels
+    double raysSpent() const { return spent_; }
 
   private:
     using Depth = std::pair<int, double>;  // max_recursion and cutoff
@@ -27,9 +27,10 @@ class DepthPilot {
 
     int deepest_;
     RayTrees trees_;
-    double spent_ = 0, ofOneRay_ = 0;  // rays: in all; of the pixels that are the same at every depth
-    std::vector<std::size_t> deep_;    // the other pixels
-    std::map<double, std::vector<DepthChoice>> measured_;  // by cutoff: each max_recursion
+    double spent_ = 0;               // rays
+    double ofOneRay_ = 0;            // rays of the pixels whose tree is one ray: the same at every depth
+    std::vector<std::size_t> deep_;  // the other pixels
+    std::map<double, std::vector<DepthChoice>> measured_;  // by cutoff, then by max_recursion
     std::map<std::pair<Depth, Depth>, double> distances_;
 };
 

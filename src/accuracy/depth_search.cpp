@@ -9,20 +9,20 @@ namespace raytracer {
 
 namespace {
 
-constexpr double lookPart = 1.0 / 200,
-                 leastLook = 500;      // of the picture's pixels: looked at before its cost is known
-constexpr double widePart = 0.009;     // of the picture's rays, for all that is looked at again
-constexpr double mostPixels = 100000;  // see what is in three of 100,000, missed in 1 of 20; and take 100 MB
-constexpr double worthHalving = 1.1;   // a step of the rays
-constexpr double worthwhile = 3;       // times the pixels before
-constexpr double sameRays =
-    1.02;  // not worth telling apart, since each is judged with every number of samples
+constexpr double firstPart = 1.0 / 200,
+                 firstPixels = 500;  // of the picture's pixels: before its cost is known
+constexpr double widePart = 0.009;   // of the picture's rays: for the second measurement
+// 100 MB of ray trees. What lies in three of 100,000 pixels is missed once in 20 times.
+constexpr double mostPixels = 100000;
+constexpr double smallestStep = 1.1;     // in rays, between which halving is worth its cost
+constexpr double smallestGrowth = 3;     // in pixels, for which measuring again is worth its cost
+constexpr double negligibleStep = 1.02;  // in rays: such depths are not both tried
 
-// Of those on a front, from the cheapest on, that cost nearly the same, the closest to the truth.
+// Of depths on a front that cost nearly the same, the most accurate.
 std::vector<DepthChoice> distinct(const std::vector<DepthChoice>& front) {
     std::vector<DepthChoice> few;
     for (std::size_t i = front.size(); i-- > 0;)
-        if (few.empty() || sameRays * front[i].rays < few.back().rays) few.push_back(front[i]);
+        if (few.empty() || negligibleStep * front[i].rays < few.back().rays) few.push_back(front[i]);
     std::ranges::reverse(few);
     return few;
 }
@@ -34,10 +34,10 @@ DepthSearch::DepthSearch(const Renderer& renderer, const RenderOptions& options,
       options_(options),
       target_(target),
       deepest_{.max_recursion = 32, .cutoff = std::min(0.1, 3 * target), .bilinear = options.bilinear} {
-    look(std::max(leastLook, lookPart * options.crop.area()));
+    measure(std::max(firstPixels, firstPart * options.crop.area()));
 }
 
-void DepthSearch::look(double pixels) {
+void DepthSearch::measure(double pixels) {
     const auto count = static_cast<std::size_t>(std::min(options_.crop.area(), pixels));
     pilot_.emplace(renderer_, options_, scatteredPixels(options_.crop, count, 1), deepest_);
     spent_ += pilot_->raysSpent();
@@ -53,22 +53,23 @@ std::vector<DepthChoice> DepthSearch::front(double part) {
 }
 
 bool DepthSearch::widen(double raysOfPixel) {
-    const double raysOfLook = pilot_->raysSpent() / static_cast<double>(pilot_->pixelCount());
-    const double affordable = widePart * raysOfPixel / raysOfLook * options_.crop.area();
+    const double raysOfTree = pilot_->raysSpent() / static_cast<double>(pilot_->pixelCount());
+    const double affordable = widePart * raysOfPixel / raysOfTree * options_.crop.area();
     const double pixels = std::min({options_.crop.area(), mostPixels, affordable});
-    if (pixels < worthwhile * static_cast<double>(pilot_->pixelCount())) return false;
-    look(pixels);
+    if (pixels < smallestGrowth * static_cast<double>(pilot_->pixelCount())) return false;
+    measure(pixels);
     return true;
 }
 
 bool DepthSearch::halve(const Setting& setting) {
-    const DepthChoice dear = of(setting);
+    const DepthChoice expensive = of(setting);
     const DepthChoice* cheap = nullptr;
     for (const DepthChoice& choice : choices_)
-        if (worthHalving * choice.rays < dear.rays && (!cheap || choice.rays > cheap->rays)) cheap = &choice;
+        if (smallestStep * choice.rays < expensive.rays && (!cheap || choice.rays > cheap->rays))
+            cheap = &choice;
     if (!cheap) return false;
-    const int depth = (cheap->max_recursion + dear.max_recursion + 1) / 2;
-    const double cutoff = roundedMean(cheap->cutoff, dear.cutoff);
+    const int depth = (cheap->max_recursion + expensive.max_recursion + 1) / 2;
+    const double cutoff = roundedMean(cheap->cutoff, expensive.cutoff);
     if (has(depth, cutoff)) return false;
     choices_.push_back(pilot_->measured(depth, cutoff));
     return true;

@@ -1,8 +1,7 @@
-// How deep rays must go for an error: what --target-error knows of depths.
+// Which depths --target-error considers, by their truncation error.
 //
-// What rays leave out that are not followed may sit in one pixel of a thousand (of mirror_corridor at 12
-// deep, an RMSE of 0.002) and costs no more to look at than one sample a pixel: so a dear picture's depth is
-// judged by many pixels.
+// The truncation error may lie in one pixel of a thousand (in mirror_corridor at depth 12, an RMSE of 0.002),
+// and one sample a pixel measures it: so many pixels are measured if the picture is expensive.
 #pragma once
 
 #include <optional>
@@ -15,34 +14,30 @@ class DepthSearch {
   public:
     DepthSearch(const Renderer& renderer, const RenderOptions& options, double target);
 
-    // Looks again, by as many pixels as a small part of the picture's rays (so many for each pixel) pays for.
-    // False if those would not be many more.
+    // Measures again, with as many pixels as a small part of the picture's rays allows. Returns false if
+    // these are not many more than before.
     bool widen(double raysOfPixel);
 
-    // Puts one half way between a setting's depth and the next one that is clearly cheaper. False if there is
-    // none.
+    // Adds a depth half way between a setting's depth and the next one that is clearly cheaper. Returns false
+    // if there is none.
     bool halve(const Setting& setting);
 
-    // Those worth having.
+    // The front, and depths added to it.
     const std::vector<DepthChoice>& choices() const { return choices_; }
-    const DepthChoice& fine() const {
-        return fine(enough);
-    }                                        // the cheapest that seems deep enough not to matter
-    const DepthChoice& deeper(double part);  // the cheapest that leaves so much of the target
-    const DepthChoice& coarsest() const;     // whose error is below the target
+    const DepthChoice& fine() const { return fine(enough); }  // the cheapest with a negligible error
+    const DepthChoice& deeper(double part);  // the cheapest with an error of at most this part of the target
+    const DepthChoice& coarsest() const;     // the cheapest with an error below the target
 
     DepthChoice of(const Setting& setting) { return pilot_->measured(setting.max_recursion, setting.cutoff); }
-    double distance(const DepthChoice& a, const DepthChoice& b) {
-        return pilot_->distance(a, b);
-    }  // RMSE between them
+    // RMSE between their pictures.
+    double distance(const DepthChoice& a, const DepthChoice& b) { return pilot_->distance(a, b); }
     double raysSpent() const { return spent_; }
 
-    static constexpr double enough =
-        0.2;  // of the target: a depth that costs no more than this of it is deep enough
+    static constexpr double enough = 0.2;  // a truncation error of this part of the target is negligible
 
   private:
-    void look(double pixels);
-    std::vector<DepthChoice> front(double part);  // as deep as leaves no more than so much of the target
+    void measure(double pixels);
+    std::vector<DepthChoice> front(double part);  // up to an error of at most this part of the target
     const DepthChoice& fine(double part) const;
     bool has(int max_recursion, double cutoff) const;
 

@@ -81,7 +81,7 @@ MeanSquare meanOf(double sum, double sumOfSquares, std::size_t pixels) {
 }
 
 ErrorEstimate rootOf(const MeanSquare& square) {
-    if (square.mean <= 0) return {0, std::pow(square.variance, 0.25)};  // too little to tell from nothing
+    if (square.mean <= 0) return {0, std::pow(square.variance, 0.25)};  // not distinguishable from 0
     return {std::sqrt(square.mean), std::sqrt(square.variance / square.mean) / 2};
 }
 

@@ -19,14 +19,14 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
     return h ^ h >> 16;
 }
 
-constexpr int placesOfCell = 16;  // along an axis, where a sample of the truth may lie in its cell
+constexpr int placesOfCell = 16;  // possible places of a jittered sample in its cell, along an axis
 
 // Whether all samples of a pixel are taken.
 bool isActive(const ColorSpread<double>& corners, const Setting& setting) {
     return setting.adaptive == 0 || corners.largest() > setting.adaptive;
 }
 
-// One pixel of a cell.
+// A pseudo-random pixel of a cell.
 PixelPlace pixelIn(const PixelRectangle& cell, std::uint32_t random) {
     const auto width = static_cast<std::uint32_t>(cell.width()),
                height = static_cast<std::uint32_t>(cell.height());
@@ -52,9 +52,9 @@ std::vector<PixelPlace> scatteredPixels(const PixelRectangle& crop, std::size_t 
 
 struct Pilot::Grid {
     struct Pixel {
-        glm::dvec3 corners{0}, others{0};  // sums
+        glm::dvec3 corners{0}, others{0};  // sums of samples
         ColorSpread<double> spread;        // of the corners
-        bool isWhole = false;              // the others are there too
+        bool isWhole = false;              // `others` is complete
 
         void addCorner(const glm::dvec3& color) {
             corners += color;
@@ -63,10 +63,10 @@ struct Pilot::Grid {
     };
     Setting setting;
     std::vector<Pixel> pixels;
-    double cornerRays = 0, otherRays = 0;  // of all pixels, and of those that are whole
+    double cornerRays = 0, otherRays = 0;  // of all pixels; of whole pixels
 
     SampleGrid rule() const { return {setting.samples}; }
-    double samples() const { return rule().count(); }  // of a pixel; of these
+    double samples() const { return rule().count(); }
     double corners() const { return rule().cornerCount(); }
 };
 
@@ -94,9 +94,11 @@ const std::vector<glm::dvec3>& Pilot::colors(const Setting& setting) {
 
 double Pilot::rays(const Setting& setting) {
     const Grid& grid = gridOf(setting);
-    double active = 0, whole = 0;
-    for (const Grid::Pixel& pixel : grid.pixels)
-        active += isActive(pixel.spread, setting), whole += pixel.isWhole;
+    double active = 0, whole = 0;  // pixels
+    for (const Grid::Pixel& pixel : grid.pixels) {
+        active += isActive(pixel.spread, setting);
+        whole += pixel.isWhole;
+    }
     const auto count = static_cast<double>(pixels_.size());
     const double others =
         whole > 0 ? grid.otherRays / whole : grid.cornerRays / count * (grid.samples() - grid.corners()) / 4;
@@ -139,7 +141,7 @@ void Pilot::addSamples(Grid& grid, std::span<const std::size_t> pixels, bool cor
     grid.otherRays += (1 - cornerPart) * rays;
 }
 
-// A sample is the centre of a pixel of a picture that is so many times as large.
+// A sample is the centre of a pixel of a picture `scale` times as large.
 std::vector<glm::dvec3> Pilot::samples(Setting setting, int scale, std::span<const PixelPlace> places) {
     setting.samples = 1;
     RenderOptions options = withSetting(options_, setting);
@@ -186,9 +188,9 @@ MeanSquare Pilot::squaredErrorOfFlat(const Setting& setting) {
 
 void Pilot::sampleTruth(const Setting& depth, int n) {
     if (truthSamples_ >= n * n) return;
-    n = static_cast<int>(std::ceil(std::sqrt(n * n - truthSamples_)));  // those that lack
+    n = static_cast<int>(std::ceil(std::sqrt(n * n - truthSamples_)));  // the samples still missing
     const int cells = n * n, scale = n * placesOfCell;
-    std::vector<PixelPlace> places;  // of both in turn, so that neighbours share packets
+    std::vector<PixelPlace> places;  // of both estimates in turn, so that neighbours share packets
     for (const PixelPlace& pixel : pixels_)
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i) {
@@ -215,8 +217,9 @@ void Pilot::sampleTruth(const Setting& depth, int n) {
 std::vector<DepthChoice> depthFront(const MeasureDepth& measure, int deepest, std::span<const double> cutoffs,
                                     double enough) {
     std::vector<DepthChoice> choices;
-    std::vector<double> before(cutoffs.size(),
-                               2);  // the errors one step less deep; 0: deep enough, or deeper is no closer
+    // Per cutoff the error at the depth before; 0 if that was deep enough, or deeper than it helps. 2 is more
+    // than any error.
+    std::vector<double> before(cutoffs.size(), 2);
     for (const int depth : gridDepths) {
         if (depth > deepest) break;
         for (std::size_t i = 0; i < cutoffs.size(); ++i) {

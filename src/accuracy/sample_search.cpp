@@ -8,28 +8,29 @@ namespace raytracer {
 
 namespace {
 
-// Along an axis; also between the grid's, since the next one of those may be much dearer than what is enough.
+// Along an axis. Finer than the grid's, whose next step may cost much more than what is enough.
 constexpr int sampleSteps[] = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, SampleSearch::sampleLimit};
-constexpr double usualFall = 1.2,
-                 fastestFall = 1.5;  // the error of n x n samples: like n^-1 (textures) to n^-1.5 (edges)
+// The error of n x n samples falls like n^-1 (textures) to n^-1.5 (edges).
+constexpr double usualFall = 1.2, fastestFall = 1.5;
 
-// The first look's pixels; later ones may have as many as all before.
-constexpr double scatteredPart = 1.0 / 256, leastScattered = 1000;  // of the picture's pixels: looked at
-constexpr double judgedPixels = 200, fewSamplesPixels = 400;  // these, divided by the samples, are judged too
-constexpr double flat =
-    0.01;  // squared difference between corners where adaptive is likely to take no more samples
+// Pixels of the first call of addPixels.
+constexpr double scatteredPart = 1.0 / 256, leastScattered = 1000;  // of the picture's pixels: first phase
+constexpr double secondPhase = 200, secondPhaseOfOne = 400;         // second phase: a + b / samples
+// Squared difference of the corners below which `adaptive` is likely to take no more samples.
+constexpr double flat = 0.01;
 
-constexpr double judgedPart = 1.0 / 60, leastJudged = 1000;  // of the pixels of a whole picture
-constexpr double leastPixels = 20 * leastJudged;  // of such a picture: less is dearer to judge than to render
-constexpr double mostPixels = 1 << 22;            // 40 MB
-constexpr double minorDepth =
-    0.1;  // of the target: what a depth may leave, where the samples alone leave nearly all of it
-constexpr double possibleMargin = 2,
-                 tooFarMargin = 1.6;  // standard errors: missing it costs four times as much
+constexpr double estimatedPart = 1.0 / 60, leastEstimated = 1000;  // of the pixels of a whole picture
+constexpr double leastPixels =
+    20 * leastEstimated;                // a smaller picture costs more to estimate than to render
+constexpr double mostPixels = 1 << 22;  // 40 MB
+// Of the target: the truncation error to allow if the sampling error alone is nearly the target.
+constexpr double minorDepth = 0.1;
+// In standard errors. Wrongly rejecting a picture costs four times its rays.
+constexpr double possibleMargin = 2, rejectMargin = 1.6;
 
 Setting cornersOf(Setting setting) {
     setting.samples = 64;
-    setting.adaptive = 1;  // no others are taken
+    setting.adaptive = 1;  // takes no other samples
     return setting;
 }
 
@@ -42,7 +43,7 @@ SampleSearch::SampleSearch(const Renderer& renderer, const RenderOptions& option
       target_(target),
       depths_(depths),
       sink_(sink),
-      judged_(sampledAt(depths.fine(), 1)),
+      deep_(sampledAt(depths.fine(), 1)),
       pilot_(renderer, options) {}
 
 double SampleSearch::firstPixels() const {
@@ -55,13 +56,13 @@ Setting SampleSearch::sampledAt(const DepthChoice& depth, int samples, double ad
 
 double SampleSearch::raysSpent() const {
     double spent = pilot_.raysSpent();
-    for (const std::unique_ptr<Pilot>& look : looks_) spent += look->raysSpent();
-    if (picture_) spent += rayCount(picture_->counts) + picture_->judgingRays;
+    for (const std::unique_ptr<Pilot>& pilot : firstPhases_) spent += pilot->raysSpent();
+    if (picture_) spent += rayCount(picture_->counts) + picture_->estimationRays;
     return spent;
 }
 
 std::size_t SampleSearch::pixelCount() const {
-    return pilot_.pixelCount() + (picture_ ? picture_->judgedPixels : 0);
+    return pilot_.pixelCount() + (picture_ ? picture_->estimatedPixels : 0);
 }
 
 int SampleSearch::stepBelow(int samples) { return std::ranges::lower_bound(sampleSteps, samples)[-1]; }
@@ -72,44 +73,44 @@ int SampleSearch::stepFrom(double samples) {
     return sampleLimit;
 }
 
-void SampleSearch::look(double times) {
+void SampleSearch::addPixels(double times) {
     const auto count = static_cast<std::size_t>(std::min(times * firstPixels(), options_.crop.area()));
-    const auto seed = static_cast<std::uint32_t>(2 + looks_.size());
-    looks_.push_back(
+    const auto seed = static_cast<std::uint32_t>(2 + firstPhases_.size());
+    firstPhases_.push_back(
         std::make_unique<Pilot>(renderer_, options_, scatteredPixels(options_.crop, count, seed)));
-    Pilot& look = *looks_.back();
-    if (samples_ == 0) samples_ = guessSamples(look);
-    pilot_.add(look.pixels(), activity(look),
-               static_cast<std::size_t>(times * (judgedPixels + fewSamplesPixels / samples_)));
+    Pilot& pilot = *firstPhases_.back();
+    if (samples_ == 0) samples_ = guessSamples(pilot);
+    pilot_.add(pilot.pixels(), localContrast(pilot),
+               static_cast<std::size_t>(times * (secondPhase + secondPhaseOfOne / samples_)));
 }
 
-// How many samples it may take, from how far a pixel's centre is from the mean of its corners, as if all five
-// were independent. Rather too few, which shows, than too many, which are dear.
-int SampleSearch::guessSamples(Pilot& look) const {
-    const double one = look.error(sampled(1), cornersOf(sampled(1))).rmse / std::sqrt(1.25);
+// A first guess from the differences between a pixel's centre and the mean of its corners, as if all five
+// were independent. Rather too few, which findSamples notices, than too many, which are expensive.
+int SampleSearch::guessSamples(Pilot& pilot) const {
+    const double one = pilot.error(sampled(1), cornersOf(sampled(1))).rmse / std::sqrt(1.25);
     return stepFrom(std::floor(std::pow(one / target_, 1 / fastestFall)));
 }
 
-// How much each pixel has going on: how far apart is what its centre, its corners, 2 x 2 samples and a coarse
-// depth see. Where the corners tell nothing but the samples do, adaptive will miss it all; the rest falls
-// with the samples.
-std::vector<double> SampleSearch::activity(Pilot& look) const {
-    const auto &centre = look.colors(sampled(1)), &corners = look.colors(cornersOf(sampled(1)));
-    std::vector<double> activity(centre.size(), 0);
+// Of each pixel: the distance of its centre from its corners, from 2 x 2 samples and from a coarse depth.
+// Where the corners are equal but the samples differ, `adaptive` misses the difference whatever the number of
+// samples, so that it weighs more.
+std::vector<double> SampleSearch::localContrast(Pilot& pilot) const {
+    const auto &centre = pilot.colors(sampled(1)), &corners = pilot.colors(cornersOf(sampled(1)));
+    std::vector<double> contrast(centre.size(), 0);
     const auto addDifference = [&](const std::vector<glm::dvec3>& colors) {
-        for (std::size_t i = 0; i < activity.size(); ++i) activity[i] += squaredError(centre[i], colors[i]);
+        for (std::size_t i = 0; i < contrast.size(); ++i) contrast[i] += squaredError(centre[i], colors[i]);
     };
     addDifference(corners);
     if (samples_ > 2) {
-        const auto& some = look.colors(sampled(2));
-        for (std::size_t i = 0; i < activity.size(); ++i)
-            if (activity[i] < flat) activity[i] += samples_ * samples_ * squaredError(corners[i], some[i]);
+        const auto& some = pilot.colors(sampled(2));
+        for (std::size_t i = 0; i < contrast.size(); ++i)
+            if (contrast[i] < flat) contrast[i] += samples_ * samples_ * squaredError(corners[i], some[i]);
         addDifference(some);
     }
     const DepthChoice& coarse = depths_.coarsest();
-    if (coarse.error > DepthSearch::enough * target_) addDifference(look.colors(sampledAt(coarse, 1)));
-    for (double& each : activity) each = std::sqrt(each);
-    return activity;
+    if (coarse.error > DepthSearch::enough * target_) addDifference(pilot.colors(sampledAt(coarse, 1)));
+    for (double& each : contrast) each = std::sqrt(each);
+    return contrast;
 }
 
 void SampleSearch::findSamples() {
@@ -124,11 +125,11 @@ void SampleSearch::findSamples() {
 
 ErrorEstimate SampleSearch::error(const Setting& setting) {
     if (picture_ && setting.samples == 1) return picture_->error;
-    const Setting judged = sampled(setting.samples, setting.adaptive);
-    return setting == judged ? pilot_.error(setting) : pilot_.errorOfShallow(setting, judged);
+    const Setting deep = sampled(setting.samples, setting.adaptive);
+    return setting == deep ? pilot_.error(setting) : pilot_.errorOfShallow(setting, deep);
 }
 
-bool SampleSearch::judgePicture() {
+bool SampleSearch::tryPicture() {
     const double area = options_.crop.area();
     if (picture_ || samples_ > 2 || area < leastPixels || area > mostPixels) return false;
     const ErrorEstimate one = error(sampled(1));
@@ -138,14 +139,14 @@ bool SampleSearch::judgePicture() {
     if (with(depths_.fine(), -possibleMargin) > target_ || with(depths_.fine(), sureMargin) <= target_)
         return false;
     const DepthChoice& depth = depths_.deeper(minorDepth);
-    const auto judge = [&](const ErrorEstimate& samples) {
+    const auto decide = [&](const ErrorEstimate& samples) {
         const ErrorEstimate error{std::hypot(samples.rmse, depth.error), samples.standardError};
-        if (isWithin(error, sureMargin, target_)) return Judgement::Enough;
-        return error.rmse - tooFarMargin * error.standardError > target_ ? Judgement::TooFar
-                                                                         : Judgement::Unclear;
+        if (isWithin(error, sureMargin, target_)) return Decision::Accept;
+        return error.rmse - rejectMargin * error.standardError > target_ ? Decision::Reject
+                                                                         : Decision::Continue;
     };
-    picture_ = renderJudged(renderer_, options_, sampledAt(depth, 1), sink_,
-                            std::max(leastJudged, judgedPart * area), judge);
+    picture_ = renderEstimated(renderer_, options_, sampledAt(depth, 1), sink_,
+                               std::max(leastEstimated, estimatedPart * area), decide);
     return true;
 }
 

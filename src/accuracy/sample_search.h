@@ -1,10 +1,10 @@
-// How many samples an error takes: what --target-error knows of what lies between them.
+// How many samples --target-error takes, by their sampling error.
 #pragma once
 
 #include <optional>
 
 #include "depth_search.h"
-#include "raytracer/accuracy/judged_picture.h"
+#include "raytracer/accuracy/estimated_picture.h"
 #include "raytracer/accuracy/stratified_pilot.h"
 #include "target_statistics.h"
 
@@ -12,61 +12,62 @@ namespace raytracer {
 
 class SampleSearch {
   public:
-    // What lies between the samples is judged as deep as the depths' finest one at this time. All are kept by
-    // reference.
+    // The sampling error is estimated at the depth that is now the finest of `depths`. Keeps references to
+    // all arguments.
     SampleSearch(const Renderer& renderer, const RenderOptions& options, double target, DepthSearch& depths,
                  PixelSink& sink);
 
-    // Looks at more pixels, by so many times the number of the first look.
-    void look(double times);
+    // Adds pilot pixels: `times` the number of the first call, which is firstPixels().
+    void addPixels(double times);
     double firstPixels() const;
 
-    // The least number of samples (along an axis) that is enough without adaptive; at first a guess.
+    // Finds the smallest number of samples, along an axis, that reaches the target without `adaptive`.
     void findSamples();
     int samples() const { return samples_; }
 
-    // Between 1 sample and 2 x 2 lies a step of the rays by 4. Where one may be enough but is not sure to be,
-    // renders the picture of one into the sink, until it is clearly too far off: that costs little more than
-    // to be sure, and it may be the picture wanted. False if not.
-    bool judgePicture();
-    const std::optional<JudgedPicture>& picture() const { return picture_; }
+    // If one sample may reach the target but is not sure to, renders that picture into the sink, until its
+    // error is clearly above the target. The next step, 2 x 2 samples, has four times the rays; the picture
+    // costs little more than a sure estimate, and it may be the one to choose. Returns false if nothing is
+    // rendered.
+    bool tryPicture();
+    const std::optional<EstimatedPicture>& picture() const { return picture_; }
     bool isRendered(const Setting& setting) const {
         return picture_ && picture_->isWhole && picture_->setting == setting;
     }
 
-    // Between the samples alone, where the setting is as deep as the judged depth; and against that, where it
-    // is not.
+    // Of a setting with the pilot's depth, the sampling error; of one with a smaller depth, also its
+    // truncation error against the pilot's depth.
     ErrorEstimate error(const Setting& setting);
     ErrorEstimate errorOfFlat(const Setting& setting) { return pilot_.errorOfFlat(setting); }
     bool isEnough(const Setting& setting) { return isWithin(error(setting), margin, target_); }
     double rays(const Setting& setting) { return pilot_.rays(setting); }
 
-    DepthChoice judgedDepth() const { return depths_.of(judged_); }
+    DepthChoice pilotDepth() const { return depths_.of(deep_); }
     Setting sampled(int samples, double adaptive = 0) const {
-        return sampledAt(judgedDepth(), samples, adaptive);
+        return sampledAt(pilotDepth(), samples, adaptive);
     }
     Setting sampledAt(const DepthChoice& depth, int samples, double adaptive = 0) const;
 
     std::size_t pixelCount() const;
-    double raysSpent() const;  // the picture's too
+    double raysSpent() const;  // with the picture's
 
-    static int stepFrom(double samples);  // the first step that is no less, or the last one
+    static int stepFrom(double samples);  // the first step that is at least this, or the last one
     static int stepBelow(int samples);
     static constexpr int sampleLimit = 16;
 
   private:
-    int guessSamples(Pilot& look) const;
-    std::vector<double> activity(Pilot& look) const;
+    int guessSamples(Pilot& pilot) const;
+    std::vector<double> localContrast(Pilot& pilot) const;
 
     const Renderer& renderer_;
     const RenderOptions& options_;
     double target_;
     DepthSearch& depths_;
     PixelSink& sink_;
-    Setting judged_;
-    std::vector<std::unique_ptr<Pilot>> looks_;
+    Setting deep_;                                     // one sample at the pilot's depth
+    std::vector<std::unique_ptr<Pilot>> firstPhases_;  // of the stratified pilot's samples
     StratifiedPilot pilot_;
-    std::optional<JudgedPicture> picture_;  // of one sample a pixel
+    std::optional<EstimatedPicture> picture_;  // of one sample a pixel
     int samples_ = 0;
 };
 

@@ -8,19 +8,19 @@ namespace raytracer {
 
 namespace {
 
-constexpr std::size_t strataCount = 8;  // more gain little: Cochran, 5A.8
+constexpr std::size_t strataCount = 8;  // more strata gain little (Cochran, 5A.8)
 
-constexpr double evenPart = 0.1;  // of a pixel's size (its weight in the choice)
+constexpr double evenPart = 0.1;  // of the sum of contrast, after adding
 
-std::vector<std::size_t> orderOf(std::span<const double> activity) {
-    std::vector<std::size_t> order(activity.size());
+std::vector<std::size_t> orderOf(std::span<const double> contrast) {
+    std::vector<std::size_t> order(contrast.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return activity[i]; });
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return contrast[i]; });
     return order;
 }
 
-// `count` of them, evenly spread; all if there are no more. In the picture's order, so that neighbours share
-// packets.
+// Up to `count` of the pixels at these indices, evenly spread, in the picture's order, so that neighbours
+// share packets.
 std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const std::size_t> indices,
                              std::size_t count) {
     const std::size_t taken = std::min(count, indices.size());
@@ -35,32 +35,32 @@ std::vector<PixelPlace> some(std::span<const PixelPlace> pixels, std::span<const
 
 }  // namespace
 
-double evenSize(double total, double count) {
+double evenContrast(double total, double count) {
     return total > 0 ? evenPart / (1 - evenPart) * total / count : 1;
 }
 
-void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const double> activity,
+void StratifiedPilot::add(std::span<const PixelPlace> pixels, std::span<const double> contrast,
                           std::size_t count) {
     Sample sample{{}, static_cast<double>(pixels.size())};
-    const std::vector<std::size_t> order = orderOf(activity);
-    const double active = std::accumulate(activity.begin(), activity.end(), 0.0);
-    const double even = evenSize(active, sample.looked), whole = active + even * sample.looked;
+    const std::vector<std::size_t> order = orderOf(contrast);
+    const double total = std::accumulate(contrast.begin(), contrast.end(), 0.0);
+    const double even = evenContrast(total, sample.pixels), whole = total + even * sample.pixels;
     double sum = 0;
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
         const std::size_t number = sample.strata.size() + 1;
         const double limit = whole * static_cast<double>(number) / strataCount;
         while (end < order.size() && (end == begin || sum < limit || number == strataCount))
-            sum += activity[order[end++]] + even;
+            sum += contrast[order[end++]] + even;
         const auto indices = std::span(order).subspan(begin, end - begin);
         sample.strata.push_back(
-            {static_cast<double>(indices.size()) / sample.looked,
+            {static_cast<double>(indices.size()) / sample.pixels,
              std::make_unique<Pilot>(renderer_, options_, some(pixels, indices, count / strataCount))});
     }
     samples_.push_back(std::move(sample));
 }
 
-// Of all strata, by the mean square of each one's pixels. Cochran (12.32): within the strata by the pixels
-// judged, between them by the pixels looked at.
+// From the mean square of each stratum. The variance (Cochran, 12.32) has a term within the strata, from the
+// second phase's pixels, and a term between them, from the first phase's.
 template <class SquaredError>
 ErrorEstimate StratifiedPilot::estimate(SquaredError squaredError) {
     MeanSquare all;
@@ -74,7 +74,7 @@ ErrorEstimate StratifiedPilot::estimate(SquaredError squaredError) {
             whole.variance += std::pow(stratum.share, 2) * one.variance;
         }
         for (std::size_t i = 0; i < means.size(); ++i)
-            whole.variance += sample.strata[i].share * std::pow(means[i] - whole.mean, 2) / sample.looked;
+            whole.variance += sample.strata[i].share * std::pow(means[i] - whole.mean, 2) / sample.pixels;
         all.mean += part(sample) * whole.mean;
         all.variance += std::pow(part(sample), 2) * whole.variance;
     }
@@ -103,9 +103,9 @@ void StratifiedPilot::sampleTruth(const Setting& depth, int n) {
 }
 
 double StratifiedPilot::part(const Sample& sample) const {
-    double looked = 0;
-    for (const Sample& each : samples_) looked += each.looked;
-    return sample.looked / looked;
+    double pixels = 0;
+    for (const Sample& each : samples_) pixels += each.pixels;
+    return sample.pixels / pixels;
 }
 
 double StratifiedPilot::rays(const Setting& setting) {

@@ -10,72 +10,69 @@ namespace raytracer {
 
 namespace {
 
-// The error has two parts, which a pilot can measure apart since they hardly know of each other: of what rays
-// bring that are not followed (depth), and of what lies between the samples. Their squares add up.
+// The sampling error and the truncation error are nearly independent: pilots measure them apart, and their
+// squares add up.
 struct Candidate {
     Setting setting;
-    double rays =
-        0;  // for each pixel, predicted up to a factor that is the same for all; 0 if it is rendered already
+    double rays = 0;  // per pixel, predicted up to a common factor; 0 if it is already rendered
     ErrorEstimate samples, depth;
     ErrorEstimate error() const { return together(samples, depth); }
 };
 
 constexpr double adaptiveSteps[] = {0.3, 0.1, 0.03, 0.01};
 
-constexpr double adaptivePart =
-    1.0 / 48;                       // of the pixels, where adaptive may help: what it misses is in few pixels
-constexpr double leastLook = 0.25;  // of all pixels before: fewer would tell little more
+// Of the pixels, if `adaptive` may help: the error that it misses lies in few pixels.
+constexpr double adaptivePart = 1.0 / 48;
+constexpr double leastRound = 0.25;  // of all pixels before: a smaller round adds little information
 
-// What the best setting may cost, times this, is the most that all may cost, the pilot included.
-constexpr double promise = 1.5;
-// No look is begun after which all pilots together would have cost more than such a part of what the best
-// setting costs, or of what a cheaper one would save; nor for more than that part of what it would save
-// itself.
-constexpr double pilotShare = 0.12, savedShare = 0.15, hope = 0.25;
-constexpr double checkShare = 0.09;  // for a look that would only make sure, instead of pilotShare
+// The largest cost of the search and the picture, as a multiple of the best setting's cost.
+constexpr double mostCost = 1.5;
+// A round of pilots must keep the cost of all pilots below this share of the best setting's cost, or below
+// this share of what a cheaper setting would save; and its own cost below the third share, of the saving.
+constexpr double pilotShare = 0.12, savedShare = 0.15, roundShare = 0.25;
+constexpr double checkShare = 0.09;  // in place of pilotShare, for a round that can only confirm the choice
 constexpr double leastShare =
-    0.04;  // even where all seems to be sure: few pixels may all have missed the same thing
-constexpr double smallStep = 1.05;  // a setting dearer by no more than this is as good
+    0.04;                           // if the choice seems sure: few pixels may all have missed the same error
+constexpr double smallStep = 1.05;  // in rays: as good as equal
 
-constexpr double reachedMargin = 1;  // standard errors: above by no more than this is not said to be above
-constexpr double likelyExcess =
-    1.5;  // of the target: what is only likely within it may well be above, but not far
+constexpr double reachedMargin = 1;   // in standard errors: an error above by less counts as reached
+constexpr double likelyExcess = 1.5;  // of the target: the largest error of a setting that likely reaches it
 
 class Search {
   public:
     Search(const Renderer& renderer, const RenderOptions& options, double target, PixelSink& sink,
-           const ChoiceSoFar& tell)
+           const ChoiceListener& report)
         : area_(options.crop.area()),
           target_(target),
-          tell_(tell),
+          report_(report),
           depths_(renderer, options, target),
           samples_(renderer, options, target, depths_, sink) {}
 
-    // In looks at ever more pixels, until the choice is clear or more would cost too much of what it can
-    // save.
+    // Rounds of pilots with ever more pixels, until the choice is clear or another round would cost too much
+    // of what it can save.
     TargetChoice choose() {
         double all = 1, pixels = 1, before = depths_.raysSpent();
-        samples_.look(1);
+        samples_.addPixels(1);
         const double more = adaptivePart * area_ / samples_.firstPixels() - 1;
-        if (samples_.samples() > 2 && more > leastLook) {
-            samples_.look(more);
-            all = pixels += more;
+        if (samples_.samples() > 2 && more > leastRound) {
+            samples_.addPixels(more);
+            pixels += more;
+            all = pixels;
         }
         for (;;) {
             TargetChoice choice = round();
-            const double each =
-                (spent() - before) / pixels;  // rays, for as many pixels as the first look has
+            const double each = (spent() - before) / pixels;  // rays of as many pixels as the first round's
             if (depths_.widen(leastRays(choice))) choice = round();
             while (depths_.halve(choice.setting)) choice = round();
-            if (samples_.judgePicture()) choice = round();
+            if (samples_.tryPicture()) choice = round();
             if (samples_.isRendered(choice.setting)) {
                 choice.rendered = samples_.picture()->counts;
                 return choice;
             }
-            pixels = std::min(all, worthwhile(choice) / each);
-            if (pixels < leastLook * all) return choice;
+            pixels = std::min(all, affordableRays(choice) / each);
+            if (pixels < leastRound * all) return choice;
             before = spent();
-            samples_.look(pixels);
+            samples_.addPixels(pixels);
             all += pixels;
         }
     }
@@ -85,22 +82,22 @@ class Search {
         samples_.findSamples();
         collect();
         TargetChoice choice = pick();
-        if (tell_) tell_(choice);
+        if (report_) report_(choice);
         return choice;
     }
 
-    // What the best setting may cost.
+    // The cost that the best setting may have, per pixel.
     static double leastRays(const TargetChoice& choice) {
         return choice.cheaper ? choice.cheaperRays : choice.rays;
     }
 
-    // Rays that may be spent on more pixels: they may lead to a cheaper setting (and to a part of what seems
-    // to be possible), or show that this one will not do.
-    double worthwhile(const TargetChoice& choice) const {
+    // Rays that another round may cost: it may lead to a cheaper setting, or show that the chosen one does
+    // not reach the target.
+    double affordableRays(const TargetChoice& choice) const {
         const double best = leastRays(choice) * area_, chosen = choice.rays * area_;
         const double saved = chosen - best;
         const double saving =
-            std::min(std::max(pilotShare * best, savedShare * saved) - spent(), hope * saved);
+            std::min(std::max(pilotShare * best, savedShare * saved) - spent(), roundShare * saved);
         const bool isSure = isWithin({choice.error, choice.standardError}, sureMargin);
         return std::max(saving, (isSure ? leastShare : checkShare) * best - spent());
     }
@@ -113,29 +110,29 @@ class Search {
     bool isPossible(const ErrorEstimate& error) const {
         return error.rmse - sureMargin * error.standardError <= target_;
     }
-    bool isReached(
-        const ErrorEstimate& error) const {  // with a standard error above the target nothing is known
+    // A standard error above the target says nothing.
+    bool isReached(const ErrorEstimate& error) const {
         return error.standardError <= target_ && error.rmse - reachedMargin * error.standardError <= target_;
     }
     bool isLikely(const ErrorEstimate& error) const {
         return error.rmse <= target_ && raytracer::isWithin(error, sureMargin, likelyExcess * target_);
     }
 
-    // And what the depth leaves out, of which the pilot's pixels see the part that the judged depth does not
-    // leave out itself.
+    // The sampling error and the truncation error together. Of the latter, the sampling pilots already
+    // measure the part down to their own depth.
     ErrorEstimate measured(const Candidate& candidate) {
         const Setting& setting = candidate.setting;
         const DepthChoice depth = depths_.of(setting);
         const bool isDeeper =
-            depth.error < samples_.judgedDepth().error || (samples_.picture() && setting.samples == 1);
+            depth.error < samples_.pilotDepth().error || (samples_.picture() && setting.samples == 1);
         const ErrorEstimate error =
             samples_.error(isDeeper ? samples_.sampled(setting.samples, setting.adaptive) : setting);
-        const double shallow = isDeeper ? 0 : depths_.distance(depth, samples_.judgedDepth());
+        const double shallow = isDeeper ? 0 : depths_.distance(depth, samples_.pilotDepth());
         const double unseen = std::sqrt(std::max(0.0, depth.error * depth.error - shallow * shallow));
         return together(error, {unseen, depth.error > 0 ? depth.standardError * unseen / depth.error : 0});
     }
 
-    // From what is too few samples even without adaptive to where they are dearer than what is enough.
+    // From too few samples even without `adaptive` up to where more samples cost more than what is enough.
     void collect() {
         candidates_.clear();
         const int most = samples_.samples();
@@ -152,8 +149,9 @@ class Search {
         std::ranges::stable_sort(candidates_, {}, &Candidate::rays);
     }
 
-    // From the coarsest on, until one is good enough or dearer than what is: finer ones are dearer. Then half
-    // way back. Where the flat pixels alone are too far off, no others are rendered. False if all are dearer.
+    // The coarsest tolerance first, until one reaches the target or costs more than what does: finer ones
+    // cost more. Then half way back. If the flat pixels alone have too large an error, no others are
+    // rendered. Returns false if all cost more.
     bool collectAdaptive(int samples, double& enough) {
         if (samples < 3) return true;
         double coarser = 1;
@@ -174,10 +172,10 @@ class Search {
         return true;
     }
 
-    // The setting with every depth that is worth having.
+    // The setting with every depth of the search.
     void addCandidates(const Setting& setting) {
         const ErrorEstimate error = samples_.error(setting);
-        const double rays = samples_.rays(setting) / samples_.judgedDepth().rays;
+        const double rays = samples_.rays(setting) / samples_.pilotDepth().rays;
         for (const DepthChoice& depth : depths_.choices()) {
             const Setting deep = samples_.sampledAt(depth, setting.samples, setting.adaptive);
             const double deepRays = samples_.isRendered(deep) ? 0 : rays * depth.rays;
@@ -185,18 +183,18 @@ class Search {
         }
     }
 
-    // The cheapest that is within the target by the margin; one that costs hardly more and is surely within
-    // it; or, where that costs more than the promise allows, one that is likely within it.
+    // The cheapest that is within the target by the margin, or one that costs hardly more and is surely
+    // within it. If that costs more than mostCost allows, one that is likely within the target.
     TargetChoice pick() {
         const Candidate *possible = nullptr, *likely = nullptr, *good = nullptr;
         for (const Candidate& candidate : candidates_) {
             if (good && candidate.rays > smallStep * good->rays) break;
-            if (!good && likely && candidate.rays > promise * likely->rays - spent() / area_) break;
-            const bool isThere = candidate.rays == 0;
-            if (!possible && !isThere && isPossible(candidate.error())) possible = &candidate;
-            if (!isThere && candidate.error().rmse > target_) continue;
+            if (!good && likely && candidate.rays > mostCost * likely->rays - spent() / area_) break;
+            const bool isRendered = candidate.rays == 0;
+            if (!possible && !isRendered && isPossible(candidate.error())) possible = &candidate;
+            if (!isRendered && candidate.error().rmse > target_) continue;
             const ErrorEstimate error = measured(candidate);
-            if (!likely && (isThere ? isReached(error) : isLikely(error))) likely = &candidate;
+            if (!likely && (isRendered ? isReached(error) : isLikely(error))) likely = &candidate;
             if (isWithin(error, sureMargin)) return result(candidate, possible);
             if (!good && isWithin(error, margin)) good = &candidate;
         }
@@ -230,7 +228,7 @@ class Search {
     }
 
     double area_, target_;
-    const ChoiceSoFar& tell_;
+    const ChoiceListener& report_;
     DepthSearch depths_;
     SampleSearch samples_;
     std::vector<Candidate> candidates_;
@@ -239,8 +237,8 @@ class Search {
 }  // namespace
 
 TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target,
-                           PixelSink& sink, const ChoiceSoFar& tell) {
-    return Search(renderer, options, target, sink, tell).choose();
+                           PixelSink& sink, const ChoiceListener& report) {
+    return Search(renderer, options, target, sink, report).choose();
 }
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// Numbers of --target-error.
+// The statistics of --target-error.
 #pragma once
 
 #include <cmath>
@@ -7,10 +7,10 @@
 
 namespace raytracer {
 
-// What an error may be, some standard errors up. It comes from few pixels, as if from k equally wrong ones
-// where the mean square has a relative error of k^-1/2. Gehrels's upper limit of a count of k ("Confidence
-// limits for small numbers of events in astrophysical data", 1986, eq. 10 with its first term of 1/k): k + s
-// sqrt(k + 3/4) + (s^2 + 3) / 4.
+// An upper confidence limit of an error, s standard errors up. The error comes from few pixels: its mean
+// square has a relative standard error of k^-1/2, as if k pixels had equal errors and the others none.
+// Gehrels's upper limit of a count of k ("Confidence limits for small numbers of events in astrophysical
+// data", 1986, eq. 10 with its first term of 1/k) is k + s sqrt(k + 3/4) + (s^2 + 3) / 4.
 inline double upperLimit(double error, double standardError, double s) {
     if (!(standardError > 0)) return error;
     if (!(error > 0)) return s * standardError;
@@ -18,15 +18,15 @@ inline double upperLimit(double error, double standardError, double s) {
     return error * std::sqrt(1 + (s * std::sqrt(k + 0.75) + (s * s + 3) / 4) / k);
 }
 
-// Standard errors. With some odds to spare, since only a picture in ten may be above, and the cheapest that
-// seems to do is likely to seem better than it is (Notes.txt).
+// In standard errors. More than one picture in ten above the target asks for, since the cheapest setting that
+// seems to reach it is chosen for seeming better than it is.
 inline constexpr double margin = 1.6, sureMargin = 2;
 
 inline bool isWithin(const ErrorEstimate& error, double errors, double target) {
     return upperLimit(error.rmse, error.standardError, errors) <= target;
 }
 
-// Of two errors that hardly know of each other: their squares add up.
+// Of two nearly independent errors: their squares add up.
 inline ErrorEstimate together(const ErrorEstimate& a, const ErrorEstimate& b) {
     const double rmse = std::hypot(a.rmse, b.rmse);
     return {rmse, rmse > 0 ? std::hypot(a.rmse * a.standardError, b.rmse * b.standardError) / rmse : 0};

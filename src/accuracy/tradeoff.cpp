@@ -12,11 +12,11 @@ namespace raytracer {
 
 namespace {
 
-// Processor time, of all threads: what else the machine does meanwhile hardly changes it.
+// Processor time of all threads: other load on the machine hardly changes it.
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Renders, and adds the time to the trial's.
-std::vector<glm::dvec3> perform(const Renderer& renderer, const RenderOptions& options, Trial& trial) {
+// Renders and adds the time to the trial's.
+std::vector<glm::dvec3> timedRender(const Renderer& renderer, const RenderOptions& options, Trial& trial) {
     ColorSink sink(options.crop);
     const double start = processorSeconds();
     trial.counts = renderer.render(withSetting(options, trial.setting), sink);
@@ -30,7 +30,7 @@ std::vector<CostAndError> costsAndErrors(std::span<const Trial> trials) {
     return points;
 }
 
-// Might be on the front if its time were measured again.
+// The trials that could be on the front if their time were measured again.
 std::vector<bool> contenders(std::span<const Trial> trials) {
     std::vector<bool> contender;
     for (const Trial& trial : trials)
@@ -40,8 +40,8 @@ std::vector<bool> contenders(std::span<const Trial> trials) {
     return contender;
 }
 
-// Until all that might be on the front have so many timings. All of them in turn, so that what disturbs the
-// machine for a while disturbs all alike.
+// Repeats until all contenders have `repeats` timings. They take turns, so that a passing disturbance of the
+// machine affects all of them.
 void repeatTimings(const Renderer& renderer, const RenderOptions& options, int repeats,
                    std::vector<Trial>& trials) {
     for (bool isDone = false; !isDone;) {
@@ -49,7 +49,7 @@ void repeatTimings(const Renderer& renderer, const RenderOptions& options, int r
         const std::vector<bool> again = contenders(trials);
         for (std::size_t k = 0; k < trials.size(); ++k) {
             if (!again[k] || std::ssize(trials[k].timings) >= repeats) continue;
-            perform(renderer, options, trials[k]);
+            timedRender(renderer, options, trials[k]);
             isDone = false;
         }
     }
@@ -60,7 +60,7 @@ void markFront(std::vector<Trial>& trials) {
     for (const std::size_t i : paretoFront(costsAndErrors(trials))) trials[i].onFront = true;
 }
 
-// Of the settings that are as deep as the deepest of them.
+// The sampling error at each number of samples is the smallest error of any depth.
 std::optional<double> measuredRate(std::span<const Trial> trials, const Reference& reference) {
     std::vector<CostAndError> points;
     for (const int samples : gridSamples) {
@@ -80,7 +80,7 @@ struct Arithmetic {
     std::unique_ptr<Renderer> renderer;
 };
 
-// The defaults and sixteen samples, in each precision.
+// The default setting and 4 x 4 samples, in each precision.
 std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderOptions& options,
                                     int repeats) {
     std::vector<Arithmetic> kinds;
@@ -92,14 +92,14 @@ std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderO
         const std::size_t first = trials.size();
         for (const Arithmetic& kind : kinds) {
             Trial trial{{.samples = samples, .precision = kind.precision}, {}, {}, {}};
-            const auto colors = perform(*kind.renderer, options, trial);
+            const auto colors = timedRender(*kind.renderer, options, trial);
             if (truth.empty()) truth = colors;
             trial.error = pictureError(colors, truth);
             trials.push_back(trial);
         }
         for (int i = 1; i < repeats; ++i)
             for (std::size_t k = 0; k < kinds.size(); ++k)
-                perform(*kinds[k].renderer, options, trials[first + k]);
+                timedRender(*kinds[k].renderer, options, trials[first + k]);
     }
     return trials;
 }
@@ -123,7 +123,7 @@ Exhibit exhibit(const Renderer& renderer, const RenderOptions& options, const Tr
             picture(options.size, difference)};
 }
 
-// The front's points nearest to every half power of ten.
+// The front's trials nearest to every half power of ten.
 std::vector<Exhibit> exhibits(const Renderer& renderer, const RenderOptions& options,
                               const SceneTradeoff& measured) {
     std::vector<const Trial*> chosen;
@@ -158,44 +158,47 @@ double fallRate(std::span<const CostAndError> points) {
     double x = 0, y = 0, xx = 0, xy = 0;
     for (const CostAndError& point : points) {
         const double cost = std::log(point.cost), error = std::log(point.error);
-        x += cost, y += error, xx += cost * cost, xy += cost * error;
+        x += cost;
+        y += error;
+        xx += cost * cost;
+        xy += cost * error;
     }
     const auto n = static_cast<double>(points.size());
     return -(n * xy - x * y) / (n * xx - x * x);
 }
 
 SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& scene,
-                              const TradeoffOptions& wanted) {
-    const auto tell = [&](const std::string& what) {
-        if (wanted.tell) wanted.tell(name + ": " + what);
+                              const TradeoffOptions& tradeoff) {
+    const auto report = [&](const std::string& step) {
+        if (tradeoff.report) tradeoff.report(name + ": " + step);
     };
     SceneTradeoff result;
     result.name = name;
-    result.size = imageSize(scene.camera, wanted.size);
+    result.size = imageSize(scene.camera, tradeoff.size);
     RenderOptions options;
     options.size = result.size;
     options.crop = {0, 0, options.size.width, options.size.height};
-    options.threads = wanted.threads;
+    options.threads = tradeoff.threads;
 
-    tell("the reference");
+    report("the reference");
     result.reference =
-        makeReference(*makeRenderer(scene, wanted.referencePrecision), options, wanted.samples);
-    result.reference.setting.precision = result.reference.half.precision = wanted.referencePrecision;
+        makeReference(*makeRenderer(scene, tradeoff.referencePrecision), options, tradeoff.samples);
+    result.reference.setting.precision = result.reference.half.precision = tradeoff.referencePrecision;
     result.referencePicture = picture(options.size, result.reference.colors);
 
     const auto renderer = makeRenderer(scene, Precision::Double);
     for (const Setting& setting :
-         settingsToTry(*renderer, options, result.reference, hasTextures(scene), wanted.samples))
+         settingsToTry(*renderer, options, result.reference, hasTextures(scene), tradeoff.samples))
         result.truncation.push_back({setting, {}, {}, {}});
-    tell(std::to_string(result.truncation.size()) + " settings");
+    report(std::to_string(result.truncation.size()) + " settings");
     for (Trial& trial : result.truncation)
-        trial.error = pictureError(perform(*renderer, options, trial), result.reference.colors);
-    tell("those near the front again");
-    repeatTimings(*renderer, options, wanted.repeats, result.truncation);
+        trial.error = pictureError(timedRender(*renderer, options, trial), result.reference.colors);
+    report("timing those near the front again");
+    repeatTimings(*renderer, options, tradeoff.repeats, result.truncation);
     markFront(result.truncation);
     result.sampleRate = measuredRate(result.truncation, result.reference);
-    tell("the arithmetic");
-    result.arithmetic = arithmeticTrials(scene, options, wanted.repeats);
+    report("the arithmetic");
+    result.arithmetic = arithmeticTrials(scene, options, tradeoff.repeats);
     result.exhibits = exhibits(*renderer, options, result);
     return result;
 }

@@ -11,10 +11,10 @@ namespace raytracer {
 
 namespace {
 
-// In the units of the SVG.
+// In SVG units.
 constexpr double width = 420, height = 300, left = 46, right = 12, top = 12, bottom = 40;
 
-// Maps a positive number to a place, whole decades at both ends.
+// Maps positive numbers to a logarithmic axis of whole decades.
 class LogAxis {
   public:
     LogAxis(double least, double most, double from, double to)
@@ -41,8 +41,10 @@ struct Axes {
 Axes axesOf(const SceneTradeoff& scene) {
     double least = 1, most = 0, fast = 1e9, slow = 0;
     for (const Trial& trial : scene.truncation) {
-        least = std::min(least, trial.error.rmse), most = std::max(most, trial.error.rmse);
-        fast = std::min(fast, trial.seconds()), slow = std::max(slow, trial.seconds());
+        least = std::min(least, trial.error.rmse);
+        most = std::max(most, trial.error.rmse);
+        fast = std::min(fast, trial.seconds());
+        slow = std::max(slow, trial.seconds());
     }
     least = std::max(least, 1e-6);
     return {{std::max(fast, 1e-6), slow, left, width - right}, {least, most, height - bottom, top}};
@@ -77,22 +79,21 @@ std::string grid(const Axes& axes) {
     return svg + "\n";
 }
 
-// How far the reference itself may be trusted.
+// The error of the reference itself.
 std::string floorLine(const Axes& axes, const Reference& reference) {
     const double y = axes.y.at(reference.doublingError);
     if (!(reference.doublingError > 0) || y >= height - bottom) return {};
     return formatted(
-        "<path class='floor' d='M%.1f %.1fH%.1f'><title>half of the reference's samples are %.1e off "
-        "it</title>"
-        "</path>\n",
+        "<path class='floor' d='M%.1f %.1fH%.1f'><title>half of the reference's samples: RMSE %.1e "
+        "against it</title></path>\n",
         left, y, width - right, reference.doublingError);
 }
 
-// How the error between the samples falls, as the slope of a line of that rate would show it.
+// The rate at which the sampling error falls.
 std::string rateLabel(const std::optional<double>& rate) {
     if (!rate) return {};
     return formatted(
-        "<text class='label' x='%.1f' y='%.1f' text-anchor='end'>between the samples: rays"
+        "<text class='label' x='%.1f' y='%.1f' text-anchor='end'>sampling error: rays"
         "<tspan dy='-4' font-size='8'>-%.2f</tspan></text>\n",
         width - right - 4, top + 14, *rate);
 }
@@ -118,7 +119,7 @@ std::string frontLine(const Axes& axes, std::span<const Trial> trials) {
     return "<path class='line' d='" + path + "'/>\n";
 }
 
-// The letters of the pictures below the chart.
+// The letters of the example pictures below the chart.
 std::string letters(const Axes& axes, const SceneTradeoff& scene) {
     std::string svg;
     char letter = 'A';

@@ -27,7 +27,7 @@ template <class Wanted>
 std::string table(const SceneTradeoff& scene, std::span<const Trial> trials, Wanted wanted) {
     std::string html = accuracy_page::table;
     for (const Trial& trial : trials)
-        if (wanted(trial)) html += tableRow(trial, plainSeconds(scene));
+        if (wanted(trial)) html += tableRow(trial, defaultSeconds(scene));
     return html + "</tbody></table></div>\n";
 }
 
@@ -46,9 +46,8 @@ std::string figure(char letter, const Exhibit& exhibit) {
 
 std::string pictures(const SceneTradeoff& scene) {
     std::string html =
-        formatted(
-            "<h3>What such errors look like (right: the difference from the reference, %g times)</h3>\n",
-            exhibitMagnification) +
+        formatted("<h3>Examples of such errors (right: the difference from the reference, %g times)</h3>\n",
+                  exhibitMagnification) +
         "<div class=\"pictures\">\n<figure><div>" +
         image("reference", "the reference", scene.referencePicture) +
         "</div><figcaption><b>the reference</b></figcaption></figure>\n";

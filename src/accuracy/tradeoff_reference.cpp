@@ -8,16 +8,16 @@ namespace raytracer {
 
 namespace {
 
-// Only for glass in which both the reflected and the refracted ray go on, and double with each bounce long
-// after they stopped to matter: where that would take so many times the rays. The bound on what this leaves
-// out is part of the report.
-constexpr double glassCutoff = 1e-5, tooDear = 4;
+// The reference has a cutoff only if it would otherwise take this many times the rays: in glass both the
+// reflected and the refracted ray go on, so that rays double with each bounce long after they contribute. The
+// report has the bound on the resulting error.
+constexpr double glassCutoff = 1e-5, tooManyRays = 4;
 
-// A recursion twice as deep changes less than this: a tenth of the least error that the grid reaches, of
-// which it is half a percent, since the squares add up.
+// The depth is converged if twice the depth changes the picture by less than this RMSE: a tenth of the
+// smallest error that the grid reaches, which is 0.5 % of that error, since squares add up.
 constexpr double deepEnough = 1e-4;
 
-// One sample, converged in depth.
+// One sample a pixel, converged in depth.
 Setting deepSetting(const Renderer& renderer, const RenderOptions& options) {
     Pilot pilot(renderer, options, scatteredPixels(options.crop, 2000, 3));
     const auto at = [](int depth, double cutoff) {
@@ -26,9 +26,9 @@ Setting deepSetting(const Renderer& renderer, const RenderOptions& options) {
     int deep = 4;
     while (deep < 64 && pilot.error(at(deep, glassCutoff), at(2 * deep, glassCutoff)).rmse > deepEnough)
         deep *= 2;
-    for (int depth = 4; depth <= deep;
-         depth *= 2)  // from the cheapest on, which the next one at most squares
-        if (pilot.rays(at(depth, 0)) > tooDear * pilot.rays(at(depth, glassCutoff)))
+    // The cheapest depth first: twice the depth at most squares the number of rays.
+    for (int depth = 4; depth <= deep; depth *= 2)
+        if (pilot.rays(at(depth, 0)) > tooManyRays * pilot.rays(at(depth, glassCutoff)))
             return at(deep, glassCutoff);
     return at(deep, 0);
 }

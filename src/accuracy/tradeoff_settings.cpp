@@ -1,4 +1,4 @@
-// Which settings are tried: not the whole product of the knobs, most of which nobody would want.
+// Which settings are tried: not all combinations of the options, most of which are far from the front.
 #include <algorithm>
 
 #include "raytracer/accuracy/tradeoff.h"
@@ -7,8 +7,8 @@ namespace raytracer {
 
 namespace {
 
-// The depths that are on the front of rays and error on their own, each at most half as far off as the one
-// before, and the plain ones that people ask for.
+// The depths on the front of rays and truncation error, each with at most half the error of the one before,
+// and the depths that people commonly choose.
 std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
     std::vector<double> cutoffs{0};
     cutoffs.insert(cutoffs.end(), std::begin(gridCutoffs), std::end(gridCutoffs));
@@ -23,8 +23,8 @@ std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
         if (chosen.empty() || choice.error < 0.5 * chosen.back().error) chosen.push_back(choice);
     for (const int depth : {1, 2, 3, 6}) chosen.push_back(measure(depth, 0));
     std::ranges::stable_sort(chosen, {}, &DepthChoice::rays);
-    const auto same = [](const DepthChoice& a,
-                         const DepthChoice& b) {  // the defaults are what all is measured by
+    // The default stays: everything is compared with it.
+    const auto same = [](const DepthChoice& a, const DepthChoice& b) {
         return a.rays == b.rays && !(b.max_recursion == Setting{}.max_recursion && b.cutoff == 0);
     };
     chosen.erase(std::unique(chosen.begin(), chosen.end(), same), chosen.end());
@@ -46,7 +46,7 @@ std::vector<Setting> settingsToTry(const Renderer& renderer, const RenderOptions
         twice.samples = 2 * n;
         const double between = pilot.error(half, twice).rmse;
         for (const DepthChoice& depth : depths) {
-            if (n > 1 && depth.error > 3 * between) continue;  // more samples would not be seen
+            if (n > 1 && depth.error > 3 * between) continue;  // more samples would hardly reduce the error
             for (const double adaptive : gridAdaptive)
                 if (adaptive == 0 || n > 2)
                     settings.push_back({n, adaptive, depth.max_recursion, depth.cutoff});

@@ -20,15 +20,15 @@ std::string csvLine(const std::string& scene, const char* question, const Trial&
                      t.error.shareOff, t.onFront);
 }
 
-std::string tableLine(const Trial& t, double plainSeconds) {
-    return formatted("  %9.4f %7.2f  %9.2e %7.2f %9.2e %7.2f  %s\n", t.seconds(), t.seconds() / plainSeconds,
-                     t.error.rmse, t.error.psnr, t.error.maximum, 100 * t.error.shareOff,
-                     commandLine(t.setting).c_str());
+std::string tableLine(const Trial& t, double defaultSeconds) {
+    return formatted("  %9.4f %7.2f  %9.2e %7.2f %9.2e %7.2f  %s\n", t.seconds(),
+                     t.seconds() / defaultSeconds, t.error.rmse, t.error.psnr, t.error.maximum,
+                     100 * t.error.shareOff, commandLine(t.setting).c_str());
 }
 
 }  // namespace
 
-double plainSeconds(const SceneTradeoff& scene) {
+double defaultSeconds(const SceneTradeoff& scene) {
     for (const Trial& trial : scene.truncation)
         if (trial.setting == Setting{}) return trial.seconds();
     return scene.truncation.front().seconds();
@@ -37,10 +37,10 @@ double plainSeconds(const SceneTradeoff& scene) {
 std::string tradeoffCsv(std::span<const SceneTradeoff> scenes) {
     std::string csv =
         "scene,question,precision,samples,adaptive,max_recursion,cutoff,texture_filter,seconds,timings,"
-        "primary_rays,shadow_rays,"
-        "reflection_rays,refraction_rays,intersection_tests,cutoff_bound,rmse,psnr,maximum,share_off,on_"
-        "front\n";
-    for (const SceneTradeoff& scene : scenes) {
+        "primary_rays,shadow_rays,reflection_rays,refraction_rays,intersection_tests,cutoff_bound,"
+        "rmse,psnr,maximum,share_off,on_front
+        ";
+        for (const SceneTradeoff& scene : scenes) {
         for (const Trial& trial : scene.truncation) csv += csvLine(scene.name, "truncation", trial);
         for (const Trial& trial : scene.arithmetic) csv += csvLine(scene.name, "arithmetic", trial);
     }
@@ -54,26 +54,23 @@ std::string describeReference(const SceneTradeoff& scene) {
             ? formatted("its cutoff changed no pixel by more than %.1g", reference.cutoffBound)
             : "no cutoff";
     const std::string rate =
-        scene.sampleRate
-            ? formatted(" The error between the samples falls like rays^-%.2f.", *scene.sampleRate)
-            : "";
+        scene.sampleRate ? formatted(" The sampling error falls like rays^-%.2f.", *scene.sampleRate) : "";
     return formatted(
-               "%d x %d pixels. Reference: %s; %s. Half of its samples (%d x %d) are %.1e off it, so that it "
-               "is closer than "
-               "that to the truth.",
+               "%d x %d pixels. Reference: %s; %s. Half of the samples (%d x %d) give an RMSE of %.1e "
+               "against it: its own error is smaller.",
                scene.size.width, scene.size.height, commandLine(reference.setting).c_str(), cutoff.c_str(),
                reference.half.samples, reference.half.samples, reference.doublingError) +
            rate;
 }
 
 std::string tradeoffTable(const SceneTradeoff& scene) {
-    const double plain = plainSeconds(scene);
+    const double base = defaultSeconds(scene);
     std::string text = scene.name + ": " + describeReference(scene) + "\n";
-    text += "    seconds  x plain      RMSE    PSNR   maximum  % off  of the front, against the reference\n";
+    text += "    seconds   times       RMSE    PSNR   maximum  % off  of the front, against the reference\n";
     for (const Trial& trial : scene.truncation)
-        if (trial.onFront) text += tableLine(trial, plain);
+        if (trial.onFront) text += tableLine(trial, base);
     text += "  arithmetic, against the same samples in extended precision\n";
-    for (const Trial& trial : scene.arithmetic) text += tableLine(trial, plain);
+    for (const Trial& trial : scene.arithmetic) text += tableLine(trial, base);
     return text;
 }
 

@@ -64,7 +64,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 int measure(TradeoffArguments& arguments) {
     if (!arguments.quiet)
-        arguments.options.tell = [](const std::string& what) {
+        arguments.options.report = [](const std::string& what) {
             std::fprintf(stderr, "%s ...\n", what.c_str());
         };
     std::vector<LoadedScene> loaded;  // all first: a mistake in the last is told before an hour of work

@@ -8,7 +8,7 @@
 
 #include "../../src/accuracy/depth_search.h"
 #include "../support/scene_files.h"
-#include "raytracer/accuracy/judged_picture.h"
+#include "raytracer/accuracy/estimated_picture.h"
 #include "raytracer/accuracy/stratified_pilot.h"
 #include "raytracer/accuracy/target_error.h"
 #include "raytracer/accuracy/tradeoff_report.h"
@@ -41,11 +41,11 @@ std::vector<CostAndError> errorsOfSamples(Pilot& picture) {
     return points;
 }
 
-double meanActivity(Pilot& pilot, std::vector<double>& activity) {
+double meanContrast(Pilot& pilot, std::vector<double>& contrast) {
     const auto &centre = pilot.colors({}), &corners = pilot.colors({.samples = 64, .adaptive = 1});
-    activity.clear();
-    for (std::size_t i = 0; i < centre.size(); ++i) activity.push_back(squaredError(centre[i], corners[i]));
-    return std::accumulate(activity.begin(), activity.end(), 0.0) / static_cast<double>(activity.size());
+    contrast.clear();
+    for (std::size_t i = 0; i < centre.size(); ++i) contrast.push_back(squaredError(centre[i], corners[i]));
+    return std::accumulate(contrast.begin(), contrast.end(), 0.0) / static_cast<double>(contrast.size());
 }
 
 }  // namespace
@@ -152,20 +152,20 @@ TEST_CASE(
     forEveryScene(32, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const std::vector<PixelPlace> pixels = allPixels(options);
         Pilot picture(renderer, options, pixels);
-        std::vector<double> activity;
-        const double mean = meanActivity(picture, activity);
+        std::vector<double> contrast;
+        const double mean = meanContrast(picture, contrast);
         const Setting setting{.samples = 2}, truth{.samples = 6};
         const PictureError whole = picture.error(setting, truth);
         StratifiedPilot all(renderer, options);
-        all.add(pixels, activity, 8 * pixels.size());
+        all.add(pixels, contrast, 8 * pixels.size());
         CHECK(all.pixelCount() == pixels.size());
         CHECK(all.error(setting, truth).rmse == Approx(whole.rmse));
         CHECK(all.rays(setting) == Approx(picture.rays(setting)));
         StratifiedPilot some(renderer, options);
-        some.add(pixels, activity, 160);
+        some.add(pixels, contrast, 160);
         CHECK(some.pixelCount() <= 160);
         const ErrorEstimate estimate = some.error(setting, truth);
-        INFO("activity " << mean << ", error " << whole.rmse << ", estimated " << estimate.rmse << " +- "
+        INFO("contrast " << mean << ", error " << whole.rmse << ", estimated " << estimate.rmse << " +- "
                          << estimate.standardError);
         CHECK(std::abs(estimate.rmse - whole.rmse) < 4 * estimate.standardError);
         far += std::abs(estimate.rmse - whole.rmse) > 2 * estimate.standardError;
@@ -313,30 +313,30 @@ TEST_CASE("a truth that grows takes other samples, and no more than it lacks") {
     CHECK(different.size() > renderer.places.size() * 19 / 20);  // the two of a cell meet in 1 of 256
 }
 
-TEST_CASE("a judged picture is the render's, and tells its own error without bias") {
+TEST_CASE("an estimated picture is the render's, and its error estimate has no bias") {
     double off = 0;  // standard errors
     int scenes = 0;
     forEveryScene(64, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const Setting setting{.max_recursion = 2, .cutoff = 0.1};
         ColorSink sink(options.crop), other(options.crop);
-        const JudgedPicture judged = renderJudged(renderer, options, setting, sink, 500,
-                                                  [](const ErrorEstimate&) { return Judgement::Unclear; });
+        const EstimatedPicture estimated = renderEstimated(
+            renderer, options, setting, sink, 500, [](const ErrorEstimate&) { return Decision::Continue; });
         const RenderCounts counts = renderer.render(withSetting(options, setting), other);
         CHECK(sink.colors() == other.colors());
-        CHECK(rayCount(judged.counts) == rayCount(counts));
-        CHECK(judged.isWhole);
-        CHECK(judged.judgedPixels < 510);
-        const JudgedPicture clear = renderJudged(renderer, options, setting, other, 500,
-                                                 [](const ErrorEstimate&) { return Judgement::Enough; });
+        CHECK(rayCount(estimated.counts) == rayCount(counts));
+        CHECK(estimated.isWhole);
+        CHECK(estimated.estimatedPixels < 510);
+        const EstimatedPicture clear = renderEstimated(renderer, options, setting, other, 500,
+                                                       [](const ErrorEstimate&) { return Decision::Accept; });
         CHECK(sink.colors() == other.colors());
-        CHECK(clear.judgedPixels < 130);
-        CHECK(clear.error.standardError > judged.error.standardError);
+        CHECK(clear.estimatedPixels < 130);
+        CHECK(clear.error.standardError > estimated.error.standardError);
         Pilot picture(renderer, options, allPixels(options));
         Setting converged = setting;
         converged.samples = 12;
         const double truth = picture.error(setting, converged).rmse;
-        const double errors = (judged.error.rmse - truth) / judged.error.standardError;
-        INFO(truth << ", estimated " << judged.error.rmse << " +- " << judged.error.standardError);
+        const double errors = (estimated.error.rmse - truth) / estimated.error.standardError;
+        INFO(truth << ", estimated " << estimated.error.rmse << " +- " << estimated.error.standardError);
         CHECK(std::abs(errors) < 4);
         off += errors;
         ++scenes;
@@ -344,24 +344,24 @@ TEST_CASE("a judged picture is the render's, and tells its own error without bia
     CHECK(std::abs(off / scenes) < 0.7);
 }
 
-TEST_CASE("a judged picture that is too far off is given up after a quarter, which tells the error of all") {
+TEST_CASE("an estimated picture is rejected after a quarter, which estimates the error of all") {
     double sum = 0, half = 0;  // of squared relative differences
     int scenes = 0;
     forEveryScene(150, [&](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const Setting setting{.max_recursion = 2, .cutoff = 0.1};
         ColorSink sink(options.crop);
         std::vector<ErrorEstimate> told;
-        const JudgedPicture whole =
-            renderJudged(renderer, options, setting, sink, 4000, [&](const ErrorEstimate& error) {
+        const EstimatedPicture whole =
+            renderEstimated(renderer, options, setting, sink, 4000, [&](const ErrorEstimate& error) {
                 told.push_back(error);
-                return Judgement::Unclear;
+                return Decision::Continue;
             });
         REQUIRE(told.size() == 4);
         int asked = 0;
-        const JudgedPicture part =
-            renderJudged(renderer, options, setting, sink, 4000, [&](const ErrorEstimate&) {
+        const EstimatedPicture part =
+            renderEstimated(renderer, options, setting, sink, 4000, [&](const ErrorEstimate&) {
                 ++asked;
-                return Judgement::TooFar;
+                return Decision::Reject;
             });
         CHECK(asked == 1);
         CHECK(!part.isWhole);
@@ -420,7 +420,7 @@ TEST_CASE("a pilot's flat pixels: the others count as right, and take no samples
 }
 
 static TargetChoice choose(const Renderer& renderer, const RenderOptions& options, double target,
-                           const ChoiceSoFar& tell = {}) {
+                           const ChoiceListener& tell = {}) {
     ColorSink sink(options.crop);
     return chooseSetting(renderer, options, target, sink, tell);
 }
@@ -453,8 +453,8 @@ TEST_CASE("target-error: where nothing reaches it, the most accurate and no prom
     CHECK(choice.error > 1e-9);
 }
 
-// What rays deeper than 8 bring sits in few pixels here: the first look sees none of it.
-TEST_CASE("target-error: a wider look at depths goes on from the finest, not from what few pixels said") {
+// Rays deeper than 8 contribute to few pixels here: the first measurement misses all of them.
+TEST_CASE("target-error: measuring depths again starts from the finest, not from what few pixels said") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/mirror_corridor.json", true).description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     const RenderOptions options = wholePicture(scene, 420);

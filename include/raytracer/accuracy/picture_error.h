@@ -1,5 +1,4 @@
-// How far a picture is from a converged one: in linear light, clamped to what a picture can show, before
-// quantisation.
+// The error of a picture against a converged one: in linear light, clamped to [0, 1], before quantisation.
 #pragma once
 
 #include <span>
@@ -10,14 +9,12 @@
 
 namespace raytracer {
 
-// Keeps the colours as they come: linear, unclamped, in double.
+// Keeps the colours: linear, unclamped, in double; row-major from the top left of the crop.
 class ColorSink final : public PixelSink {
   public:
     explicit ColorSink(const PixelRectangle& crop);
     void write(int x, int y, std::span<const glm::dvec3> colors) override;
-    const std::vector<glm::dvec3>& colors() const& {
-        return colors_;
-    }  // row-major from the top left of the crop
+    const std::vector<glm::dvec3>& colors() const& { return colors_; }
     std::vector<glm::dvec3> colors() && { return std::move(colors_); }
 
   private:
@@ -25,40 +22,39 @@ class ColorSink final : public PixelSink {
     std::vector<glm::dvec3> colors_;
 };
 
-// The rows of a picture, as if rendered into the sink.
+// Writes the rows of a picture into the sink, as a render does.
 void copyTo(PixelSink& sink, const PixelRectangle& crop, std::span<const glm::dvec3> colors);
 
-// Of pixels' colours (the means of their unclamped samples): clamped here, so that clamping comes last, as in
-// a picture.
+// Takes pixels' colours, the means of their unclamped samples, and clamps them here: as in a picture,
+// clamping comes last.
 struct PictureError {
     double rmse = 0;      // over all channels, of 1
     double psnr = 0;      // 20 log10(1 / rmse), decibels; infinite for equal pictures
     double maximum = 0;   // of any channel
-    double shareOff = 0;  // of the pixels: some channel is off by more than 1/255
+    double shareOff = 0;  // the share of pixels with an error of more than 1/255 in some channel
 };
 
 PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth);
 
-// One pixel's part of the mean square: the mean over the channels of the squared difference.
+// Of one pixel: the mean over the channels of the squared difference.
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
 
-// Of each pixel. The truth may be given twice, as two estimates that err independently and are right on
-// average: so is then the product of the differences to both as an estimate of the squared error, however
-// noisy they are. It may be negative.
+// Of each pixel, against two independent unbiased estimates of the truth. The product of the differences from
+// both is an unbiased estimate of the squared error, however noisy the two are. It may be negative. With the
+// truth known exactly, give it twice.
 std::vector<double> squaredErrors(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
                                   std::span<const glm::dvec3> otherTruth);
 
-// Of pixels that are a random sample of a picture's: the mean of their squared errors, and the variance of
-// that mean.
+// The mean of the squared errors of randomly sampled pixels, and the variance of that mean.
 struct MeanSquare {
     double mean = 0, variance = 0;
 };
 
 MeanSquare meanOf(std::span<const double> squaredErrors);
-MeanSquare meanOf(double sum, double sumOfSquares,
-                  std::size_t pixels);  // the sums of those, and of their squares
+// The same from the sum of the squared errors and the sum of the squares of these.
+MeanSquare meanOf(double sum, double sumOfSquares, std::size_t pixels);
 
-// Of a picture, of which few pixels were seen.
+// Of a picture, estimated from a sample of its pixels.
 struct ErrorEstimate {
     double rmse = 0, standardError = 0;
 };

@@ -1,4 +1,4 @@
-// One setting of the knobs that trade speed for accuracy, and which of many are worth having.
+// The options that trade speed for accuracy, and the Pareto front of several settings of them.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace raytracer {
 
-// The defaults are the command line's.
+// The default is the command line's.
 struct Setting {
     int samples = 1;
     double adaptive = 0;
@@ -21,37 +21,36 @@ struct Setting {
     bool operator==(const Setting&) const = default;
 };
 
-// `options` with the setting's knobs.
+// `options` with those of the setting.
 RenderOptions withSetting(RenderOptions options, const Setting& setting);
 
-// The setting as options of the command line: "--samples 4 --cutoff 0.1"; "the defaults" where all have
-// theirs.
+// The setting as options of the command line: "--samples 4 --cutoff 0.1"; "the defaults" for Setting{}.
 std::string commandLine(const Setting& setting);
 
-// A number as short as three digits tell it: "0.1", "3e-05".
+// A number to three significant digits: "0.1", "3e-05".
 std::string shortNumber(double value);
 
 const char* precisionName(Precision precision);
 
-// Rays of every kind: what a setting costs, as a number that does not depend on the machine or its load.
+// Rays of every kind: the cost of a render, whatever the machine and its load.
 double rayCount(const RenderCounts& counts);
 
-// The values of each knob that `tradeoff` measures; `--target-error` chooses from these and from some between
-// them. Samples: steps of the number of rays by no more than 4, later about 2. Depth: to where 0.9 per bounce
-// leaves 1/12. Adaptive and cutoff: by a half of a power of ten, from what is lost in the error of few
-// samples to what only many samples can see.
+// The values of each option that `tradeoff` measures; `--target-error` chooses among these and some between
+// them. Samples: the number of rays grows by at most a factor of 4, later of about 2. Depth: up to where 0.9
+// per bounce leaves 1/12. Adaptive and cutoff: in steps of half a power of ten, from a part of the error of
+// few samples to one that only many samples resolve.
 inline constexpr int gridSamples[] = {1, 2, 3, 4, 6, 8, 12, 16};
 inline constexpr double gridAdaptive[] = {0, 0.03, 0.1, 0.3};
 inline constexpr int gridDepths[] = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24};
 inline constexpr double gridCutoffs[] = {0.01, 0.03, 0.1, 0.3, 1};
 
-// What a setting costs (in any unit) and how far off its picture is.
+// The cost of a setting, in any unit, and the error of its picture.
 struct CostAndError {
     double cost = 0, error = 0;
 };
 
-// The points that no other one beats in both, from the cheapest to the most accurate: indices into `points`.
-// Of equal points the first.
+// The points that no other one beats in cost and error, from the cheapest to the most accurate, as indices
+// into `points`. Of equal points the first.
 std::vector<std::size_t> paretoFront(std::span<const CostAndError> points);
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// The cheapest setting whose picture is as accurate as asked for, found by a pilot render of the very scene.
+// Finds the cheapest setting that reaches a target error, by pilot renders of the scene itself.
 #pragma once
 
 #include <functional>
@@ -11,30 +11,29 @@ namespace raytracer {
 
 struct TargetChoice {
     Setting setting;
-    bool reached = false;      // not estimated to be above what was asked for by more than a standard error
-    double error = 0;          // estimated RMSE of the whole picture, of 1, in linear light
-    double standardError = 0;  // of that estimate
-    double sampleError = 0,
-           depthError = 0;  // its two parts: between the samples, and of rays that are not followed
-    double rays = 0;        // for each pixel of the picture
+    bool reached = false;                    // the error less one standard error is within the target
+    double error = 0;                        // estimated RMSE of the whole picture, of 1, in linear light
+    double standardError = 0;                // of that estimate
+    double sampleError = 0, depthError = 0;  // its parts: sampling error and truncation error
+    double rays = 0;                         // per pixel of the picture
 
-    std::optional<Setting>
-        cheaper;  // the cheapest that may reach it too, within two standard errors; its error and cost
+    // The cheapest setting that may reach the target too, within two standard errors.
+    std::optional<Setting> cheaper;
     double cheaperError = 0, cheaperRays = 0;
 
     std::size_t pilotPixels = 0;
-    double pilotRays = 0;  // what the search cost, in all; but not the picture's
+    double pilotRays = 0;  // of the whole search, without the picture's
 
-    std::optional<RenderCounts>
-        rendered;  // of the very picture, where finding out took all of it: it is in the sink
+    // Set if the search rendered the whole picture: then the sink has it.
+    std::optional<RenderCounts> rendered;
 };
 
-// `target` is an RMSE, of 1, in linear light after clamping; the truth is the picture with many more samples
-// and deeper recursion. Chooses by counted rays, so that the same command makes the same picture on every
-// machine. What is in the sink afterwards means nothing unless the choice says so. Tells what it would choose
-// so far, whenever it has looked at more.
-using ChoiceSoFar = std::function<void(const TargetChoice&)>;
+// `target` is an RMSE, of 1, in linear light after clamping, against the picture with many more samples and
+// deeper recursion. The cost is counted in rays, so that the same command makes the same picture on every
+// machine. The sink holds the picture only if the choice's `rendered` is set. `report` gets the best choice
+// so far after each round of pilot renders.
+using ChoiceListener = std::function<void(const TargetChoice&)>;
 TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target,
-                           PixelSink& sink, const ChoiceSoFar& tell = {});
+                           PixelSink& sink, const ChoiceListener& report = {});
 
 }  // namespace raytracer

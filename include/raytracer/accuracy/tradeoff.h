@@ -1,8 +1,8 @@
-// What each setting of a scene's render costs and how far off its picture is, measured.
+// Measures the cost and the error of a scene's render with many settings.
 //
-// Two questions, kept apart: how far off the samples that are taken are for the arithmetic they are computed
-// in (the same samples, against extended precision), and how far off the picture is for the samples and the
-// rays that are left out (against a converged reference).
+// Two errors are measured apart: the rounding error of the arithmetic (the same samples in extended precision
+// are the truth) and the error of too few samples and truncated recursion (a converged reference is the
+// truth).
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@ namespace raytracer {
 
 struct TradeoffOptions {
     int size = 160;   // pixels of the long edge
-    int samples = 8;  // the grid's settings up to so many, squared
-    int repeats = 3;  // of every timing of what is near the front
+    int samples = 8;  // largest number of samples of a setting, along an axis
+    int repeats = 3;  // timings of each setting near the front
     int threads = 0;
     Precision referencePrecision = Precision::Extended;
-    std::function<void(const std::string&)> tell;  // what is being done, for the impatient; may be empty
+    std::function<void(const std::string&)> report;  // gets the current step, in words; may be empty
 };
 
 // One setting, rendered.
@@ -38,17 +38,17 @@ struct Trial {
 
 struct Reference {
     Setting setting;
-    double cutoffBound = 0;    // the most that its own cutoff can have changed a pixel
-    Setting half;              // half of its samples,
-    double doublingError = 0;  // and their RMSE against it: an upper estimate of its own error
+    double cutoffBound = 0;    // upper bound on any pixel's error from the reference's own cutoff
+    Setting half;              // half of the samples
+    double doublingError = 0;  // RMSE of `half` against the reference: larger than the reference's own error
     std::vector<glm::dvec3> colors;
 };
 
-// A picture of the front, to be looked at.
+// An example picture of the front.
 struct Exhibit {
     Setting setting;
     PictureError error;
-    ByteImage picture, difference;  // difference: of linear light, magnified
+    ByteImage picture, difference;  // the difference in linear light, magnified
 };
 inline constexpr double exhibitMagnification = 16;
 
@@ -57,23 +57,22 @@ struct SceneTradeoff {
     ImageSize size;
     ByteImage referencePicture;
     Reference reference;
-    std::vector<Trial> truncation;  // against the reference, in double; from the cheapest on
+    std::vector<Trial> truncation;  // against the reference, in double; the cheapest first
     std::vector<Trial> arithmetic;  // against the same samples in extended precision
-    // The error between the samples falls like (rays a pixel)^-sampleRate; none where fewer than two of them
-    // tell.
+    // The sampling error falls like (rays a pixel)^-sampleRate; empty if fewer than two points give the rate.
     std::optional<double> sampleRate;
-    std::vector<Exhibit> exhibits;  // from the cheapest on
+    std::vector<Exhibit> exhibits;  // the cheapest first
 };
 
 SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& scene,
                               const TradeoffOptions& options);
 
-// The parts of it, each in a file of its own.
+// The steps of measureTradeoff.
 Reference makeReference(const Renderer& renderer, const RenderOptions& options, int samples);
 std::vector<Setting> settingsToTry(const Renderer& renderer, const RenderOptions& options,
                                    const Reference& reference, bool hasTextures, int samples);
 
-// The slope of a line through the logarithms: error = c cost^-rate.
+// The rate of error = c cost^-rate, by least squares on the logarithms.
 double fallRate(std::span<const CostAndError> points);
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// The measured trade of speed for accuracy as text, as a chart and as a page.
+// The measured trade-off of speed and accuracy as text, as charts and as a page.
 #pragma once
 
 #include <span>
@@ -8,26 +8,26 @@
 
 namespace raytracer {
 
-// What the defaults take; they are always among the settings.
-double plainSeconds(const SceneTradeoff& scene);
+// Processor seconds of the default setting, which is always among the trials.
+double defaultSeconds(const SceneTradeoff& scene);
 
-// Every trial of both questions, a line each.
+// Every trial of both errors, one a line.
 std::string tradeoffCsv(std::span<const SceneTradeoff> scenes);
 
 // For the terminal: each scene's reference, front and arithmetic.
 std::string tradeoffTable(const SceneTradeoff& scene);
 
-// How the reference was made and how far it may be trusted, in two or three sentences.
+// How the reference was made and how accurate it is, in two or three sentences.
 std::string describeReference(const SceneTradeoff& scene);
 
-// One scene's chart, log-log: RMSE over processor seconds; every setting a point that tells itself, the front
-// a line. An <svg> element that takes its colours from the style of the page around it.
+// One scene's chart: RMSE over processor seconds, log-log. Each setting is a point with a tooltip, the front
+// is a line. An <svg> element that takes its colours from the style of the page around it.
 std::string tradeoffChart(const SceneTradeoff& scene);
 
-// All scenes' charts in a grid, as an SVG file that brings its style, light and dark.
+// All scenes' charts in a grid, as an SVG file with its own style, light and dark.
 std::string tradeoffSvg(std::span<const SceneTradeoff> scenes);
 
-// Self-contained: charts, tables, pictures.
+// One self-contained HTML page: charts, tables, pictures.
 std::string tradeoffPage(std::span<const SceneTradeoff> scenes);
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-#include "raytracer/accuracy/judged_picture.h"
+#include "raytracer/accuracy/estimated_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@ namespace raytracer {
 
 namespace {
 
-constexpr int truthSamples =
-    2;  // n x n: the truth may be noisy, as long as it is not the larger part of the differences
+// The truth has n x n samples: it may be noisy, as long as its noise is the smaller part of the differences.
+constexpr int truthSamples = 2;
 
-constexpr int parts = 4;  // of the picture: each a quarter of its blocks, evenly spread
+constexpr int parts = 4;  // of the picture, each a quarter of its blocks, evenly spread
 constexpr int blockWidth = 8, blockHeight = 16;
 
 struct Part {
@@ -46,10 +46,11 @@ void write(const Part& part, std::span<const glm::dvec3> colors, PixelSink& sink
 
 float squared(float x) { return x * x; }
 
-// How far each of a part's pixels is, as shown, from those beside, above and below it in its block.
-std::vector<float> changesOf(const Part& part, std::span<const glm::dvec3> colors) {
-    std::vector<float> changes;
-    changes.reserve(colors.size());
+// The local contrast of each pixel of a part: its distance, clamped as shown, from its four neighbours in the
+// same block.
+std::vector<float> contrastOf(const Part& part, std::span<const glm::dvec3> colors) {
+    std::vector<float> contrast;
+    contrast.reserve(colors.size());
     auto color = colors.begin();
     for (const PixelRectangle& block : part.blocks) {
         float shown[3][blockHeight][blockWidth];
@@ -59,8 +60,8 @@ std::vector<float> changesOf(const Part& part, std::span<const glm::dvec3> color
                     std::min(std::max(static_cast<float>((*color)[i]), 0.0f), 1.0f);
             ++color;
         });
-        float beside[blockHeight][blockWidth + 1] = {},
-                                               above[blockHeight + 1][blockWidth] = {};  // squared distances
+        // Squared distances from the left and the upper neighbour.
+        float beside[blockHeight][blockWidth + 1] = {}, above[blockHeight + 1][blockWidth] = {};
         for (const auto& channel : shown) {
             for (int y = 0; y < block.height(); ++y)
                 for (int x = 1; x < block.width(); ++x)
@@ -70,36 +71,37 @@ std::vector<float> changesOf(const Part& part, std::span<const glm::dvec3> color
                     above[y][x] += squared(channel[y][x] - channel[y - 1][x]);
         }
         forEachInPacketOrder(block, [&](int x, int y) {
-            x -= block.x0, y -= block.y0;
-            changes.push_back(std::sqrt(beside[y][x] + beside[y][x + 1] + above[y][x] + above[y + 1][x]));
+            x -= block.x0;
+            y -= block.y0;
+            contrast.push_back(std::sqrt(beside[y][x] + beside[y][x + 1] + above[y][x] + above[y + 1][x]));
         });
     }
-    return changes;
+    return contrast;
 }
 
 double sumOf(std::span<const float> values) { return std::reduce(values.begin(), values.end(), 0.0); }
 
-// A pixel of a part, and what its squared error counts for in the part's mean.
+// A pixel of a part, and the weight of its squared error in the part's mean.
 struct Chosen {
     std::size_t pixel;
     double weight;
 };
 
-// In steps of equal size through the part (systematic sampling with probability proportional to size; Madow
-// 1949): a large pixel may be chosen more than once.
-std::vector<Chosen> choose(std::span<const float> changes, double count) {
-    constexpr std::size_t group = 16;  // of so many pixels most have none chosen
-    const auto all = static_cast<double>(changes.size());
-    const double changed = sumOf(changes), even = evenSize(changed, all), total = changed + even * all,
-                 step = total / count;
+// Systematic sampling with probability proportional to size (Madow 1949), the size being the contrast plus a
+// constant: in equal steps through the part. A pixel of high contrast may be chosen more than once.
+std::vector<Chosen> choose(std::span<const float> contrast, double count) {
+    constexpr std::size_t group = 16;  // pixels, skipped together: in most groups none is chosen
+    const auto all = static_cast<double>(contrast.size());
+    const double sumOfContrast = sumOf(contrast), even = evenContrast(sumOfContrast, all),
+                 total = sumOfContrast + even * all, step = total / count;
     std::vector<Chosen> chosen;
     double sum = 0, next = step / 2;
-    for (std::size_t begin = 0, end = 0; begin < changes.size(); begin = end) {
-        end = std::min(begin + group, changes.size());
+    for (std::size_t begin = 0, end = 0; begin < contrast.size(); begin = end) {
+        end = std::min(begin + group, contrast.size());
         double size = sum;
-        sum += sumOf(changes.subspan(begin, end - begin)) + even * static_cast<double>(end - begin);
+        sum += sumOf(contrast.subspan(begin, end - begin)) + even * static_cast<double>(end - begin);
         for (std::size_t i = begin; next < sum && i < end; ++i) {
-            const double own = static_cast<double>(changes[i]) + even;
+            const double own = static_cast<double>(contrast[i]) + even;
             for (size += own; size > next; next += step) chosen.push_back({i, total / (own * all)});
         }
     }
@@ -108,37 +110,39 @@ std::vector<Chosen> choose(std::span<const float> changes, double count) {
 
 }  // namespace
 
-JudgedPicture renderJudged(const Renderer& renderer, const RenderOptions& options, const Setting& setting,
-                           PixelSink& sink, double judgedPixels,
-                           const std::function<Judgement(const ErrorEstimate&)>& judge) {
+EstimatedPicture renderEstimated(const Renderer& renderer, const RenderOptions& options,
+                                 const Setting& setting, PixelSink& sink, double pixels,
+                                 const std::function<Decision(const ErrorEstimate&)>& decide) {
     const PixelRectangle& crop = options.crop;
-    JudgedPicture picture{setting, {}, {}};
-    std::vector<double> estimates;  // Hansen and Hurwitz 1943: the mean of what each one tells of the whole
-    Judgement judgement = Judgement::Unclear;
+    EstimatedPicture picture{setting, {}, {}};
+    std::vector<double> estimates;  // of the mean square, one a chosen pixel (Hansen and Hurwitz 1943)
+    Decision decision = Decision::Continue;
     Part part;
-    std::vector<glm::dvec3> colors;  // its
+    std::vector<glm::dvec3> colors;  // of the part
     for (int number = 0; number < parts; ++number) {
         findPart(crop, number, part);
         colors.resize(part.pixels.size());
         picture.counts += renderer.renderPixels(withSetting(options, setting), part.pixels, colors);
         write(part, colors, sink);
-        if (judgement == Judgement::Enough) continue;
+        if (decision == Decision::Accept) continue;
 
         const double share = static_cast<double>(colors.size()) / crop.area();
-        const std::vector<Chosen> chosen = choose(changesOf(part, colors), share * judgedPixels);
+        const std::vector<Chosen> chosen = choose(contrastOf(part, colors), share * pixels);
         std::vector<PixelPlace> places;
-        std::vector<glm::dvec3> judged;
-        for (const auto& [pixel, weight] : chosen)
-            places.push_back(part.pixels[pixel]), judged.push_back(colors[pixel]);
+        std::vector<glm::dvec3> chosenColors;
+        for (const auto& [pixel, weight] : chosen) {
+            places.push_back(part.pixels[pixel]);
+            chosenColors.push_back(colors[pixel]);
+        }
         Pilot pilot(renderer, options, places);
         pilot.sampleTruth(setting, truthSamples);
-        const std::vector<double> errors = pilot.squaredErrors(judged);
+        const std::vector<double> errors = pilot.squaredErrors(chosenColors);
         for (std::size_t i = 0; i < errors.size(); ++i) estimates.push_back(chosen[i].weight * errors[i]);
         picture.error = rootOf(meanOf(estimates));
-        picture.judgedPixels += chosen.size();
-        picture.judgingRays += pilot.raysSpent();
-        judgement = judge(picture.error);
-        if (judgement == Judgement::TooFar) return picture;
+        picture.estimatedPixels += chosen.size();
+        picture.estimationRays += pilot.raysSpent();
+        decision = decide(picture.error);
+        if (decision == Decision::Reject) return picture;
     }
     picture.isWhole = true;
     return picture;
