@@ -1,11 +1,13 @@
 "use strict";
 const tip = document.getElementById("tip");
-for (const title of document.querySelectorAll("svg title")) {  // the browser's own tip comes late and not at all to a finger
+// The browser's own tooltips appear late, and on touch screens never.
+for (const title of document.querySelectorAll("svg title")) {
   title.parentNode.dataset.tip = title.textContent;
   title.remove();
 }
 function place(x, y) {
-  const box = tip.getBoundingClientRect(), right = x + 14 + box.width > innerWidth, low = y + 14 + box.height > innerHeight;
+  const box = tip.getBoundingClientRect();
+  const right = x + 14 + box.width > innerWidth, low = y + 14 + box.height > innerHeight;
   tip.style.left = `${Math.max(4, right ? x - 14 - box.width : x + 14)}px`;
   tip.style.top = `${Math.max(4, low ? y - 14 - box.height : y + 14)}px`;
 }
@@ -23,6 +25,7 @@ document.addEventListener("pointerdown", hover);
 for (const picture of document.querySelectorAll("img.swap")) {
   const own = picture.src, truth = picture.closest("section").querySelector("img.reference").src;
   picture.addEventListener("pointerdown", () => picture.src = truth);
-  for (const end of ["pointerup", "pointerleave", "pointercancel"]) picture.addEventListener(end, () => picture.src = own);
+  for (const end of ["pointerup", "pointerleave", "pointercancel"])
+    picture.addEventListener(end, () => picture.src = own);
   picture.draggable = false;
 }

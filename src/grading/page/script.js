@@ -3,7 +3,8 @@ const $ = id => document.getElementById(id);
 const main = document.querySelector("main"), cards = [...document.querySelectorAll("article")];
 
 // The list: sorted, grouped, filtered.
-const worse = (a, b) => a.dataset.score - b.dataset.score || b.dataset.error - a.dataset.error || byName(a, b);
+const worse = (a, b) =>
+  a.dataset.score - b.dataset.score || b.dataset.error - a.dataset.error || byName(a, b);
 const byName = (a, b) => a.dataset.name < b.dataset.name ? -1 : a.dataset.name > b.dataset.name ? 1 : 0;
 const orders = { worst: worse, best: (a, b) => worse(b, a), name: byName };
 
@@ -25,15 +26,18 @@ function arrange() {
     groups.set(group, [...(groups.get(group) || []), card]);
   }
   main.replaceChildren(...[...groups].map(([title, members]) => section(title, members)));
-  for (const part of main.children) part.hidden = [...part.querySelectorAll("article")].every(card => card.hidden);
+  for (const part of main.children)
+    part.hidden = [...part.querySelectorAll("article")].every(card => card.hidden);
   if (visible().length === 0)
-    main.append(Object.assign(document.createElement("p"), { className: "empty", textContent: "Nothing to show." }));
+    main.append(Object.assign(document.createElement("p"),
+      { className: "empty", textContent: "Nothing to show." }));
 }
 const visible = () => [...main.querySelectorAll("article")].filter(card => !card.hidden);
 for (const id of ["sort", "grouped", "offOnly", "filter"]) $(id).addEventListener("input", arrange);
 
 // The viewer: one picture at a time, all in the same place.
-const viewer = $("viewer"), stage = $("stage"), mark = Object.assign(document.createElement("div"), { id: "mark" });
+const viewer = $("viewer"), stage = $("stage");
+const mark = Object.assign(document.createElement("div"), { id: "mark" });
 let card = null, pictures = {}, kind = "", pixels = {}, blinking = 0;
 let scale = 1, left = 0, top_ = 0;  // screen pixels: of a picture's pixel, and where its corner is
 
@@ -46,8 +50,8 @@ function draw() {
   }
   mark.hidden = !card.dataset.worst || card.dataset.error === "0";
   const [x, y] = worst(), box = Math.max(scale, 12), shift = (scale - box) / 2;
-  Object.assign(mark.style, { left: `${left + x * scale + shift - 2}px`, top: `${top_ + y * scale + shift - 2}px`,
-    width: `${box + 4}px`, height: `${box + 4}px` });
+  Object.assign(mark.style, { left: `${left + x * scale + shift - 2}px`, width: `${box + 4}px`,
+    top: `${top_ + y * scale + shift - 2}px`, height: `${box + 4}px` });
   $("kind").textContent = $("kind").className = kind;
 }
 function lookAt(x, y, newScale) {
@@ -60,7 +64,8 @@ function fit() {
   return exact >= 1 ? Math.floor(exact) : exact;
 }
 const showAll = () => lookAt(size()[0] / 2, size()[1] / 2, fit());
-const closeUp = () => Math.max(8, 2 * fit(), Math.floor(Math.min(stage.clientWidth, stage.clientHeight) / 48));
+const closeUp = () =>
+  Math.max(8, 2 * fit(), Math.floor(Math.min(stage.clientWidth, stage.clientHeight) / 48));
 function showWorst() {
   if (!card.dataset.worst || card.dataset.error === "0") return showAll();
   const [x, y] = worst();
@@ -86,7 +91,8 @@ function valueOf(name, x, y) {
 }
 function tell(x, y) {
   const [w, h] = size(), inside = x >= 0 && y >= 0 && x < w && y < h;
-  $("values").textContent = inside ? `(${x}, ${y})   ${valueOf("reference", x, y)}   ${valueOf("ours", x, y)}` : "";
+  const values = () => `(${x}, ${y})   ${valueOf("reference", x, y)}   ${valueOf("ours", x, y)}`;
+  $("values").textContent = inside ? values() : "";
 }
 async function open_(newCard, newKind) {
   card = newCard;
@@ -140,8 +146,8 @@ const keys = {
   " ": swap, Enter: swap, b: () => blink(!blinking), "1": () => show("reference"), "2": () => show("ours"),
   "3": () => show("difference"), d: () => show(kind === "difference" ? "ours" : "difference"),
   z: () => scale === closeUp() ? showAll() : showWorst(), "+": () => zoomBy(2), "=": () => zoomBy(2),
-  "-": () => zoomBy(0.5), ArrowRight: () => step(1), ArrowLeft: () => step(-1), n: () => step(1), p: () => step(-1),
-  Escape: leave,
+  "-": () => zoomBy(0.5), ArrowRight: () => step(1), ArrowLeft: () => step(-1), n: () => step(1),
+  p: () => step(-1), Escape: leave,
 };
 viewer.addEventListener("keydown", event => {
   const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
