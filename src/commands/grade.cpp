@@ -1,4 +1,4 @@
-// raytracer grade DIR: scenes with reference pictures, painted and compared.
+// raytracer grade DIR: scenes with reference pictures, rendered and compared.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace raytracer::commands {
 namespace {
 
 constexpr const char* footer =
-    R"(Every X.json in DIR that has a picture X.png or X-STAGE.png is painted and compared. The stages:
+    R"(Every X.json in DIR that has a picture X.png or X-STAGE.png is rendered and compared. The stages:
   raycasting, normals, ambient, diffuse, specular, ambient_diffuse_specular,
   ambient_diffuse_specular_shadows, diffuse_reflections_recursions_3, raytracing (as X.png: everything)
 Another program is asked for the last of them, unless --stage says otherwise. If it crashes, hangs or
@@ -63,8 +63,8 @@ struct GradeArguments {
     }
 };
 
-// Ourselves, in this process.
-Painted paintHere(const GradeCase& test, int longEdge, const std::string& out) {
+// Our own renderer, in this process.
+Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out) {
     RenderArguments arguments;
     arguments.longEdge = longEdge;
     arguments.pass = test.stage->pass;
@@ -115,12 +115,13 @@ void printLastWords(const GradeResult& result) {
 }
 
 std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& arguments) {
-    const Painter painter =
-        arguments.program.empty() ? Painter(paintHere) : programPainter(arguments.program, arguments.timeout);
+    const CaseRenderer render = arguments.program.empty()
+                                    ? CaseRenderer(renderHere)
+                                    : programRenderer(arguments.program, arguments.timeout);
     std::vector<GradeResult> results;
     printHead();
     for (const GradeCase& test : plan.cases) {
-        results.push_back(gradeCase(test, painter, arguments.size));
+        results.push_back(gradeCase(test, render, arguments.size));
         printRow(results.back());
         printLastWords(results.back());
     }

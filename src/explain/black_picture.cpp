@@ -24,8 +24,8 @@ struct Pixel {
     int x = 0, y = 0;
 };
 
-// Takes a Pass::Normals picture and keeps, of each cell of a grid, the first pixel that hit something: the
-// same ones for any number of threads.
+// Takes a Pass::Normals picture and keeps, of each cell of a grid, the first pixel in reading order that hit
+// something: the same pixels with any number of threads.
 class HitFinder final : public PixelSink {
   public:
     explicit HitFinder(const ImageSize& size) : size_(size) {}
@@ -46,8 +46,8 @@ class HitFinder final : public PixelSink {
   private:
     static constexpr int cellsAcross = 24;  // 576 explanations take milliseconds
 
-    // Pass::Normals has 54/255 for a miss, in the core's precision. The only unit normal with three
-    // components alike is 4e-4 from it.
+    // Pass::Normals has 54/255 for a miss, in the core's precision. The unit normal with three equal
+    // components is 4e-4 away from it.
     static bool isMiss(const glm::dvec3& color) {
         return glm::all(glm::lessThan(glm::abs(color - 54.0 / 255), glm::dvec3(1e-4)));
     }
@@ -65,7 +65,7 @@ class HitFinder final : public PixelSink {
     std::array<std::optional<Pixel>, cellsAcross * cellsAcross> cells_;
 };
 
-// What kept the lights from the points that were looked at: one count for each point and light.
+// Why the lights do not reach the explained points: one count for each point and light.
 struct Tally {
     std::size_t behind = 0, shadowed = 0, black = 0;
     std::set<std::size_t> shadowedBy;

@@ -28,7 +28,7 @@ const char* reasonText(NotCast reason) {
     return "left out";
 }
 
-// Lines that are indented by the depth of the ray.
+// Writes lines, indented by the depth of the ray.
 class Writer {
   public:
     explicit Writer(const SceneDescription& scene) : scene_(&scene) {}
@@ -67,8 +67,8 @@ class Writer {
     static std::string heading(const RayExplanation& ray) {
         const std::string depth = " ray, max_recursion " + std::to_string(ray.max_recursion);
         if (ray.kind == RayKind::Primary) return "primary" + depth;
-        return (ray.kind == RayKind::Reflection ? "reflected" : "refracted") + depth +
-               ", counts in the pixel " + triple(ray.weight) + " times";
+        return (ray.kind == RayKind::Reflection ? "reflected" : "refracted") + depth + ", weight " +
+               triple(ray.weight) + " in the pixel";
     }
 
     void place(const RayExplanation& ray, int depth) {
@@ -84,7 +84,7 @@ class Writer {
                             ") with color_diffuse " + triple(materialOf(ray.shape).color_diffuse));
     }
 
-    // A line "name = left right ... = result", the equals signs one below the other.
+    // A line "name = left right ... = result", with the equals signs aligned.
     void term(int depth, const std::string& name, const std::string& factors, const glm::dvec3& result) {
         constexpr std::size_t widest = 18;  // of names: K_S I_L (V.R)^1000
         const std::size_t padding = name.size() < widest ? widest - name.size() : 0;
@@ -123,7 +123,7 @@ class Writer {
         return angles + (clear ? "coloured by " : "in the shadow of ") + shapeName(*light.shadowedBy);
     }
 
-    // The reflected or refracted ray; what it adds to the formula of the sum.
+    // Writes the reflected or refracted ray; returns its term of the sum's formula.
     std::string onwards(const RayExplanation& ray, RayKind kind, NotCast reason, int depth) {
         const bool mirror = kind == RayKind::Reflection;
         const std::string term = mirror ? "K_R I_R" : "K_T I_T";

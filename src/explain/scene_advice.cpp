@@ -17,19 +17,19 @@ namespace raytracer {
 
 namespace {
 
-// The products of up to four numbers of the file neither overflow nor underflow, whatever the unit of length.
+// Products of up to four numbers of the file neither overflow nor underflow, whatever the unit of length.
 using Real = long double;
 using Vec = glm::vec<3, Real, glm::defaultp>;
 using Type = ShapeType;
 
-// A unit vector written with three decimals is off by at most sqrt(3) * 0.0005 in length; the cosine between
-// two, by at most twice that.
+// The length of a unit vector written with three decimals has an error of at most sqrt(3) * 0.0005; the
+// cosine between two such vectors, of at most twice that.
 constexpr Real lengthTolerance = 1e-3L, cosineTolerance = 2e-3L;
 
-// Far above what rounding does here, in units of the numbers that were added; far below what anyone sees.
+// Relative to the numbers that were added: far above the rounding errors here, far below what is visible.
 constexpr Real margin = 1e-9L;
 
-constexpr std::size_t mostLines = 20;  // what fits a terminal
+constexpr std::size_t mostLines = 20;  // fit a terminal
 
 class Lines {
   public:
@@ -50,21 +50,22 @@ class Lines {
 
 std::string number(Real value) { return formatted("%.6Lg", value); }
 
-// The camera's frame, and what it sees: the points p + s d, s >= 0, for all p between `starts` and d between
-// `directions`, taken from the eye. A convex region; its bounds are planes, normal . p >= least.
+// A bounding plane of the view: normal . p >= least inside, relative to the eye.
 struct Bound {
     Vec normal;
     Real least;
-    const char* beyond;  // where a shape is that lies on the other side
+    const char* beyond;  // the place of a shape on the other side, in words
 };
 
+// The points p + s d, s >= 0, relative to the eye, for all p between `starts` and d between `directions`: a
+// convex region.
 struct View {
     Vec eye;
     std::array<Vec, 4> starts, directions;
     std::array<Bound, 5> bounds;
 };
 
-// The plane through the film's edge at `edge` along `axis`, that runs along `other`.
+// The plane through the film's edge at `edge` along `axis`, parallel to `other`.
 Bound sideOf(bool perspective, const Vec& axis, const Vec& other, const Vec& forward, Real edge,
              Real opposite, const char* beyond) {
     Vec normal = glm::cross(other, perspective ? edge * axis + forward : forward);
@@ -94,12 +95,12 @@ View viewOf(const CameraDescription& camera) {
     return view;
 }
 
-// A shape with its place in the world, relative to the eye.
+// A shape in world space, relative to the eye.
 struct PlacedShape {
     const ShapeDescription* shape;
     Affine affine;
-    Vec center;  // object space's origin
-    Real place;  // the largest coordinate that went into it
+    Vec center;      // object space's origin
+    Real magnitude;  // the largest coordinate that `center` was computed from
 
     Vec row(int i) const { return {affine.linear[i][0], affine.linear[i][1], affine.linear[i][2]}; }
 };
@@ -113,9 +114,8 @@ PlacedShape placed(const SceneDescription& scene, const ShapeDescription& shape)
     return {&shape, affine, translation - eye, std::max(largest(translation), largest(eye))};
 }
 
-// How far the shape reaches in direction n, from its centre and in object space: the largest n . p of its
-// points.
-Real reach(const ShapeDescription& shape, const Vec& n) {
+// The support function of the shape in object space: the largest n . p of its points.
+Real support(const ShapeDescription& shape, const Vec& n) {
     const Real around = std::sqrt(n.x * n.x + n.y * n.y);
     switch (shape.type) {
         case Type::Sphere: return glm::length(n);
@@ -137,15 +137,15 @@ const char* whereBeyond(const PlacedShape& placed, const View& view) {
     for (const Bound& bound : view.bounds) {
         const Vec& n = bound.normal;
         const Real radius =
-            reach(*placed.shape, n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2));
-        const Real doubt =
-            margin * (glm::length(n) * placed.place + std::abs(radius) + std::abs(bound.least));
-        if (glm::dot(n, placed.center) + radius < bound.least - doubt) return bound.beyond;
+            support(*placed.shape, n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2));
+        const Real error =
+            margin * (glm::length(n) * placed.magnitude + std::abs(radius) + std::abs(bound.least));
+        if (glm::dot(n, placed.center) + radius < bound.least - error) return bound.beyond;
     }
     return nullptr;
 }
 
-// Each ray of the view starts on the same side of the plane and runs away from it, or along it.
+// Whether all rays of the view start on one side of the plane and none approaches it.
 bool isBehind(const PlacedShape& plane, const View& view) {
     const auto inverse = inverseLinear(plane.affine);
     const Vec normal(inverse->entry[2][0], inverse->entry[2][1], inverse->entry[2][2]);
@@ -153,20 +153,20 @@ bool isBehind(const PlacedShape& plane, const View& view) {
     for (std::size_t i = 0; i < 4; ++i) {
         const Real height = glm::dot(normal, view.starts[i] - plane.center),
                    climb = glm::dot(normal, view.directions[i]);
-        const Real doubt = margin * glm::length(normal) * (largest(view.starts[i]) + plane.place);
-        if (std::abs(height) <= doubt || height * climb < 0 || height * away < 0) return false;
+        const Real error = margin * glm::length(normal) * (largest(view.starts[i]) + plane.magnitude);
+        if (std::abs(height) <= error || height * climb < 0 || height * away < 0) return false;
         if (std::abs(climb) > margin * glm::length(normal) * largest(view.directions[i])) away = climb;
     }
     return away != 0;
 }
 
-// Where the shape is, if no ray of the view meets it; null if one may.
+// The place of the shape, in words, if no ray of the view hits it; null if one may.
 const char* whereUnseen(const PlacedShape& placed, const View& view) {
     if (placed.shape->type != Type::Plane) return whereBeyond(placed, view);
     return isBehind(placed, view) ? "behind the camera" : nullptr;
 }
 
-// Sees round corners: what lies outside of the view may be seen in it.
+// Whether shapes outside of the view may be visible in this material.
 bool showsOthers(const MaterialDescription& material) { return material.reflective || material.refractive; }
 
 bool anyShowsOthers(const SceneDescription& scene, const View& view) {
@@ -175,7 +175,7 @@ bool anyShowsOthers(const SceneDescription& scene, const View& view) {
     });
 }
 
-// How deep inside of the solid the point is, in object units; not above 0 on it or outside.
+// The depth of a point inside of the solid, in object units; 0 or less on the surface and outside.
 Real depth(Type type, const Vec& p) {
     const Real radius = std::sqrt(p.x * p.x + p.y * p.y);
     switch (type) {
@@ -189,8 +189,7 @@ Real depth(Type type, const Vec& p) {
     return 0;
 }
 
-// `point` relative to the eye. Most are outside of the world box of the object space's cube, for which no
-// inverse is needed.
+// `point` is relative to the eye. Most points are outside of the solid's world box, which needs no inverse.
 bool isInside(const PlacedShape& solid, const Vec& point) {
     const Vec from = point - solid.center;
     for (int i = 0; i < 3; ++i) {
@@ -215,9 +214,8 @@ void adviseOnCamera(const CameraDescription& camera, Lines& lines) {
     const Real degrees =
         std::atan2(glm::length(glm::cross(look, up)), glm::dot(look, up)) * 180 / std::numbers::pi_v<Real>;
     lines.add(
-        "/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at "
-        "90 "
-        "degrees, found lengths " +
+        "/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 "
+        "at 90 degrees, found lengths " +
         number(lookLength) + " and " + number(upLength) + " at " + number(degrees) + " degrees");
 }
 

@@ -28,7 +28,7 @@ double sampleDifference(float a, float b) {
     return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
 
-// The sums over all samples, and the place of the worst pixel.
+// The sums over all samples and the worst pixel.
 struct Totals {
     double sum = 0, sumOfSquares = 0;  // of bytes: whole numbers, exact up to 2^53
     double worstMaximum = 0, worstSum = 0;
@@ -67,7 +67,7 @@ void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImag
     }
 }
 
-// `samples` are the pictures as they are, `a` and `b` the same as bytes.
+// samplesA and samplesB are the pictures' samples, a and b the same pictures as bytes.
 template <class Image>
 Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteImage& a, const ByteImage& b,
                      double peak) {
@@ -136,7 +136,7 @@ Comparison compareImages(const Picture& a, const Picture& b) {
 
 ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
     requireSameSize(a, b);
-    // 64 is plainly not black on any screen, and 8 a level leaves 24 levels to tell a little from a lot.
+    // 64 differs from black on any screen; 8 per level leaves 24 levels up to 255.
     constexpr int base = 64, gain = 8;
     ByteImage result{a.width, a.height, {}};
     result.pixels.reserve(a.pixels.size());

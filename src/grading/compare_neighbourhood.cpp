@@ -1,6 +1,5 @@
-// The comparisons that look at a pixel's 3 x 3 neighbourhood. Rows of planar bytes and no branch inside of
-// them: the compiler makes SIMD of every loop here, and a pair of four million pixels takes a tenth of a
-// second or two.
+// The comparisons over 3 x 3 neighbourhoods. The loops over rows of planar bytes have no branch, so that the
+// compiler vectorises them: a pair of four million pixels takes 0.1 to 0.2 seconds.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +11,7 @@ namespace raytracer {
 
 namespace {
 
-// One array a channel, so that neighbouring bytes are neighbouring pixels.
+// One array per channel: neighbouring bytes are neighbouring pixels.
 struct Planes {
     explicit Planes(const ByteImage& image) : width(image.width), height(image.height) {
         const std::size_t count = image.pixels.size() / 3;
@@ -32,8 +31,8 @@ struct Planes {
 
 int absoluteDifference(std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); }
 
-// Calls visit(dx, yTo, x0, x1) for each of the 3 x 3 offsets: the pixels x0 <= x < x1 of row y have their
-// neighbour (x + dx, yTo) inside of the picture.
+// Calls visit(dx, yTo, x0, x1) for each of the 3 x 3 offsets: the neighbours (x + dx, yTo) of the pixels
+// x0 <= x < x1 of row y are inside of the picture.
 template <class Visit>
 void forEachOffset(int width, int height, int y, Visit visit) {
     for (int yTo = std::max(0, y - 1); yTo <= std::min(height - 1, y + 1); ++yTo)
@@ -42,7 +41,7 @@ void forEachOffset(int width, int height, int y, Visit visit) {
 
 using Distances = std::vector<std::uint16_t>;  // sums of three bytes
 
-// For each pixel of the row: the smallest sum of absolute differences to the neighbourhood in `to`.
+// Of each pixel of the row: the smallest sum of absolute differences to its neighbourhood in `to`.
 void nearestDistances(const Planes& from, const Planes& to, int y, Distances& nearest) {
     nearest.assign(nearest.size(), 3 * 255);
     const std::uint8_t *r = from.row(0, y), *g = from.row(1, y), *b = from.row(2, y);
@@ -56,11 +55,11 @@ void nearestDistances(const Planes& from, const Planes& to, int y, Distances& ne
     });
 }
 
-// For each pixel of the row: 0 where it stands alone (see speckleCount), else 1.
-void findCompany(const Planes& planes, int y, std::vector<std::uint8_t>& company) {
-    constexpr int unlike =
-        8;  // of 255: well over rounding and smooth shading, well under what the eye picks out
-    company.assign(company.size(), 0);
+// Of each pixel of the row: 0 if it is isolated (speckleCount), else 1.
+void findConnected(const Planes& planes, int y, std::vector<std::uint8_t>& connected) {
+    constexpr int similar =
+        8;  // of 255: well above rounding and smooth shading, well below a visible speckle
+    connected.assign(connected.size(), 0);
     const std::uint8_t *r = planes.row(0, y), *g = planes.row(1, y), *b = planes.row(2, y);
     forEachOffset(planes.width, planes.height, y, [&](int dx, int yTo, int x0, int x1) {
         if (dx == 0 && yTo == y) return;
@@ -71,7 +70,7 @@ void findCompany(const Planes& planes, int y, std::vector<std::uint8_t>& company
             const int difference =
                 std::max({absoluteDifference(r[x], toR[x]), absoluteDifference(g[x], toG[x]),
                           absoluteDifference(b[x], toB[x])});
-            company[x] |= static_cast<std::uint8_t>(difference <= unlike);
+            connected[x] |= static_cast<std::uint8_t>(difference <= similar);
         }
     });
 }
@@ -96,8 +95,8 @@ std::uint64_t speckleCount(const ByteImage& a, const ByteImage& b) {
     std::vector<std::uint8_t> inA(static_cast<std::size_t>(a.width)), inB(inA.size());
     std::uint64_t count = 0;
     for (int y = 0; y < a.height; ++y) {
-        findCompany(planesA, y, inA);
-        findCompany(planesB, y, inB);
+        findConnected(planesA, y, inA);
+        findConnected(planesB, y, inB);
         for (std::size_t x = 0; x < inA.size(); ++x) count += inA[x] != inB[x];
     }
     return count;

@@ -61,7 +61,7 @@ void planScene(GradePlan& plan, const fs::path& scene, const fs::path& reference
     if (plan.cases.size() == before) plan.scenesWithoutReference.push_back(scene.filename().string());
 }
 
-// The end of what a program printed: its last words tell more than its first ones.
+// The end of what a program printed, where errors are.
 std::string endOf(const std::string& path) {
     constexpr std::streamoff most = 2000;  // characters: some 20 lines
     std::ifstream file(path, std::ios::binary | std::ios::ate);
@@ -73,8 +73,8 @@ std::string endOf(const std::string& path) {
     return start > 0 ? "... " + text : text;
 }
 
-// The shell tells on stderr, too, of a signal that killed the program; the message has that already.
-void dropShellsRemark(std::string& output, const ProcessEnd& end) {
+// The shell, too, reports a signal that killed the program. The message has that already.
+void removeShellsReport(std::string& output, const ProcessEnd& end) {
     const std::size_t last = output.find_last_of('\n', output.empty() ? 0 : output.size() - 2);
     const std::size_t start = last == std::string::npos ? 0 : last + 1;
     if (end.signal && output.find(strsignal(end.signal), start) != std::string::npos) output.erase(start);
@@ -83,11 +83,6 @@ void dropShellsRemark(std::string& output, const ProcessEnd& end) {
 std::string bytesOf(const std::string& path) {
     const FileBytes file(path);
     return {file.begin(), file.end()};
-}
-
-std::string pngBytes(const ByteImage& image, const std::string& temporary) {
-    writePng(temporary, image);
-    return bytesOf(temporary);
 }
 
 ByteImage readReference(GradeResult& result) {
@@ -100,26 +95,27 @@ ByteImage readReference(GradeResult& result) {
     }
 }
 
-void paint(GradeResult& result, const Painter& painter, int longEdge, const std::string& out) {
+void renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
     const auto start = std::chrono::steady_clock::now();
-    Painted painted = painter(result.test, longEdge, out);
+    Rendered rendered = render(result.test, longEdge, out);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result.message = std::move(painted.message);
-    result.output = std::move(painted.output);
-    if (painted.failed) throw ImageError(result.message);
+    result.message = std::move(rendered.message);
+    result.output = std::move(rendered.output);
+    if (rendered.failed) throw ImageError(result.message);
     if (!fs::exists(out))
         throw ImageError(result.message + (result.message.empty() ? "" : ", ") + "wrote no picture");
 }
 
-void gradePicture(GradeResult& result, const Painter& painter, int longEdge) {
+void gradePicture(GradeResult& result, const CaseRenderer& render, int longEdge) {
     const TemporaryFolder folder;
     const std::string out = folder.file("out.png");
     const ByteImage reference = readReference(result);
-    paint(result, painter, longEdge ? longEdge : std::max(reference.width, reference.height), out);
+    renderCase(result, render, longEdge ? longEdge : std::max(reference.width, reference.height), out);
     const ByteImage ours = readImage(out);
     result.ourPng = bytesOf(out);
     result.comparison = compareImages(ours, reference);
-    result.differencePng = pngBytes(amplifiedDifference(ours, reference), folder.file("difference.png"));
+    const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference));
+    result.differencePng.assign(difference.begin(), difference.end());
 }
 
 }  // namespace
@@ -130,7 +126,7 @@ const Stage& completeStage() { return *std::prev(std::end(stageTable)); }
 
 GradePlan planGrading(const std::string& scenes, const std::string& references) {
     GradePlan plan;
-    filesIn(references, ".png");  // that it can be read
+    filesIn(references, ".png");  // throws if the folder cannot be read
     for (const fs::path& scene : filesIn(scenes, ".json")) planScene(plan, scene, references);
     std::sort(plan.cases.begin(), plan.cases.end(),
               [](const GradeCase& a, const GradeCase& b) { return a.name < b.name; });
@@ -138,23 +134,23 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
     return plan;
 }
 
-Painter programPainter(std::string command, double timeoutSeconds) {
+CaseRenderer programRenderer(std::string command, double timeoutSeconds) {
     return [=](const GradeCase& test, int longEdge, const std::string& out) {
         const std::string log = out + ".log";
         const ProcessEnd end =
             runProcess(command, {test.scene, out, std::to_string(longEdge)}, log, timeoutSeconds);
         std::string output = endOf(log);
-        dropShellsRemark(output, end);
-        // A program that says it failed but wrote a picture is graded by the picture, as the course does.
-        return Painted{end.timedOut || end.signal != 0, end.description(), std::move(output)};
+        removeShellsReport(output, end);
+        // With a picture, an exit status other than 0 is no failure: the course grades the picture.
+        return Rendered{end.timedOut || end.signal != 0, end.description(), std::move(output)};
     };
 }
 
-GradeResult gradeCase(const GradeCase& test, const Painter& painter, int longEdge) {
+GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge) {
     GradeResult result;
     result.test = test;
     try {
-        gradePicture(result, painter, longEdge);
+        gradePicture(result, render, longEdge);
     } catch (const std::exception& error) {
         result.message = error.what();
     }

@@ -24,7 +24,7 @@ std::string attribute(const char* name, const std::string& value) {
 
 std::string percent(double part, int whole) { return number(100 * part / whole, "%.3f") + "%"; }
 
-// A ring around the worst pixel, which alone would be lost in a small picture.
+// A ring around the worst pixel, which is hard to see in a small picture.
 std::string ring(const GradeResult& result) {
     const auto& c = result.comparison;
     if (!c || c->maximum == 0) return {};
@@ -70,7 +70,7 @@ std::string message(const GradeResult& result) {
     return html;
 }
 
-// What the script sorts by and zooms to.
+// For the script: what it sorts by and the pixel it shows.
 std::string attributes(const GradeResult& result) {
     std::string html =
         attribute("data-name", result.test.name) + attribute("data-group", result.test.group) +
@@ -81,7 +81,7 @@ std::string attributes(const GradeResult& result) {
     return html;
 }
 
-// "near": off, but in a way that the score does not see.
+// "near": different, but with a score of 100.
 std::string verdict(const GradeResult& result, const Thresholds& thresholds) {
     if (within(result, thresholds)) return "same";
     return result.score() == 100 ? "near" : "off";
@@ -98,7 +98,7 @@ std::string card(const GradeResult& result, const Thresholds& thresholds) {
 
 using Group = std::vector<const GradeResult*>;
 
-// Worst first: the groups by their worst member, and so in each of them.
+// Worst first, in each group and among the groups, which count by their worst member.
 std::vector<Group> groupsOf(std::span<const GradeResult> results) {
     Group sorted;
     for (const GradeResult& result : results) sorted.push_back(&result);

@@ -306,7 +306,7 @@ TEST_CASE("the text, in whole") {
     S_L                = (1, 1, 1)
     the light's sum    = (0.371267813, 0, 0)
   K_T I_T = (1, 0.5, 0.25) (0.473606798, 0, 0) = (0.473606798, 0, 0)
-    refracted ray, max_recursion 0, counts in the pixel (1, 0.5, 0.25) times
+    refracted ray, max_recursion 0, weight (1, 0.5, 0.25) in the pixel
       origin (0, 0, -1), direction (0, 0, -1)
       hits /shapes/1 (cylinder, transform "pane", material "glass"), bottom, from inside
       t = 1, position (0, 0, -2)
@@ -339,7 +339,7 @@ clamped (0.84487461, 0, 0), bytes (215, 0, 0)
     S_L                = (1, 0.5, 0.25)
     the light's sum    = (1.16430987, 0.221719457, 0.110859729)
   K_R I_R = (0.5, 0.5, 0.5) (0, 0, 0) = (0, 0, 0)
-    reflected ray, max_recursion 0, counts in the pixel (0.5, 0.5, 0.5) times
+    reflected ray, max_recursion 0, weight (0.5, 0.5, 0.5) in the pixel
       origin (0, -3, -2.5), direction (0, 1, 0)
       hits nothing: I = (0, 0, 0)
   I = sum over lights + K_R I_R = (1.16430987, 0.221719457, 0.110859729)

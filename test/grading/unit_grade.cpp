@@ -32,10 +32,10 @@ GradeCase blackCase(const TemporaryFolder& folder, const std::string& name = "bl
     return {name, name, &completeStage(), folder.file(name + ".json"), folder.file(name + ".png")};
 }
 
-Painter flatPainter(int size, int value) {
+CaseRenderer flatRenderer(int size, int value) {
     return [=](const GradeCase&, int, const std::string& out) {
         writePng(out, flat(size, value));
-        return Painted{};
+        return Rendered{};
     };
 }
 
@@ -80,11 +80,11 @@ TEST_CASE("grade: references of another folder") {
                       Contains("no: cannot read the folder: "));
 }
 
-TEST_CASE("grade: a picture is painted at the reference's size and compared") {
+TEST_CASE("grade: a picture is rendered at the reference's size and compared") {
     const TemporaryFolder folder;
     const GradeCase test = blackCase(folder);
     SECTION("equal") {
-        const GradeResult result = gradeCase(test, flatPainter(10, 0), 0);
+        const GradeResult result = gradeCase(test, flatRenderer(10, 0), 0);
         CHECK(result.score() == 100);
         CHECK(within(result, {}));
         CHECK(result.message.empty());
@@ -93,20 +93,20 @@ TEST_CASE("grade: a picture is painted at the reference's size and compared") {
         CHECK(result.differencePng.substr(1, 3) == "PNG");
     }
     SECTION("off by one") {
-        const GradeResult result = gradeCase(test, flatPainter(10, 1), 0);
+        const GradeResult result = gradeCase(test, flatRenderer(10, 1), 0);
         CHECK(result.score() == 96);
         CHECK_FALSE(within(result, {}));
         CHECK(within(result, {.maxPixels = {}, .tolerance = {}, .minScore = 96}));
     }
-    SECTION("the size that the painter is asked for") {
+    SECTION("the size that is asked for") {
         int asked = 0;
-        const Painter painter = [&](const GradeCase&, int longEdge, const std::string&) {
+        const CaseRenderer render = [&](const GradeCase&, int longEdge, const std::string&) {
             asked = longEdge;
-            return Painted{};
+            return Rendered{};
         };
-        gradeCase(test, painter, 0);
+        gradeCase(test, render, 0);
         CHECK(asked == 10);
-        gradeCase(test, painter, 7);
+        gradeCase(test, render, 7);
         CHECK(asked == 7);
     }
 }
@@ -114,38 +114,38 @@ TEST_CASE("grade: a picture is painted at the reference's size and compared") {
 TEST_CASE("grade: what is wrong is a result") {
     const TemporaryFolder folder;
     GradeCase test = blackCase(folder);
-    const auto messageOf = [&](const Painter& painter) {
-        const GradeResult result = gradeCase(test, painter, 0);
+    const auto messageOf = [&](const CaseRenderer& render) {
+        const GradeResult result = gradeCase(test, render, 0);
         CHECK(result.score() == 0);
         CHECK_FALSE(result.comparison);
         CHECK_FALSE(within(result, {.maxPixels = {}, .tolerance = {}, .minScore = 0}));
         return result.message;
     };
-    const auto saying = [](Painted painted) {
-        return [=](const GradeCase&, int, const std::string&) { return painted; };
+    const auto saying = [](Rendered rendered) {
+        return [=](const GradeCase&, int, const std::string&) { return rendered; };
     };
-    CHECK(messageOf(flatPainter(9, 0)) == "the pictures' sizes differ: 9 x 9 and 10 x 10");
+    CHECK(messageOf(flatRenderer(9, 0)) == "the pictures' sizes differ: 9 x 9 and 10 x 10");
     CHECK(messageOf(saying({})) == "wrote no picture");
     CHECK(messageOf(saying({false, "exit status 3", ""})) == "exit status 3, wrote no picture");
     CHECK(messageOf(saying({true, "crashed: Aborted", ""})) == "crashed: Aborted");
-    CHECK(messageOf([](const GradeCase&, int, const std::string&) -> Painted { throw std::bad_alloc(); }) ==
+    CHECK(messageOf([](const GradeCase&, int, const std::string&) -> Rendered { throw std::bad_alloc(); }) ==
           "std::bad_alloc");
     CHECK_THAT(messageOf([](const GradeCase&, int, const std::string& out) {
                    std::ofstream(out) << "no picture";
-                   return Painted{};
+                   return Rendered{};
                }),
                Contains("PNG"));
     touch(test.reference);
-    CHECK_THAT(messageOf(flatPainter(10, 0)), Contains("the reference: "));
+    CHECK_THAT(messageOf(flatRenderer(10, 0)), Contains("the reference: "));
 }
 
-TEST_CASE("grade: a picture that was painted before a crash does not count") {
+TEST_CASE("grade: a picture that was rendered before a crash does not count") {
     const TemporaryFolder folder;
     const GradeResult result = gradeCase(
         blackCase(folder),
         [](const GradeCase&, int, const std::string& out) {
             writePng(out, flat(10, 0));
-            return Painted{true, "crashed: Aborted", "at the end"};
+            return Rendered{true, "crashed: Aborted", "at the end"};
         },
         0);
     CHECK(result.score() == 0);
@@ -158,7 +158,7 @@ TEST_CASE("grade: a program is told scene, picture and size") {
     const GradeCase test = blackCase(folder, "it's \"black\" $HOME");
     std::ofstream(folder.file("program.sh"))
         << "echo \"$1\"; [ \"$3\" = 10 ] && cp '" + blackCase(folder).reference + "' \"$2\"";
-    const GradeResult result = gradeCase(test, programPainter("sh " + folder.file("program.sh"), 10), 0);
+    const GradeResult result = gradeCase(test, programRenderer("sh " + folder.file("program.sh"), 10), 0);
     CHECK(result.score() == 100);
     CHECK(result.message.empty());
     CHECK(result.output == test.scene + "\n");
@@ -166,7 +166,7 @@ TEST_CASE("grade: a program is told scene, picture and size") {
 
 TEST_CASE("grade: of what a program prints, the end is kept") {
     const TemporaryFolder folder;
-    const GradeResult result = gradeCase(blackCase(folder), programPainter("seq 1 100000; echo", 10), 0);
+    const GradeResult result = gradeCase(blackCase(folder), programRenderer("seq 1 100000; echo", 10), 0);
     CHECK(result.message == "wrote no picture");
     CHECK(result.output.size() == 2004);
     CHECK(result.output.find("... ") == 0);
@@ -176,10 +176,10 @@ TEST_CASE("grade: of what a program prints, the end is kept") {
 TEST_CASE("grade: the shell's remark on a crash is left out of what the program printed") {
     const TemporaryFolder folder;
     const GradeResult result =
-        gradeCase(blackCase(folder), programPainter("sh -c 'echo falling; kill -SEGV $$'", 10), 0);
+        gradeCase(blackCase(folder), programRenderer("sh -c 'echo falling; kill -SEGV $$'", 10), 0);
     CHECK(result.message == "crashed: Segmentation fault");
     CHECK(result.output == "falling\n");
-    CHECK(gradeCase(blackCase(folder), programPainter("sh -c 'kill -SEGV $$'", 10), 0).output.empty());
+    CHECK(gradeCase(blackCase(folder), programRenderer("sh -c 'kill -SEGV $$'", 10), 0).output.empty());
 }
 
 TEST_CASE("child process: how it ends") {
@@ -234,9 +234,9 @@ TEST_CASE("grade: worst first") {
 
 TEST_CASE("grade: the report") {
     const TemporaryFolder folder;
-    std::vector<GradeResult> results{gradeCase(blackCase(folder, "cone_a"), flatPainter(10, 0), 0),
-                                     gradeCase(blackCase(folder, "cone_b"), flatPainter(10, 9), 0),
-                                     gradeCase(blackCase(folder, "sphere"), flatPainter(10, 1), 0)};
+    std::vector<GradeResult> results{gradeCase(blackCase(folder, "cone_a"), flatRenderer(10, 0), 0),
+                                     gradeCase(blackCase(folder, "cone_b"), flatRenderer(10, 9), 0),
+                                     gradeCase(blackCase(folder, "sphere"), flatRenderer(10, 1), 0)};
     results[0].test.group = results[1].test.group = "cone";
     results[2].message = "<exit> & \"status\"";
     results[2].output = "</pre><script>";

@@ -16,7 +16,7 @@ int tradeoff(int argc, char** argv);
 // raytracer explain SCENE X Y LONG_EDGE_PIXELS [options]: the tree of rays behind one pixel.
 int explain(int argc, char** argv);
 
-// raytracer grade DIR [options]: scenes with reference pictures, painted (by us or another program) and
+// raytracer grade DIR [options]: scenes with reference pictures, rendered (by us or another program) and
 // compared.
 int grade(int argc, char** argv);
 

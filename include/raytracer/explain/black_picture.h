@@ -1,4 +1,4 @@
-// Why a picture came out all black: from what its rays met, not from guesses about the scene.
+// Why a picture is all black, from what its rays hit.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace raytracer {
 bool isAllBlack(const ByteImage& image);
 bool isAllBlack(const FloatImage& image);
 
-// In one line, "the picture is all black: ...", for the whole picture of options.size in which Pass::Color is
-// black. Looks at every pixel's first hit, and at the whole tree of rays behind some of those that hit
-// something: some hundred, spread evenly, whatever the picture's size. `scene` as it was rendered.
+// One line, "the picture is all black: ...", for a whole picture of options.size in which Pass::Color is
+// black. Renders the first hit of every pixel, and explains some hundred of the pixels that hit something,
+// evenly spread. `scene` as it was rendered.
 std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, const RenderOptions& options);
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// An explanation for people, and the same for programs.
+// An explanation as text for people and as JSON for programs.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace raytracer {
 
-// `scene` as it was rendered: its names are shown, and its colours are those of the sums.
+// `scene` as it was rendered: the texts have its names and its colours.
 std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene);
 std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene);
 
-// What a shape's part is called: "body", "x = -1", "triangle 17" (from 0, in the file's order); empty where
-// it has only one.
+// The name of a shape's part: "body", "x = -1", "triangle 17" (from 0, in the file's order); empty if the
+// shape has only one.
 std::string faceName(ShapeType type, std::size_t primitive);
 
 }  // namespace raytracer

@@ -1,7 +1,6 @@
-// What the author of a scene that can be rendered may not have meant.
+// Warnings about a valid scene that its author may not have meant.
 //
-// Geometry alone, in the file's own numbers; a doubtful case gives no warning. What only a picture tells is
-// for black_picture.h.
+// From the geometry alone, in the file's own numbers. A case within the error bounds gives no warning.
 #pragma once
 
 #include <string>
@@ -11,10 +10,11 @@
 
 namespace raytracer {
 
-// One line each, "/json/pointer: ..."; of very many the first ones, and a line that counts the rest:
+// One line each, "/json/pointer: ..."; of more than 20, the first ones and a line with the number of the
+// others:
 // - a camera whose look and up are not orthogonal unit vectors;
-// - a shape that no ray of the view meets, where no mirror or glass could show it all the same;
-// - a light inside of an opaque shape (not a mesh) that the camera is outside of.
+// - a shape outside of the view that no mirror or glass could show;
+// - a light inside of an opaque shape (not a mesh) with the camera outside.
 std::vector<std::string> sceneAdvice(const SceneDescription& scene);
 
 }  // namespace raytracer

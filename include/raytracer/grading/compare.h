@@ -1,9 +1,8 @@
-// How much two pictures of the same size differ: as numbers, as the course's score, and as a picture.
+// The difference of two pictures of the same size: as numbers, as the course's score, and as a picture.
 //
-// Counts, score and speckle are of bytes, so that they mean the same for PNG and PFM: a float picture is
-// clamped and quantised for them as it would be in a PNG. Mean, RMSE, PSNR and maximum are of the samples as
-// they are in the file: bytes (0 to 255), or linear floats that may lie outside of [0, 1]. A PNG and a PFM
-// are compared as bytes.
+// Counts, score and speckle are of bytes: a float picture is clamped and quantised first, as for a PNG. Mean,
+// RMSE, PSNR and maximum are of the file's samples: bytes (0 to 255), or linear floats, which may lie outside
+// of [0, 1]. A PNG and a PFM are compared as bytes.
 #pragma once
 
 #include <array>
@@ -18,63 +17,61 @@ namespace raytracer {
 
 using Picture = std::variant<ByteImage, FloatImage>;
 
-// Floats from a name that ends in .pfm, else bytes. Throws ImageError, which here says the file's name too.
+// Reads floats if the name ends in .pfm, else bytes. Throws ImageError with the file's name in it.
 Picture readPicture(const std::string& path);
 ByteImage toBytes(const Picture& picture);
 
 struct Comparison {
     int width = 0, height = 0;
 
-    // [d]: the pixels whose most different channel differs by d of 255.
+    // [d]: the number of pixels whose most different channel differs by d of 255.
     std::array<std::uint64_t, 256> pixelsByDifference{};
 
-    // Over all samples. Equal samples differ by 0, two NaN too; a NaN and a number by infinity.
-    double peak = 255;  // what PSNR compares with: 255 for bytes, 1 for floats
+    // Over all samples. Equal samples and two NaN differ by 0, a NaN and a number by infinity.
+    double peak = 255;  // of PSNR: 255 for bytes, 1 for floats
     double mean = 0, rmse = 0;
     double psnr = 0;  // 20 log10(peak / rmse), in decibels; infinite for equal pictures
     double maximum = 0;
 
-    // Where the maximum is: of several such pixels the one with the largest sum over its channels, of those
-    // the first in reading order; (0, 0) for equal pictures.
+    // The pixel of the maximum: of several, the one with the largest sum over its channels, then the first in
+    // reading order. (0, 0) for equal pictures.
     int worstX = 0, worstY = 0;
 
-    int score = 100;            // the autograder's, 0 to 100: see neighbourhoodScore
-    std::uint64_t speckle = 0;  // see speckleCount
+    int score = 100;            // neighbourhoodScore
+    std::uint64_t speckle = 0;  // speckleCount
 
-    std::uint64_t pixelsOver(int tolerance) const;  // differ by more than `tolerance` of 255 in some channel
+    // The number of pixels that differ by more than `tolerance` of 255 in some channel.
+    std::uint64_t pixelsOver(int tolerance) const;
 };
 
-// Throw ImageError where the sizes differ.
+// Throw ImageError if the sizes differ.
 Comparison compareImages(const ByteImage& a, const ByteImage& b);
 Comparison compareImages(const FloatImage& a, const FloatImage& b);
 Comparison compareImages(const Picture& a, const Picture& b);
 
-// The score of the course's autograder, which forgives edges that are off by a pixel: a pixel of A is as far
-// from B as the nearest colour, by the sum of absolute differences over its channels, in its 3 x 3
-// neighbourhood in B (the part that is inside of the picture), and the same from B to A. The larger of the
-// two distances is the pixel's. Then max(0, 100 - 1000 mean / 255), the mean being over all channels of all
-// pixels, rounded as Python does (half to even).
+// The score of the course's autograder, 0 to 100, which forgives edges that are off by a pixel. The distance
+// of a pixel of A from B is the smallest sum of absolute channel differences to a pixel of its 3 x 3
+// neighbourhood in B, inside of the picture. A pixel's distance is the larger of that from A to B and that
+// from B to A. The score is max(0, 100 - 1000 mean / 255), with the mean over all channels of all pixels,
+// rounded half to even as in Python.
 //
-// The autograder's rule that a later neighbour replaces an earlier one only if strictly smaller decides which
-// of several equally distant neighbours lends its channels to the autograder's difference picture. Their sums
-// are equal, and "larger" is by the sum, so that it never changes the score. (Had it taken the larger channel
-// by channel, it would.)
+// The autograder's choice among equally distant neighbours affects only its difference picture: their sums
+// are equal, and the larger distance is chosen by the sum.
 int neighbourhoodScore(const ByteImage& a, const ByteImage& b);
 
-// What that score can't see: pixels that stand alone in one picture and not in the other. A pixel stands
-// alone where it differs from every one of its neighbours (8, fewer at the border) by more than 8 of 255 in
-// some channel.
+// The number of pixels that are isolated in one picture and not in the other, which the score does not see. A
+// pixel is isolated if it differs from each of its neighbours (8, fewer at the border) by more than 8 of 255
+// in some channel.
 std::uint64_t speckleCount(const ByteImage& a, const ByteImage& b);
 
-// Where, and roughly how much: a channel that is equal is black, one that differs by d is 64 + 8 d (at most
-// 255).
+// Channels that are equal are 0; those that differ by d are 64 + 8 d, at most 255.
 ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b);
 
-// What counts as the same picture. Without any of them: no pixel may differ.
+// What counts as the same picture. Without any threshold no pixel may differ. With minScore alone, pixels are
+// not counted.
 struct Thresholds {
-    std::optional<std::uint64_t> maxPixels;  // that differ by more than the tolerance; unless said 0,
-    std::optional<int>
-        tolerance;  // of 255; unless said 0; but where only a score is asked for, pixels are not
+    std::optional<std::uint64_t> maxPixels;  // that may differ by more than the tolerance; 0 if not given
+    std::optional<int> tolerance;            // of 255; 0 if not given
     std::optional<int> minScore;
 };
 bool within(const Comparison& comparison, const Thresholds& thresholds);

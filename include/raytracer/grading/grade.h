@@ -1,4 +1,4 @@
-// Scenes with reference pictures: who paints them, and how well.
+// Grading: scenes are rendered, by us or by another program, and compared with reference pictures.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,7 @@
 
 namespace raytracer {
 
-// The stages of the light model that reference pictures show, and the options of `render` that show
-// them.
+// A stage of the light model that reference pictures show, and the options of `render` for it.
 struct Stage {
     std::string_view name;  // X-NAME.png
     std::string_view pass;  // --pass
@@ -21,7 +20,7 @@ struct Stage {
 };
 std::span<const Stage> stages();
 
-// The last stage, the complete picture: X.png and X-raytracing.png.
+// The last stage, with everything: X.png and X-raytracing.png.
 const Stage& completeStage();
 
 // One reference picture and its scene.
@@ -37,37 +36,36 @@ struct GradePlan {
     std::vector<std::string> scenesWithoutReference;  // file names
 };
 
-// Every X.json in the folder `scenes` with its X.png and X-STAGE.png in the folder `references` (which may be
-// the same). Throws std::runtime_error, one line, where a folder can't be read.
+// Each X.json in the folder `scenes` with its X.png and X-STAGE.png in the folder `references`, which may be
+// the same. Throws std::runtime_error, one line, if a folder cannot be read.
 GradePlan planGrading(const std::string& scenes, const std::string& references);
 
-// What a painter has to say of its work. What is in it does not say that there is a picture.
-struct Painted {
-    bool failed = false;  // what it may have written does not count
-    std::string message;  // one line, empty if all is well
+// The outcome of rendering a case. It does not say whether there is a picture.
+struct Rendered {
+    bool failed = false;  // a picture that was written all the same does not count
+    std::string message;  // one line, empty without a failure
     std::string output;   // the end of what the program printed
 };
 
-// Paints the case's picture, `longEdge` pixels on its longer side, to the PNG file `out`.
-using Painter = std::function<Painted(const GradeCase& test, int longEdge, const std::string& out)>;
+// Renders the case's picture, `longEdge` pixels on its longer side, to the PNG file `out`.
+using CaseRenderer = std::function<Rendered(const GradeCase& test, int longEdge, const std::string& out)>;
 
-// A painter that runs `command scene.json out.png longEdge`.
-Painter programPainter(std::string command, double timeoutSeconds);
+// Runs `command scene.json out.png longEdge`.
+CaseRenderer programRenderer(std::string command, double timeoutSeconds);
 
 struct GradeResult {
     GradeCase test;
-    std::optional<Comparison>
-        comparison;               // of our picture with the reference; nothing where there is none to compare
-    std::string message, output;  // as the painter's, or why there is nothing to compare
-    double seconds = 0;           // that painting took, wall time
-    std::string referencePng, ourPng, differencePng;  // the files' bytes; empty where there is none
+    std::optional<Comparison> comparison;  // of our picture with the reference; empty if one is missing
+    std::string message, output;           // as in Rendered, or why there is no comparison
+    double seconds = 0;                    // wall time of rendering
+    std::string referencePng, ourPng, differencePng;  // the files' bytes; empty if there is no file
 
     int score() const { return comparison ? comparison->score : 0; }
 };
 
-// Never throws for what is wrong with the picture or the reference: that is a result. `longEdge` 0: the
-// reference's.
-GradeResult gradeCase(const GradeCase& test, const Painter& painter, int longEdge);
+// A fault of the picture or the reference is part of the result and throws nothing. With `longEdge` 0 the
+// picture has the reference's size.
+GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge);
 
 bool within(const GradeResult& result, const Thresholds& thresholds);
 

@@ -1,4 +1,4 @@
-// The grading as one HTML file that needs nothing else: open it in a browser, or send it to a student.
+// The grading as one self-contained HTML file.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace raytracer {
 
-// Grouped by the names' first word, worst first. In the page a click on a picture opens it large at the worst
-// pixel, and each further click swaps reference and ours in place; it lists its keys itself. Without scripts
-// it is a table. `title` says what was graded.
+// Grouped by the first word of the names, worst first. A click on a picture opens it large at the worst
+// pixel; each further click swaps reference and ours in place. The page lists its keys. Without scripts it is
+// a table.
 std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds,
                         const std::string& title);
 
