@@ -9,9 +9,9 @@ namespace raytracer {
 
 namespace {
 
-constexpr double firstPart = 1.0 / 200,
-                 firstPixels = 500;  // of the picture's pixels: before its cost is known
-constexpr double widePart = 0.009;   // of the picture's rays: for the second measurement
+// Of the picture's pixels: measured first, when its cost is not known.
+constexpr double firstPart = 1.0 / 200, firstPixels = 500;
+constexpr double widePart = 0.009;  // of the picture's rays: for measuring again
 // 100 MB of ray trees. What lies in three of 100,000 pixels is missed once in 20 times.
 constexpr double mostPixels = 100000;
 constexpr double smallestStep = 1.1;     // in rays, between which halving is worth its cost

@@ -20,9 +20,8 @@ constexpr double secondPhase = 200, secondPhaseOfOne = 400;         // second ph
 constexpr double flat = 0.01;
 
 constexpr double estimatedPart = 1.0 / 60, leastEstimated = 1000;  // of the pixels of a whole picture
-constexpr double leastPixels =
-    20 * leastEstimated;                // a smaller picture costs more to estimate than to render
-constexpr double mostPixels = 1 << 22;  // 40 MB
+// A smaller picture costs more to estimate than to render; a larger one takes more than 40 MB.
+constexpr double leastPixels = 20 * leastEstimated, mostPixels = 1 << 22;
 // Of the target: the truncation error to allow if the sampling error alone is nearly the target.
 constexpr double minorDepth = 0.1;
 // In standard errors. Wrongly rejecting a picture costs four times its rays.

@@ -31,8 +31,8 @@ constexpr double mostCost = 1.5;
 // this share of what a cheaper setting would save; and its own cost below the third share, of the saving.
 constexpr double pilotShare = 0.12, savedShare = 0.15, roundShare = 0.25;
 constexpr double checkShare = 0.09;  // in place of pilotShare, for a round that can only confirm the choice
-constexpr double leastShare =
-    0.04;                           // if the choice seems sure: few pixels may all have missed the same error
+// In place of pilotShare, for a choice that seems sure: few pixels may all have missed the same error.
+constexpr double leastShare = 0.04;
 constexpr double smallStep = 1.05;  // in rays: as good as equal
 
 constexpr double reachedMargin = 1;   // in standard errors: an error above by less counts as reached

@@ -103,7 +103,7 @@ std::string mixed(const Tally& tally) {
     add(tally.behind, "the light is behind the surface");
     add(tally.shadowed, "it is in shadow");
     add(tally.black, "its color or the material is black");
-    return "no light reaches what is seen (of the points looked at, " + causes + ")";
+    return "no light reaches what is seen (of the points examined, " + causes + ")";
 }
 
 std::string unlit(const Tally& tally, const SceneDescription& scene) {
@@ -147,7 +147,7 @@ std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, co
     RenderOptions centres = options;
     centres.samples = 1;
     const std::vector<Pixel> pixels = pixelsThatHit(renderer, centres);
-    if (pixels.empty()) return black + "no shape is met by the ray through the centre of any pixel";
+    if (pixels.empty()) return black + "no ray through a pixel's centre hits a shape";
     Tally tally;
     for (const Pixel& pixel : pixels) {
         const RayExplanation explanation = renderer.explain(centres, pixel.x, pixel.y);

@@ -290,7 +290,7 @@ TEST_CASE("why a picture is all black") {
     }
     SECTION("nothing hit") {
         scene.add(Type::Sphere, {0, 0, 3});
-        CHECK(reason() == begin + "no shape is met by the ray through the centre of any pixel");
+        CHECK(reason() == begin + "no ray through a pixel's centre hits a shape");
     }
     SECTION("all in the shadow of one shape") {
         scene.add(Type::Plane, {0, 0, -3}).add(Type::Plane, {0, 0, 5});
@@ -327,7 +327,7 @@ TEST_CASE("why a picture is all black") {
             .add(Type::Plane, {0, 0, 5})
             .lights.push_back({{0, 0, -10}, glm::dvec3(1), glm::dvec3(0)});
         CHECK(reason() == begin +
-                              "no light reaches what is seen (of the points looked at, 576 times the light "
+                              "no light reaches what is seen (of the points examined, 576 times the light "
                               "is behind the surface, "
                               "576 times it is in shadow)" +
                               end);
@@ -337,7 +337,7 @@ TEST_CASE("why a picture is all black") {
         scene.materials[TestScene::mirror].color_diffuse = scene.materials[TestScene::mirror].color_specular =
             glm::dvec3(0);
         CHECK(reason() == begin +
-                              "no light reaches what is seen (of the points looked at, 576 times the light "
+                              "no light reaches what is seen (of the points examined, 576 times the light "
                               "is behind the surface, "
                               "576 times its color or the material is black)" +
                               end);
