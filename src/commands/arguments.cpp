@@ -8,18 +8,6 @@
 
 namespace raytracer::commands {
 
-std::optional<int> parseArguments(CLI::App& app, int argc, char** argv) {
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& end) {
-        if (end.get_exit_code() == 0) return app.exit(end);
-        std::fprintf(stderr, "%s: %s (%s --help tells more)\n", app.get_name().c_str(), end.what(),
-                     app.get_name().c_str());
-        return 2;
-    }
-    return std::nullopt;
-}
-
 int reportErrors(const std::function<int()>& command) {
     try {
         return command();
@@ -33,15 +21,17 @@ int reportErrors(const std::function<int()>& command) {
     return 2;
 }
 
-void addThresholds(CLI::App& app, Thresholds& thresholds) {
-    app.add_option("--max-pixels", thresholds.maxPixels,
-                   "Exit status 1 where more pixels than this differ (0)");
-    app.add_option("--tolerance", thresholds.tolerance,
-                   "A pixel differs for --max-pixels where a channel does by more than this, of 255 (0)")
-        ->check(CLI::Range(0, 255));
-    app.add_option("--min-score", thresholds.minScore,
-                   "Exit status 1 where the score is lower; alone, it decides without regard to the pixels")
-        ->check(CLI::Range(0, 100));
+void addThreads(CommandLine& line, int& threads) {
+    line.number("--threads", threads, {0, 4096}, "Number of threads; 0: one for each processor");
+}
+
+void addThresholds(CommandLine& line, Thresholds& thresholds) {
+    line.number("--max-pixels", thresholds.maxPixels, atLeast(0),
+                "Exit status 1 where more pixels than this differ; without it: 0");
+    line.number("--tolerance", thresholds.tolerance, {0, 255},
+                "For --max-pixels, a pixel differs where a channel is off by more than this; without it: 0");
+    line.number("--min-score", thresholds.minScore, {0, 100},
+                "Exit status 1 where the score is lower; alone, only the score decides");
 }
 
 }  // namespace raytracer::commands

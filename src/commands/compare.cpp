@@ -13,36 +13,42 @@ namespace raytracer::commands {
 namespace {
 
 constexpr const char* footer = R"(What the numbers mean:
-  score    the course autograder's: each pixel is held against the 3 x 3 pixels around it in the
-           other picture, so that an edge may be off by one; 100 - 1000 * mean / 255
-  speckle  pixels that stand alone in one picture and not in the other, which the score can't see
-  PSNR     20 log10(255 / RMSE); from about 50 dB on, nobody sees the difference
-  In PFM pictures mean, RMSE and maximum are of the linear floats (PSNR: of 1 / RMSE), the rest of
-  the bytes that the floats would be in a PNG.
+  score    the course autograder's: each pixel is compared with the 3 x 3 pixels
+           around it in the other picture, so an edge may be off by one pixel;
+           100 - 1000 * mean / 255
+  speckle  isolated pixels that only one of the pictures has; the score does not
+           see them
+  PSNR     20 log10(255 / RMSE); above about 50 dB nobody sees the difference
+  In PFM pictures mean, RMSE and maximum are of the linear floats (PSNR: of
+  1 / RMSE), the rest of the bytes that the floats would be in a PNG.
 
-Exit status: 0 the same, 1 not, 2 they can't be compared (missing, broken, different sizes).
-Without an option the same means that no pixel differs.
+Exit status: 0 the same; 1 not the same; 2 they can't be compared (missing,
+broken, different sizes). Without an option, the same means that no pixel
+differs.
 
 Examples:
   raytracer compare mine.png reference.png
   raytracer compare mine.png reference.png --diff difference.png
-  raytracer compare mine.png reference.png --tolerance 1 --max-pixels 3   up to 3 pixels off by more than 1
-  raytracer compare mine.png reference.png --min-score 95                 as the autograder sees it
-  raytracer compare mine.pfm reference.pfm --json                         for a script to read)";
+  # at most 3 pixels off by more than 1
+  raytracer compare mine.png reference.png --tolerance 1 --max-pixels 3
+  # as the autograder sees it
+  raytracer compare mine.png reference.png --min-score 95
+  # for a script to read
+  raytracer compare mine.pfm reference.pfm --json)";
 
 struct CompareArguments {
     std::string a, b, diff;
     bool json = false;
     Thresholds thresholds;
 
-    void addTo(CLI::App& app) {
-        app.add_option("A", a, "A picture: .png, or .pfm (linear float32)")->required();
-        app.add_option("B", b, "A picture of the same size")->required();
-        app.add_option("--diff", diff,
-                       "Write the difference as a picture: black where equal, 64 + 8 d where off by d");
-        app.add_flag("--json", json, "Print the numbers as JSON");
-        addThresholds(app, thresholds);
-        app.footer(footer);
+    void addTo(CommandLine& line) {
+        line.text("A", a, "A picture: .png, or .pfm (linear float32)");
+        line.text("B", b, "A picture of the same size");
+        line.text("--diff", diff,
+                  "Write the difference as a picture: black where equal, 64 + 8 d where off by d");
+        line.flag("--json", json, "Print the numbers as JSON");
+        addThresholds(line, thresholds);
+        line.footer(footer);
     }
 };
 
@@ -106,16 +112,11 @@ int comparePictures(const CompareArguments& arguments) {
 }  // namespace
 
 int compare(int argc, char** argv) {
-    CLI::App app("Says how much two pictures differ.", "raytracer compare");
+    CommandLine line("raytracer compare", "Says how much two pictures differ.");
     CompareArguments arguments;
-    arguments.addTo(app);
-    if (const auto status = parseArguments(app, argc, argv)) return *status;
-    try {
-        return comparePictures(arguments);
-    } catch (const ImageError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
+    arguments.addTo(line);
+    if (const auto status = line.parse(argc, argv)) return *status;
+    return reportErrors([&] { return comparePictures(arguments); });
 }
 
 }  // namespace raytracer::commands

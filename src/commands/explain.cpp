@@ -11,9 +11,10 @@ namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* footer = R"(The tree of rays behind a pixel, in the symbols of the assignment:
-  K_R I_R + K_T I_T + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L)
-and the options that change a picture change the explanation too.
+constexpr const char* footer = R"(Prints the ray tree of a pixel, in the symbols of the assignment:
+  K_R I_R + K_T I_T
+    + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L)
+Options that change the picture change the explanation too.
 
 Examples:
   raytracer explain scenes/spheres_cylinder.json 300 200 600
@@ -40,19 +41,17 @@ int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
 }  // namespace
 
 int explain(int argc, char** argv) {
-    CLI::App app("Shows the rays behind one pixel.", "raytracer explain");
+    CommandLine line("raytracer explain", "Shows the rays behind one pixel.");
     RenderArguments arguments;
     int x = 0, y = 0;
     bool json = false;
-    arguments.addTo(app);
-    app.add_option("X", x, "The pixel's column, 0 at the left")->required();
-    app.add_option("Y", y, "The pixel's row, 0 at the top")->required();
-    app.add_option("LONG_EDGE_PIXELS", arguments.longEdge, "Pixels along the longer side of the film")
-        ->required()
-        ->check(CLI::Range(1, 65536));
-    app.add_flag("--json", json, "As JSON");
-    app.footer(footer);
-    if (const auto status = parseArguments(app, argc, argv)) return *status;
+    arguments.addTo(line);
+    line.number("X", x, {}, "The pixel's column; 0 is the left one");
+    line.number("Y", y, {}, "The pixel's row; 0 is the top one");
+    arguments.addLongEdgeTo(line);
+    line.flag("--json", json, "Print the rays as JSON");
+    line.footer(footer);
+    if (const auto status = line.parse(argc, argv)) return *status;
     return reportErrors([&] { return explainPixel(arguments, x, y, json); });
 }
 

@@ -17,43 +17,44 @@ namespace raytracer::commands {
 namespace {
 
 constexpr const char* footer =
-    R"(Every X.json in DIR that has a picture X.png or X-STAGE.png is rendered and compared. The stages:
+    R"(Renders and compares every X.json in DIR that has a picture X.png or
+X-STAGE.png. The stages:
   raycasting, normals, ambient, diffuse, specular, ambient_diffuse_specular,
-  ambient_diffuse_specular_shadows, diffuse_reflections_recursions_3, raytracing (as X.png: everything)
-Another program is asked for the last of them, unless --stage says otherwise. If it crashes, hangs or
-writes no picture it gets 0 for that scene, and what it printed last is shown.
+  ambient_diffuse_specular_shadows, diffuse_reflections_recursions_3,
+  raytracing (as X.png: everything)
+Another program is graded for the last of them, unless --stage says otherwise.
+If it crashes, hangs or writes no picture, it gets 0 for that scene, and the
+last line that it printed is shown.
 
-Exit status: 0 all the same, 1 not, 2 there is nothing to grade. "The same" as for `raytracer compare`:
-no pixel differs, or what --max-pixels, --tolerance and --min-score say, for each picture.
+Exit status: 0 all the same; 1 not the same; 2 there is nothing to grade.
+"The same" as for `raytracer compare`: no pixel differs, or what --max-pixels,
+--tolerance and --min-score say, for each picture.
 
 Examples:
   raytracer grade scenes --references test/expected
-  raytracer grade reference --report report.html            look at every pixel that differs
-  raytracer grade exam --program ~/students/ada/raytracer --report ada.html --min-score 95
+  # a page that shows every pixel that differs
+  raytracer grade reference --report report.html
+  raytracer grade exam --program ~/ada/raytracer --report ada.html
   raytracer grade exam --program "python3 bob.py" --timeout 120 --size 300
   raytracer grade homework2 --program ./raycasting --stage raycasting)";
 
 struct GradeArguments {
     std::string scenes, references, report, program, stage;
-    int size = 0;
+    std::optional<int> size;
     double timeout = 60;
     Thresholds thresholds;
 
-    void addTo(CLI::App& app) {
-        app.add_option("DIR", scenes, "The folder of the scenes")->required();
-        app.add_option("--references", references,
-                       "The folder of the reference pictures, where it is not DIR");
-        app.add_option("--size", size, "Pixels along the longer side (unless said, as the reference has)")
-            ->check(CLI::Range(1, 65536));
-        app.add_option("--stage", stage, "Grade only the pictures of this stage")
-            ->check(CLI::IsMember(stageNames()));
-        app.add_option("--report", report, "Write a page with all pictures: .html, complete in itself");
-        app.add_option("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
-        app.add_option("--timeout", timeout, "Seconds after which the program is stopped")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
-        addThresholds(app, thresholds);
-        app.footer(footer);
+    void addTo(CommandLine& line) {
+        line.text("DIR", scenes, "The folder of the scenes");
+        line.text("--references", references, "The folder of the reference pictures, where it is not DIR");
+        line.number("--size", size, longEdgeRange,
+                    "Pixels along the longer side; without it: the reference's");
+        line.choice("--stage", stage, stageNames(), "Grade only the pictures of this stage");
+        line.text("--report", report, "Write a page with all pictures: .html, complete in itself");
+        line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
+        line.number("--timeout", timeout, above(0), "Seconds after which the program is stopped");
+        addThresholds(line, thresholds);
+        line.footer(footer);
     }
 
     static std::vector<std::string> stageNames() {
@@ -121,7 +122,7 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
     std::vector<GradeResult> results;
     printHead();
     for (const GradeCase& test : plan.cases) {
-        results.push_back(gradeCase(test, render, arguments.size));
+        results.push_back(gradeCase(test, render, arguments.size.value_or(0)));
         printRow(results.back());
         printLastWords(results.back());
     }
@@ -175,11 +176,11 @@ int gradeFolder(const GradeArguments& arguments) {
 }  // namespace
 
 int grade(int argc, char** argv) {
-    CLI::App app("Paints every scene of a folder that has a reference picture, and compares.",
-                 "raytracer grade");
+    CommandLine line("raytracer grade",
+                     "Renders every scene of a folder that has a reference picture, and compares.");
     GradeArguments arguments;
-    arguments.addTo(app);
-    if (const auto status = parseArguments(app, argc, argv)) return *status;
+    arguments.addTo(line);
+    if (const auto status = line.parse(argc, argv)) return *status;
     try {
         return gradeFolder(arguments);
     } catch (const std::runtime_error& error) {

@@ -25,10 +25,14 @@ constexpr const char* footer = R"(The other commands:
 
 Examples:
   raytracer scenes/spheres_cylinder.json out.png 600
-  raytracer scenes/stress_test.json out.png 600 --only ambient,diffuse    two terms of the light model
-  raytracer scenes/cone_cube.json normals.png 600 --pass normals          a stage picture
-  raytracer scenes/texture.json out.png 2000 --crop 500,500,700,700       a detail, as in the whole picture
-  raytracer scenes/refraction.json out.pfm 600 --stats                    linear float32, and what it cost)";
+  # two terms of the light model
+  raytracer scenes/stress_test.json out.png 600 --only ambient,diffuse
+  # a stage picture
+  raytracer scenes/cone_cube.json normals.png 600 --pass normals
+  # a detail, as in the whole picture
+  raytracer scenes/texture.json out.png 2000 --crop 500,500,700,700
+  # linear float32, and what it cost
+  raytracer scenes/refraction.json out.pfm 600 --stats)";
 
 // Wall time, and CPU time of all threads, in seconds.
 struct Seconds {
@@ -112,7 +116,7 @@ std::string outputProblem(const std::filesystem::path& out) {
 struct PictureArguments {
     std::string out;
     bool stats = false;
-    double targetError = 0;  // 0: none
+    std::optional<double> targetError;
 };
 
 struct Picture {
@@ -137,9 +141,9 @@ void renderTo(Picture& picture, Write write) {
     const std::string& out = picture.wanted.out;
     Stopwatch watch;
     Sink sink(picture.options.crop);
-    if (const double target = picture.wanted.targetError; target > 0)
+    if (const auto target = picture.wanted.targetError)
         picture.choice =
-            chooseAndTell(picture.renderer, picture.options, target, sink, picture.arguments.quiet);
+            chooseAndTell(picture.renderer, picture.options, *target, sink, picture.arguments.quiet);
     picture.timings.choose = watch.lap();
     const bool isThere = picture.choice && picture.choice->rendered;
     picture.counts = isThere ? *picture.choice->rendered : renderInto(sink, picture);
@@ -168,32 +172,26 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     if (std::filesystem::path(out).extension() == ".pfm") renderTo<FloatSink>(picture, writePfm);
     else renderTo<ByteSink>(picture, writePng);
     if (wanted.stats) printStats(picture.counts, timings, options);
-    return picture.choice && !tellOutcome(*picture.choice, wanted.targetError) ? 1 : 0;
+    return picture.choice && !tellOutcome(*picture.choice, *wanted.targetError) ? 1 : 0;
 }
 
 }  // namespace
 
 int render(int argc, char** argv) {
-    CLI::App app("Renders a scene to a picture.", "raytracer");
+    CommandLine line("raytracer", "Renders a scene to a picture.");
     RenderArguments arguments;
     PictureArguments wanted;
-    arguments.addTo(app);
-    app.add_option("IMAGE_OUT", wanted.out, "The picture: .png, or .pfm (linear float32, not clamped)")
-        ->required();
-    app.add_option("LONG_EDGE_PIXELS", arguments.longEdge, "Pixels along the longer side of the film")
-        ->required()
-        ->check(CLI::Range(1, 65536));
-    CLI::Option* target = app.add_option("--target-error", wanted.targetError,
-                                         "Pick the cheapest samples, recursion and cutoff with an error "
-                                         "(RMSE, of 1) of no more than this; exit "
-                                         "status 1 where none has")
-                              ->check(CLI::PositiveNumber);
-    for (const char* knob : {"--samples", "--adaptive", "--max-recursion", "--cutoff"})
-        target->excludes(app.get_option(knob));
-    app.add_flag("--stats", wanted.stats,
-                 "Print counts of rays and tests, times and memory, as JSON on stdout");
-    app.footer(footer);
-    if (const auto status = parseArguments(app, argc, argv)) return *status;
+    arguments.addTo(line);
+    line.text("IMAGE_OUT", wanted.out, "The picture: .png, or .pfm (linear float32, not clamped)");
+    arguments.addLongEdgeTo(line);
+    line.number(
+        "--target-error", wanted.targetError, above(0),
+        "Choose the cheapest --samples, --adaptive, --max-recursion and --cutoff whose error (RMSE, of 1) "
+        "is at most this; exit status 1 where none is that accurate");
+    line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});
+    line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
+    line.footer(footer);
+    if (const auto status = line.parse(argc, argv)) return *status;
     return reportErrors([&] { return renderPicture(arguments, wanted); });
 }
 

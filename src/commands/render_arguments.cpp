@@ -1,7 +1,6 @@
 #include "render_arguments.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 
 #include "raytracer/explain/scene_advice.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/numbers.h"
 
 namespace raytracer::commands {
 
@@ -31,22 +31,14 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
-int pixelNumber(const std::string& text) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        throw std::invalid_argument("--crop: expected four whole numbers x0,y0,x1,y1, found \"" + text +
-                                    "\"");
-    return value;
-}
-
 PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
-    const std::vector<std::string> parts = split(text);
-    if (parts.size() != 4)
+    std::vector<std::optional<int>> numbers;
+    for (const std::string& part : split(text)) numbers.push_back(numberIn<int>(part));
+    if (numbers.size() != 4 ||
+        !std::all_of(numbers.begin(), numbers.end(), [](const auto& number) { return number; }))
         throw std::invalid_argument("--crop: expected four whole numbers x0,y0,x1,y1, found \"" + text +
                                     "\"");
-    const PixelRectangle crop{pixelNumber(parts[0]), pixelNumber(parts[1]), pixelNumber(parts[2]),
-                              pixelNumber(parts[3])};
+    const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
     if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > size.width || crop.y1 > size.height || crop.width() < 1 ||
         crop.height() < 1)
         throw std::invalid_argument("--crop: expected a rectangle inside of the " +
@@ -57,49 +49,42 @@ PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
 
 }  // namespace
 
-void RenderArguments::addTo(CLI::App& app) {
-    app.add_option("SCENE", scene, "The scene, a JSON file")->required();
-    app.add_option("--max-recursion", max_recursion, "How many times a ray is reflected or refracted")
-        ->check(CLI::Range(0, 1000))
-        ->capture_default_str();
-    app.add_option(
-        "--only", only,
-        "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
-        "refraction, textures");
-    app.add_flag("--opaque", opaque, "Read every material as not refractive");
-    app.add_option("--pass", pass, "What a pixel shows: color (the light), raycast (color_diffuse), normals")
-        ->check(CLI::IsMember({"color", "raycast", "normals"}))
-        ->capture_default_str();
-    app.add_option("--precision", precision, "Arithmetic: float, double or extended (long double)")
-        ->check(CLI::IsMember({"float", "double", "extended"}))
-        ->capture_default_str();
-    app.add_option("--samples", samples,
-                   "N x N rays a pixel on a regular grid, averaged; 1: through its centre")
-        ->check(CLI::Range(1, 256))
-        ->capture_default_str();
-    app.add_option("--adaptive", adaptive,
-                   "Take all N x N samples only where the corners of the pixel's grid differ by more than "
-                   "this (0 to 1)")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    app.add_option("--cutoff", cutoff,
-                   "Do not cast a ray that can change its pixel by less than this (0 to 1)")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    app.add_option("--texture-filter", textureFilter, "Texture look-up: nearest or bilinear")
-        ->check(CLI::IsMember({"nearest", "bilinear"}))
-        ->capture_default_str();
-    app.add_option("--crop", crop,
-                   "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
-    app.add_option("--threads", threads, "Number of threads; 0: one for each processor")
-        ->check(CLI::Range(0, 4096))
-        ->capture_default_str();
-    app.add_option("--accelerator", accelerator,
-                   "How rays find shapes: bvh, or none to try them all (the same picture)")
-        ->check(CLI::IsMember({"bvh", "none"}))
-        ->capture_default_str();
-    app.add_flag("--strict", strict, "Warnings about the scene are errors");
-    app.add_flag("--quiet", quiet, "No warnings and no progress bar");
+void RenderArguments::addTo(CommandLine& line) {
+    line.text("SCENE", scene, "The scene: a JSON file");
+    line.number("--max-recursion", max_recursion, {0, 1000},
+                "How many times a ray is reflected or refracted");
+    line.text("--only", only,
+              "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
+              "refraction, textures");
+    line.flag("--opaque", opaque, "Read every material as not refractive");
+    line.choice("--pass", pass, {"color", "raycast", "normals"},
+                "What a pixel shows: color (the light), raycast (color_diffuse) or normals");
+    line.choice("--precision", precision, {"float", "double", "extended"},
+                "Arithmetic: float, double or extended (long double)");
+    addSamplingTo(line);
+    line.choice("--texture-filter", textureFilter, {"nearest", "bilinear"},
+                "Texture look-up: nearest or bilinear");
+    line.text("--crop", crop,
+              "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
+    addThreads(line, threads);
+    line.choice("--accelerator", accelerator, {"bvh", "none"},
+                "How rays find shapes: bvh, or none to test them all (the picture is the same)");
+    line.flag("--strict", strict, "Warnings about the scene are errors");
+    line.flag("--quiet", quiet, "No warnings and no progress bar");
+}
+
+void RenderArguments::addSamplingTo(CommandLine& line) {
+    line.number("--samples", samples, {1, 256},
+                "N x N rays a pixel on a regular grid, averaged; 1: through its centre");
+    line.number(
+        "--adaptive", adaptive, atLeast(0),
+        "Take all N x N samples only where the corners of the pixel's grid differ by more than this, of 1");
+    line.number("--cutoff", cutoff, atLeast(0),
+                "Do not cast a ray that changes its pixel by less than this, of 1");
+}
+
+void RenderArguments::addLongEdgeTo(CommandLine& line) {
+    line.number("LONG_EDGE_PIXELS", longEdge, longEdgeRange, "Pixels along the longer side of the film");
 }
 
 Terms RenderArguments::terms() const {

@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "arguments.h"
 #include "raytracer/tracer/renderer.h"
 
 namespace raytracer::commands {
@@ -27,7 +26,9 @@ struct RenderArguments {
     bool strict = false;
     bool quiet = false;
 
-    void addTo(CLI::App& app);
+    // All but LONG_EDGE_PIXELS, which not every command has next.
+    void addTo(CommandLine& line);
+    void addLongEdgeTo(CommandLine& line);
 
     // The terms named by `only`. Throws std::invalid_argument with a line for the user.
     Terms terms() const;
@@ -50,6 +51,9 @@ struct RenderArguments {
 
     // Applies `only` and `opaque` to the scene and fills in the options for it. Throws std::invalid_argument.
     RenderOptions prepare(SceneDescription& scene) const;
+
+  private:
+    void addSamplingTo(CommandLine& line);
 };
 
 }  // namespace raytracer::commands

@@ -14,12 +14,14 @@ namespace raytracer::commands {
 namespace {
 
 constexpr const char* footer =
-    R"(Renders each scene under many settings of --samples, --adaptive, --max-recursion, --cutoff and
---texture-filter, and in each precision; holds every picture against a converged one; and says which
-settings are worth their time (the front: nothing is both faster and closer).
+    R"(Renders each scene with many settings of --samples, --adaptive,
+--max-recursion, --cutoff and --texture-filter, and in each precision. Compares
+every picture with a converged one. Says which settings are worth their time:
+the front, of which no other setting is both faster and more accurate.
 
-Writes into DIR: tradeoff.html (charts, tables, pictures; one file), tradeoff.svg (the charts) and
-tradeoff.csv (every number). Times are processor seconds, all threads together.
+Writes tradeoff.html (charts, tables, pictures; one file), tradeoff.svg (the
+charts) and tradeoff.csv (every number) into the folder --out. Times are CPU
+seconds of all threads together.
 
 Examples:
   raytracer tradeoff scenes/refraction.json
@@ -31,25 +33,17 @@ struct TradeoffArguments {
     TradeoffOptions options;
     bool quiet = false;
 
-    void addTo(CLI::App& app) {
-        app.add_option("SCENE", scenes, "Scenes, JSON files")->required();
-        app.add_option("--out", out, "The folder to write to; made where there is none")
-            ->capture_default_str();
-        app.add_option("--size", options.size, "Pixels along the longer side of the film")
-            ->check(CLI::Range(16, 4096))
-            ->capture_default_str();
-        app.add_option("--samples", options.samples, "The most samples, N x N; the reference has 2 N x 2 N")
-            ->check(CLI::Range(2, 16))
-            ->capture_default_str();
-        app.add_option("--repeats", options.repeats,
-                       "Timings of each setting near the front; the median counts")
-            ->check(CLI::Range(1, 1000))
-            ->capture_default_str();
-        app.add_option("--threads", options.threads, "Number of threads; 0: one for each processor")
-            ->check(CLI::Range(0, 4096))
-            ->capture_default_str();
-        app.add_flag("--quiet", quiet, "Say nothing on stderr about what is being done");
-        app.footer(footer);
+    void addTo(CommandLine& line) {
+        line.texts("SCENE", scenes, "Scenes: JSON files");
+        line.text("--out", out, "The folder to write to; made where there is none");
+        line.number("--size", options.size, {16, 4096}, "Pixels along the longer side of the film");
+        line.number("--samples", options.samples, {2, 16},
+                    "The most samples, N x N; the reference has 2 N x 2 N");
+        line.number("--repeats", options.repeats, {1, 1000},
+                    "Timings of each setting near the front; the median counts");
+        addThreads(line, options.threads);
+        line.flag("--quiet", quiet, "No progress on stderr");
+        line.footer(footer);
     }
 };
 
@@ -88,10 +82,10 @@ int measure(TradeoffArguments& arguments) {
 }  // namespace
 
 int tradeoff(int argc, char** argv) {
-    CLI::App app("Measures what speed costs in accuracy.", "raytracer tradeoff");
+    CommandLine line("raytracer tradeoff", "Measures what speed costs in accuracy.");
     TradeoffArguments arguments;
-    arguments.addTo(app);
-    if (const auto status = parseArguments(app, argc, argv)) return *status;
+    arguments.addTo(line);
+    if (const auto status = line.parse(argc, argv)) return *status;
     return reportErrors([&] { return measure(arguments); });
 }
 
