@@ -38,9 +38,8 @@ std::string tradeoffCsv(std::span<const SceneTradeoff> scenes) {
     std::string csv =
         "scene,question,precision,samples,adaptive,max_recursion,cutoff,texture_filter,seconds,timings,"
         "primary_rays,shadow_rays,reflection_rays,refraction_rays,intersection_tests,cutoff_bound,"
-        "rmse,psnr,maximum,share_off,on_front
-        ";
-        for (const SceneTradeoff& scene : scenes) {
+        "rmse,psnr,maximum,share_off,on_front\n";
+    for (const SceneTradeoff& scene : scenes) {
         for (const Trial& trial : scene.truncation) csv += csvLine(scene.name, "truncation", trial);
         for (const Trial& trial : scene.arithmetic) csv += csvLine(scene.name, "arithmetic", trial);
     }

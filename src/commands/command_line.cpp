@@ -100,9 +100,9 @@ void CommandLine::text(const char* name, std::string& value, const std::string& 
 }
 
 void CommandLine::texts(const char* name, std::vector<std::string>& values, const std::string& help) {
-    add(name, "TEXT ...", help, [&values](const std::string& text) {
-        values.push_back(text);
-    }).expected(1, CLI::detail::expected_max_vector_size);
+    add(name, "TEXT ...", help, [&values](const std::string& text) { values.push_back(text); })
+        .expected(1, CLI::detail::expected_max_vector_size)
+        ->allow_extra_args();
 }
 
 void CommandLine::choice(const char* name, std::string& value, const std::vector<std::string>& choices,

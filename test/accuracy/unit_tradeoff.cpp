@@ -68,7 +68,7 @@ TEST_CASE("the error falls with the samples at the rate that the chart claims") 
             loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json", true).description;
         const SceneTradeoff chart = measureTradeoff(
             name, scene,
-            {.size = 24, .samples = 4, .repeats = 1, .referencePrecision = Precision::Double, .tell = {}});
+            {.size = 24, .samples = 4, .repeats = 1, .referencePrecision = Precision::Double, .report = {}});
         const auto renderer = makeRenderer(scene, Precision::Double);
         const RenderOptions options = wholePicture(scene, 32);
         Pilot picture(*renderer, options, allPixels(options));
@@ -83,7 +83,7 @@ TEST_CASE("one number of samples tells no rate, and none is claimed") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
     const SceneTradeoff chart = measureTradeoff(
         "one", scene,
-        {.size = 12, .samples = 1, .repeats = 1, .referencePrecision = Precision::Double, .tell = {}});
+        {.size = 12, .samples = 1, .repeats = 1, .referencePrecision = Precision::Double, .report = {}});
     CHECK(!chart.sampleRate);
     CHECK(tradeoffTable(chart).find("falls like") == std::string::npos);
     CHECK(tradeoffSvg(std::span(&chart, 1)).find("between the samples") == std::string::npos);
@@ -106,7 +106,7 @@ TEST_CASE(
     "says") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
     const SceneTradeoff measured =
-        measureTradeoff("spheres", scene, {.size = 24, .samples = 3, .repeats = 3, .tell = {}});
+        measureTradeoff("spheres", scene, {.size = 24, .samples = 3, .repeats = 3, .report = {}});
     const Trial* last = nullptr;
     for (const Trial& trial : measured.truncation) {
         CHECK(trial.setting.precision == Precision::Double);

@@ -168,7 +168,7 @@ TEST_CASE("A texture that no shape uses is not read") {
 }
 
 TEST_CASE("Shapes that name the same file share its mesh") {
-    const std::string file = SOURCE_DIR "/test/bad/files/triangle.obj";
+    const std::string file = fs::absolute(SOURCE_DIR "/test/bad/files/triangle.obj").string();
     const std::string mesh =
         R"({"type": "mesh", "transform": "i", "material": "default", "path": ")" + file + "\"}";
     const SceneText text(sceneOf(mesh + "," + mesh));

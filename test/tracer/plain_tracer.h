@@ -131,12 +131,12 @@ inline void meetMesh(const MeshData& mesh, const Ray& ray, Hit& hit) {
 
 inline void meet(const ShapeDescription& shape, const Ray& rayObject, Hit& hit) {
     switch (shape.type) {
-        case ShapeDescription::Type::Sphere: return meetSphere(rayObject, hit);
-        case ShapeDescription::Type::Plane: return meetPlane(rayObject, hit);
-        case ShapeDescription::Type::Cylinder: return meetCylinder(rayObject, hit);
-        case ShapeDescription::Type::Cone: return meetCone(rayObject, hit);
-        case ShapeDescription::Type::Cube: return meetCube(rayObject, hit);
-        case ShapeDescription::Type::Mesh: return meetMesh(*shape.mesh, rayObject, hit);
+        case ShapeType::Sphere: return meetSphere(rayObject, hit);
+        case ShapeType::Plane: return meetPlane(rayObject, hit);
+        case ShapeType::Cylinder: return meetCylinder(rayObject, hit);
+        case ShapeType::Cone: return meetCone(rayObject, hit);
+        case ShapeType::Cube: return meetCube(rayObject, hit);
+        case ShapeType::Mesh: return meetMesh(*shape.mesh, rayObject, hit);
     }
 }
 

@@ -9,7 +9,6 @@
 
 using namespace raytracer;
 using namespace raytracer::test;
-using Type = ShapeDescription::Type;
 
 namespace {
 
@@ -110,11 +109,12 @@ class RandomScene {
     // rounding.)
     void addShape() {
         if (scene.shapes.empty() || !chance(0.2)) addTransform();
-        static constexpr Type types[] = {Type::Sphere, Type::Cylinder, Type::Cone, Type::Cube, Type::Mesh};
-        const Type type = chance(0.1) ? Type::Plane : types[whole(0, 4)];
+        static constexpr ShapeType types[] = {ShapeType::Sphere, ShapeType::Cylinder, ShapeType::Cone,
+                                              ShapeType::Cube, ShapeType::Mesh};
+        const ShapeType type = chance(0.1) ? ShapeType::Plane : types[whole(0, 4)];
         const std::size_t material = static_cast<std::size_t>(whole(0, 3));
         scene.shapes.push_back(
-            {type, scene.transforms.size() - 1, material, type == Type::Mesh ? mesh() : nullptr});
+            {type, scene.transforms.size() - 1, material, type == ShapeType::Mesh ? mesh() : nullptr});
     }
 
     void addTransform() {
@@ -154,6 +154,7 @@ class RandomScene {
                 if (textured) mesh.texCoordIndex.push_back(chance(0.9) ? corner : MeshData::noTexCoord);
             }
         }
+        mesh.findBounds();
         return std::make_shared<const MeshData>(mesh);
     }
 
