@@ -19,9 +19,9 @@
 #include <embree3/rtcore.h>
 
 #include "median.h"
+#include "meet_packet.h"
 #include "raytracer/geometry/mesh.h"
 #include "raytracer/geometry/shape_tree.h"
-#include "raytracer/tracer/packet_tracer.h"
 
 using namespace raytracer;
 
@@ -97,7 +97,7 @@ struct Subject {
 
     // Owned.
     std::shared_ptr<const MeshData> mesh;
-    std::vector<std::unique_ptr<Shape>> shapes;
+    std::vector<Shape> shapes;
     std::shared_ptr<const TriangleMesh> triangles;
     ShapeTree tree;
 };
@@ -179,8 +179,8 @@ std::unique_ptr<Subject> meshSubject(std::uint32_t n, int rounds) {
         subject->mesh->positions.size() * 24 + subject->mesh->positionIndex.size() * 4;
     subject->bytesOurs = static_cast<double>(geometry + subject->triangles->bvh().memory()) /
                          static_cast<double>(subject->primitives);
-    subject->shapes.push_back(std::make_unique<Mesh>(Transform(), material, 0, subject->triangles));
-    subject->ours = [shape = subject->shapes[0].get()](const Ray& ray, HitQuery& query) {
+    subject->shapes.emplace_back(ShapeType::Mesh, Transform(), material, 0, subject->triangles);
+    subject->ours = [shape = subject->shapes.data()](const Ray& ray, HitQuery& query) {
         shape->intersect(ray, query);
     };
     return subject;
@@ -198,8 +198,8 @@ std::unique_ptr<Subject> ballSubject(std::size_t count, int rounds) {
             affine.linear[axis][axis] = ball.radius;
             affine.translation[axis] = ball.center[axis];
         }
-        subject->shapes.push_back(std::make_unique<Sphere>(
-            Transform(affine), material, static_cast<std::uint32_t>(subject->shapes.size())));
+        subject->shapes.emplace_back(ShapeType::Sphere, Transform(affine), material,
+                                     static_cast<std::uint32_t>(subject->shapes.size()));
     }
     std::vector<double> ours, theirs;
     for (int round = 0; round < rounds; ++round) {
@@ -345,14 +345,12 @@ std::vector<std::span<const Ray>> packetsOf(const std::vector<Ray>& rays) {
 Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const RayEnd* end,
                    RTCIntersectContext& context, int rounds) {
     const auto packets = packetsOf(rays);
-    const BuildOptions options;
-    const ShapeTree tree(subject.shapes, options);
-    const auto meet = packetKernel(options.instructionSet)->meet;
+    const ShapeTree tree(subject.shapes, BuildOptions{});
     const auto ours = [&] {
         std::size_t found = 0;
         Hit hits[8];
         for (const auto packet : packets) {
-            meet(tree, packet, end, {hits, packet.size()});
+            meetPacket(tree, packet, end, {hits, packet.size()});
             for (std::size_t i = 0; i < packet.size(); ++i) found += hits[i].shape != nullptr;
         }
         return found;

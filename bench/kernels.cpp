@@ -87,7 +87,7 @@ std::vector<RayHit> hitsOf(const Scene& scene, const std::vector<Ray>& rays) {
     std::vector<RayHit> hits;
     for (const Ray& ray : rays) {
         HitQuery query;
-        scene.shapes[0]->intersect(ray, query);
+        scene.shapes[0].intersect(ray, query);
         if (query.found()) hits.push_back({ray, query.nearest()});
     }
     return hits;
@@ -96,7 +96,7 @@ std::vector<RayHit> hitsOf(const Scene& scene, const std::vector<Ray>& rays) {
 void intersect(benchmark::State& state, ShapeType type) {
     const auto scene = buildScene(oneShape(type));
     const std::vector<Ray> rays = cameraRays(*scene);
-    const Shape& shape = *scene->shapes[0];
+    const Shape& shape = scene->shapes[0];
     std::size_t i = 0, hits = 0;
     for (auto _ : state) {
         HitQuery query;

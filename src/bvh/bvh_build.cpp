@@ -76,6 +76,7 @@ class BvhBuilder {
 void BvhBuilder::build(std::span<const FloatBox> boxes, const BvhNames& names) {
     boxes_ = boxes, names_ = names.names;
     bvh_.frame_.objects = names.start;
+    bvh_.frame_.stride = names.stride;
     leafSize_ = 1;
     bvh_.frame_.balls = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {

@@ -62,8 +62,7 @@ inline void fetch(const BvhTraversal& s, std::uint32_t child) {
     if (!(child & BvhNode::leafBit))
         lines(reinterpret_cast<const char*>(s.nodes) + std::size_t{child} * bvhUnit, sizeof(BvhNode) - 1);
     else if (s.words) lines(reinterpret_cast<const char*>(s.words + (child & ~BvhNode::leafBit)), 127);
-    else if (s.objects)
-        lines(s.objects + (child & ~(BvhNode::leafBit | BvhNode::ballBit)) * BvhNames::unit, 128);
+    else if (s.objects) lines(s.objects + (child & ~(BvhNode::leafBit | BvhNode::ballBit)) * s.stride, 128);
 }
 
 // A stack entry: the distance's bits above the child. Distances are not negative (nor -0), so entries are in

@@ -58,9 +58,9 @@ void writeHit(JsonWriter& json, const RayExplanation& ray, const SceneDescriptio
     json.key("lights").beginArray();
     for (const LightExplanation& light : ray.lights) writeLight(json, light, scene);
     json.endArray();
-    if (ray.reflection != NotCast::Nothing)
+    if (ray.reflection != TerminationReason::None)
         json.key("no_reflection").value(reasonNames[static_cast<int>(ray.reflection)]);
-    if (ray.refraction != NotCast::Nothing)
+    if (ray.refraction != TerminationReason::None)
         json.key("no_refraction").value(reasonNames[static_cast<int>(ray.refraction)]);
     json.key("rays").beginArray();
     for (const RayExplanation& next : ray.rays) writeRay(json, next, scene);

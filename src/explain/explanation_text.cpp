@@ -1,5 +1,6 @@
 #include "raytracer/explain/explanation_text.h"
 
+#include "raytracer/geometry/shapes.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/text.h"
 
@@ -17,13 +18,14 @@ std::string bytes(const glm::dvec3& color) {
     return formatted("(%d, %d, %d)", toByte(color.x), toByte(color.y), toByte(color.z));
 }
 
-const char* reasonText(NotCast reason) {
+const char* reasonText(TerminationReason reason) {
     switch (reason) {
-        case NotCast::MaxRecursion: return "no further ray: max_recursion is used up";
-        case NotCast::Black: return "no further ray: its factor is black";
-        case NotCast::Cutoff: return "no further ray: it could change the pixel by less than the cutoff";
-        case NotCast::TotalInternalReflection: return "total internal reflection: adds nothing";
-        case NotCast::Nothing: break;
+        case TerminationReason::MaxRecursion: return "no further ray: max_recursion is used up";
+        case TerminationReason::Black: return "no further ray: its factor is black";
+        case TerminationReason::Cutoff:
+            return "no further ray: it could change the pixel by less than the cutoff";
+        case TerminationReason::TotalInternalReflection: return "total internal reflection: adds nothing";
+        case TerminationReason::None: break;
     }
     return "left out";
 }
@@ -124,7 +126,7 @@ class Writer {
     }
 
     // Writes the reflected or refracted ray; returns its term of the sum's formula.
-    std::string onwards(const RayExplanation& ray, RayKind kind, NotCast reason, int depth) {
+    std::string onwards(const RayExplanation& ray, RayKind kind, TerminationReason reason, int depth) {
         const bool mirror = kind == RayKind::Reflection;
         const std::string term = mirror ? "K_R I_R" : "K_T I_T";
         const glm::dvec3& factor =
@@ -147,19 +149,7 @@ class Writer {
 }  // namespace
 
 std::string faceName(ShapeType type, std::size_t primitive) {
-    using Type = ShapeType;
-    constexpr const char* cylinder[] = {"body", "top", "bottom"};
-    constexpr const char* cone[] = {"body", "bottom"};
-    constexpr const char* cube[] = {"x = 1", "x = -1", "y = 1", "y = -1", "z = 1", "z = -1"};
-    switch (type) {
-        case Type::Cylinder: return cylinder[primitive];
-        case Type::Cone: return cone[primitive];
-        case Type::Cube: return cube[primitive];
-        case Type::Mesh: return "triangle " + std::to_string(primitive);
-        case Type::Sphere:
-        case Type::Plane: break;
-    }
-    return "";
+    return visit(type, [&](auto kind) { return kind.faceName(primitive); });
 }
 
 std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene) {

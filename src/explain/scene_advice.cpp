@@ -1,3 +1,6 @@
+// In long double: the products of up to four numbers of the file neither overflow nor underflow, whatever the
+// unit of length.
+#define RAYTRACER_PRECISION_extended
 #include "raytracer/explain/scene_advice.h"
 
 #include <algorithm>
@@ -9,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "raytracer/scene/affine.h"
+#include "raytracer/geometry/shapes.h"
 #include "raytracer/scene/mesh_file.h"
 #include "raytracer/util/text.h"
 
@@ -17,9 +20,7 @@ namespace raytracer {
 
 namespace {
 
-// Products of up to four numbers of the file neither overflow nor underflow, whatever the unit of length.
-using Real = long double;
-using Vec = glm::vec<3, Real, glm::defaultp>;
+using Vec = Vec3;
 using Type = ShapeType;
 
 // The length of a unit vector written with three decimals has an error of at most sqrt(3) * 0.0005; the
@@ -114,30 +115,11 @@ PlacedShape placed(const SceneDescription& scene, const ShapeDescription& shape)
     return {&shape, affine, translation - eye, std::max(largest(translation), largest(eye))};
 }
 
-// The support function of the shape in object space: the largest n . p of its points.
-Real support(const ShapeDescription& shape, const Vec& n) {
-    const Real around = std::sqrt(n.x * n.x + n.y * n.y);
-    switch (shape.type) {
-        case Type::Sphere: return glm::length(n);
-        case Type::Cylinder: return around + std::max(n.z, Real(0));
-        case Type::Cone: return std::max(around, n.z);
-        case Type::Cube: return std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-        case Type::Mesh: {
-            const MeshData& mesh = *shape.mesh;
-            const Vec corner(n.x > 0 ? mesh.high.x : mesh.low.x, n.y > 0 ? mesh.high.y : mesh.low.y,
-                             n.z > 0 ? mesh.high.z : mesh.low.z);
-            return glm::dot(n, corner);
-        }
-        case Type::Plane: break;
-    }
-    return std::numeric_limits<Real>::infinity();
-}
-
 const char* whereBeyond(const PlacedShape& placed, const View& view) {
     for (const Bound& bound : view.bounds) {
         const Vec& n = bound.normal;
-        const Real radius =
-            support(*placed.shape, n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2));
+        const Real radius = support(placed.shape->type, placed.shape->mesh.get(),
+                                    n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2));
         const Real error =
             margin * (glm::length(n) * placed.magnitude + std::abs(radius) + std::abs(bound.least));
         if (glm::dot(n, placed.center) + radius < bound.least - error) return bound.beyond;
@@ -175,18 +157,12 @@ bool anyShowsOthers(const SceneDescription& scene, const View& view) {
     });
 }
 
-// The depth of a point inside of the solid, in object units; 0 or less on the surface and outside.
-Real depth(Type type, const Vec& p) {
-    const Real radius = std::sqrt(p.x * p.x + p.y * p.y);
-    switch (type) {
-        case Type::Sphere: return 1 - glm::length(p);
-        case Type::Cylinder: return std::min({1 - radius, p.z, 1 - p.z});
-        case Type::Cone: return std::min(1 - p.z - radius, p.z);
-        case Type::Cube: return 1 - largest(p);
-        case Type::Plane:
-        case Type::Mesh: break;
-    }
-    return 0;
+// Whether the point is inside of the solid by more than rounding, in object units.
+bool isDeepInside(Type type, const Vec& p) {
+    return visit(type, [&](auto kind) {
+        if constexpr (requires { kind.offset(p); }) return kind.offset(p) < -margin;
+        else return false;
+    });
 }
 
 // `point` is relative to the eye. Most points are outside of the solid's world box, which needs no inverse.
@@ -201,7 +177,7 @@ bool isInside(const PlacedShape& solid, const Vec& point) {
     for (int i = 0; i < 3; ++i)
         object[i] =
             inverse->entry[i][0] * from.x + inverse->entry[i][1] * from.y + inverse->entry[i][2] * from.z;
-    return depth(solid.shape->type, object) > margin;
+    return isDeepInside(solid.shape->type, object);
 }
 
 void adviseOnCamera(const CameraDescription& camera, Lines& lines) {

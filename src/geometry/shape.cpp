@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "raytracer/geometry/shape_formulas.h"
+#include "raytracer/geometry/shapes.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -19,7 +19,31 @@ bool isUniform(const Mat3& m) {
     return off <= squares[0][0] / 1024;
 }
 
+struct Box {
+    Vec3 low, high;
+};
+
+// Around the shape, mapped by a linear map and a translation.
+Box boxAround(const Shape& shape, const Mat3& linear, const Vec3& translation) {
+    const MeshData* mesh = shape.type() == ShapeType::Mesh ? &shape.triangles().data() : nullptr;
+    const Mat3 rows = glm::transpose(linear);
+    Box box{translation, translation};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] -= support(shape.type(), mesh, -rows[axis]);
+        box.high[axis] += support(shape.type(), mesh, rows[axis]);
+    }
+    return box;
+}
+
 }  // namespace
+
+void Shape::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
+
+Intersection Shape::surfaceAt(const Ray& ray, const Hit& hit) const { return surface(ray, hit); }
+
+bool Shape::touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const {
+    return visit(type_, [&](auto kind) { return kind.touches(*this, point, pointError, primitive); });
+}
 
 Intersection Shape::rayIntersect(const Ray& ray) const {
     HitQuery query;
@@ -27,100 +51,27 @@ Intersection Shape::rayIntersect(const Ray& ray) const {
     return query.found() ? surfaceAt(ray, query.nearest()) : Intersection{};
 }
 
-bool Shape::widened(const Vec3& centerObject, const Vec3& sizeObject, const Vec3& half, FloatBox& box) const {
+// Widened by what the arithmetic of `intersect` may be off by.
+bool Shape::bounds(FloatBox& box) const {
     constexpr Real worst =
-        1 << 20;  // a worse transform would widen the whole tree's rays: better no box for this one
-    const Mat3 sizes = abs(transform_.linear());
+        1 << 20;  // a worse one would widen the whole tree's rays: better no box for this one
     const Real conditioning = transform_.conditioning();
     if (!(conditioning <= worst)) return false;
     // A hit may lie off the surface by as much as a root of the roundoff (at a cone's apex), in units of the
     // shape's size; and by some roundings of the numbers that place it.
-    const Vec3 size = sizes * sizeObject;
-    const Real place = maxComponent(abs(transform_.translation()) + sizes * abs(centerObject) + size);
-    const Vec3 margin = 16 * coincidenceWindow * size + gamma(32) * conditioning * place;
-    const Vec3 center = transform_.pointToWorld(centerObject), low = center - half - margin,
-               high = center + half + margin;
+    const Box object = boxAround(*this, Mat3(1), Vec3(0)),
+              world = boxAround(*this, transform_.linear(), transform_.translation());
+    const Mat3 sizes = abs(transform_.linear());
+    const Vec3 size = sizes * (object.high / Real(2) - object.low / Real(2));
+    const Vec3 far = abs(transform_.translation()) + sizes * glm::max(abs(object.low), abs(object.high));
+    const Vec3 margin = 16 * coincidenceWindow * size + gamma(32) * conditioning * maxComponent(far);
     for (int axis = 0; axis < 3; ++axis) {
-        box.low[axis] = floatBelow(static_cast<double>(low[axis]));
-        box.high[axis] = floatAbove(static_cast<double>(high[axis]));
+        box.low[axis] = floatBelow(static_cast<double>(world.low[axis] - margin[axis]));
+        box.high[axis] = floatAbove(static_cast<double>(world.high[axis] + margin[axis]));
     }
+    box.ball = isUniform(transform_.linear()) && visit(type_, [](auto kind) { return kind.isBall; });
     return Bvh::usable(box);
 }
-
-// Sphere
-
-void Sphere::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
-
-Intersection Sphere::surfaceAt(const Ray& ray, const Hit& hit) const { return surface(ray, hit); }
-
-bool Sphere::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
-    return touchesOffset(point, pointError, SphereOffset());
-}
-
-bool Sphere::bounds(FloatBox& box) const {
-    const Mat3& m = transform_.linear();
-    box.ball = isUniform(m);
-    return widened(Vec3(0), Vec3(1), glm::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]), box);
-}
-
-// Cylinder
-
-void Cylinder::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
-
-Intersection Cylinder::surfaceAt(const Ray& ray, const Hit& hit) const { return surface(ray, hit); }
-
-bool Cylinder::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
-    return touchesOffset(point, pointError, CylinderOffset());
-}
-
-bool Cylinder::bounds(FloatBox& box) const {
-    const Mat3& m = transform_.linear();
-    const Vec3 half = glm::sqrt(m[0] * m[0] + m[1] * m[1]) + abs(m[2]) / Real(2);
-    return widened({0, 0, Real(0.5)}, {1, 1, Real(0.5)}, half, box);
-}
-
-// Cone
-
-void Cone::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
-
-Intersection Cone::surfaceAt(const Ray& ray, const Hit& hit) const { return surface(ray, hit); }
-
-bool Cone::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
-    return touchesOffset(point, pointError, ConeOffset());
-}
-
-// Around the base and the apex.
-bool Cone::bounds(FloatBox& box) const {
-    const Mat3& m = transform_.linear();
-    const Vec3 base = glm::sqrt(m[0] * m[0] + m[1] * m[1]), middle = m[2] / Real(2);
-    return widened({0, 0, Real(0.5)}, {1, 1, Real(0.5)}, glm::max(base + abs(middle), abs(middle)), box);
-}
-
-// Cube
-
-void Cube::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
-
-Intersection Cube::surfaceAt(const Ray& ray, const Hit& hit) const { return surface(ray, hit); }
-
-bool Cube::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
-    return touchesOffset(point, pointError, CubeOffset());
-}
-
-bool Cube::bounds(FloatBox& box) const {
-    return widened(Vec3(0), Vec3(1), abs(transform_.linear()) * Vec3(1), box);
-}
-
-// Plane
-
-void Plane::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
-
-Intersection Plane::surfaceAt(const Ray& ray, const Hit& hit) const { return surface(ray, hit); }
-
-bool Plane::touches(const Vec3& point, const Vec3& pointError, std::uint32_t) const {
-    return touchesPlane(point, pointError);
-}
-
-bool Plane::bounds(FloatBox&) const { return false; }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

@@ -1,5 +1,7 @@
 #include "raytracer/tracer/explain.h"
 
+#include "pixel_colors.h"
+
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
@@ -21,35 +23,37 @@ class Recorder final : public Observer {
         open_.push_back(std::move(explanation));
     }
 
-    void meet(const ShadingPoint& point) override {
+    void meet(const Intersection& hit, const Color& K_D) override {
         RayExplanation& ray = open_.back();
-        const Intersection& hit = *point.hit;
         ray.hit = true;
         ray.shape = hit.shape->index();
         ray.primitive = hit.primitive;
-        ray.entering = point.entering;
+        ray.entering = hit.entering;
         ray.t = static_cast<double>(std::scalbn(hit.t, scene_->frame.exponent - directionExponent(ray.kind)));
         ray.position = pointInFile(hit.position);
         ray.normal = glm::dvec3(hit.normal);
         if (hit.material->diffuse_texture) ray.texCoord = glm::dvec2(hit.texCoord);
-        ray.K_D = glm::dvec3(point.K_D);
+        ray.K_D = glm::dvec3(K_D);
     }
 
-    void light(const DirectLight& direct, const Shadow* shadow, const Color& sum) override {
-        LightExplanation light;
-        light.ambient = glm::dvec3(direct.ambient);
-        light.N_L = static_cast<double>(direct.N_L);
-        light.V_R = static_cast<double>(direct.V_R);
-        light.diffuse = glm::dvec3(direct.diffuse);
-        light.specular = glm::dvec3(direct.specular);
-        light.asked = shadow != nullptr;
-        if (shadow && shadow->by) light.shadowedBy = shadow->by->index();
-        if (shadow) light.S_L = glm::dvec3(shadow->factor);
-        light.sum = glm::dvec3(sum);
-        open_.back().lights.push_back(light);
+    void shadow(const Shape* by, const Color& S_L) override {
+        light_.asked = true;
+        if (by) light_.shadowedBy = by->index();
+        light_.S_L = glm::dvec3(S_L);
     }
 
-    void notCast(RayKind kind, NotCast reason) override {
+    void light(const DirectLight& direct, const Color& sum) override {
+        light_.ambient = glm::dvec3(direct.ambient);
+        light_.N_L = static_cast<double>(direct.N_L);
+        light_.V_R = static_cast<double>(direct.V_R);
+        light_.diffuse = glm::dvec3(direct.diffuse);
+        light_.specular = glm::dvec3(direct.specular);
+        light_.sum = glm::dvec3(sum);
+        open_.back().lights.push_back(light_);
+        light_ = {};
+    }
+
+    void terminate(RayKind kind, TerminationReason reason) override {
         (kind == RayKind::Reflection ? open_.back().reflection : open_.back().refraction) = reason;
     }
 
@@ -86,6 +90,7 @@ class Recorder final : public Observer {
     }
 
     const Scene* scene_;
+    LightExplanation light_;            // whose shadow ray comes first
     std::vector<RayExplanation> open_;  // the ray being followed, under those that led to it
 };
 
@@ -97,10 +102,12 @@ RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, in
     once.samples = 1;
     once.pass = Pass::Color;
     const auto brightest = scene.brightestColors(options.max_recursion);
-    RenderContext context{&once, options.cutoff > 0 ? brightest.data() : nullptr, &recorder};
+    RenderCounts counts;
+    const RenderContext context{&once, options.cutoff > 0 ? brightest.data() : nullptr, &counts};
     const PixelPlace pixel{x, y};
+    Observer* const observer = &recorder;
     Color color;
-    scene.pixelColors({&pixel, 1}, {&color, 1}, context);
+    pixelColors(scene, {&pixel, 1}, {&color, 1}, context, {&observer, 1});
     return recorder.take();
 }
 

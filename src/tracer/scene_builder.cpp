@@ -7,9 +7,7 @@
 #include <numeric>
 
 #include "raytracer/bvh/spatial_order.h"
-#include "raytracer/geometry/mesh.h"
-#include "raytracer/tracer/explain.h"
-#include "raytracer/tracer/renderer.h"
+#include "raytracer/tracer/packet_tracer.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -52,22 +50,6 @@ Light buildLight(const LightDescription& description, const SceneFrame& frame) {
 // Shapes that name the same OBJ file share its triangles.
 using MeshCache = std::map<const MeshData*, std::shared_ptr<const TriangleMesh>>;
 
-std::unique_ptr<Shape> buildShape(const ShapeDescription& description, const Transform& transform,
-                                  const Material& material, std::uint32_t index, const BuildOptions& options,
-                                  MeshCache& meshes) {
-    switch (description.type) {
-        case ShapeType::Sphere: return std::make_unique<Sphere>(transform, material, index);
-        case ShapeType::Plane: return std::make_unique<Plane>(transform, material, index);
-        case ShapeType::Cylinder: return std::make_unique<Cylinder>(transform, material, index);
-        case ShapeType::Cone: return std::make_unique<Cone>(transform, material, index);
-        case ShapeType::Cube: return std::make_unique<Cube>(transform, material, index);
-        case ShapeType::Mesh: break;
-    }
-    auto& triangles = meshes[description.mesh.get()];
-    if (!triangles) triangles = std::make_shared<TriangleMesh>(description.mesh, options);
-    return std::make_unique<Mesh>(transform, material, index, triangles);
-}
-
 // The order in which many shapes are made, and so lie in memory: those that are near each other, which the
 // same rays meet, side by side.
 std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
@@ -98,64 +80,45 @@ void prefetch(const SceneDescription& description, const std::vector<std::uint32
         __builtin_prefetch(transform + byte);
 }
 
-class SceneRenderer final : public Renderer {
-  public:
-    SceneRenderer(const SceneDescription& description, const BuildOptions& options)
-        : scene_(buildScene(description, options)) {}
-
-    RenderCounts render(const RenderOptions& options, PixelSink& sink,
-                        ProgressListener* progress) const override {
-        return scene_->render(options, sink, progress);
+std::vector<Shape> buildShapes(const SceneDescription& description, const SceneFrame& frame,
+                               const std::vector<Material>& materials, const BuildOptions& options) {
+    std::vector<Shape> shapes;
+    shapes.reserve(description.shapes.size());
+    MeshCache meshes;
+    const std::vector<std::uint32_t> order = orderOfMaking(description);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        prefetch(description, order, i);
+        const ShapeDescription& shape = description.shapes[order[i]];
+        // Composed anew: cheaper than to keep what was composed for the frame.
+        const Transform transform(frame.toFrame(compose(description.transforms[shape.transform])));
+        std::shared_ptr<const TriangleMesh> triangles;
+        if (shape.mesh) {
+            triangles = meshes[shape.mesh.get()];
+            if (!triangles) triangles = std::make_shared<TriangleMesh>(shape.mesh, options);
+            meshes[shape.mesh.get()] = triangles;
+        }
+        shapes.emplace_back(shape.type, transform, materials[shape.material], order[i], std::move(triangles));
     }
-
-    RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
-                              std::span<glm::dvec3> colors) const override {
-        return scene_->renderPixels(options, pixels, colors);
-    }
-
-    RenderCounts rayTrees(const RenderOptions& options, std::span<const PixelPlace> pixels,
-                          RayTrees& trees) const override {
-        return scene_->rayTrees(options, pixels, trees);
-    }
-
-    RayExplanation explain(const RenderOptions& options, int x, int y) const override {
-        return explainPixel(*scene_, options, x, y);
-    }
-
-  private:
-    std::unique_ptr<const Scene> scene_;
-};
+    return shapes;
+}
 
 }  // namespace
 
-std::unique_ptr<Scene> buildScene(const SceneDescription& description, const BuildOptions& options) {
+std::unique_ptr<const Scene> buildScene(const SceneDescription& description, const BuildOptions& options) {
     auto scene = std::make_unique<Scene>();
-    const SceneFrame frame = chooseFrame(description);
-    scene->frame = frame;
-    scene->camera = Camera(description.camera, frame);
+    scene->frame = chooseFrame(description);
+    scene->camera = Camera(description.camera, scene->frame);
     for (const TextureDescription& texture : description.textures) scene->textures.push_back(texture.texture);
     for (const MaterialDescription& material : description.materials)
         scene->materials.push_back(buildMaterial(material, description));
     for (const LightDescription& light : description.lights)
-        scene->lights.push_back(buildLight(light, frame));
-    MeshCache meshes;
-    scene->shapes.reserve(description.shapes.size());
-    const std::vector<std::uint32_t> order = orderOfMaking(description);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        prefetch(description, order, i);
-        const std::uint32_t index = order[i];
-        const ShapeDescription& shape = description.shapes[index];
-        // Composed anew: cheaper than to keep what was composed for the frame.
-        const Transform transform(frame.toFrame(compose(description.transforms[shape.transform])));
-        scene->shapes.push_back(
-            buildShape(shape, transform, scene->materials[shape.material], index, options, meshes));
-    }
-    scene->index(options);
+        scene->lights.push_back(buildLight(light, scene->frame));
+    scene->shapes = buildShapes(description, scene->frame, scene->materials, options);
+    scene->tree = ShapeTree(scene->shapes, options);
+    scene->hasRefractiveShape = std::any_of(scene->shapes.begin(), scene->shapes.end(),
+                                            [](const Shape& shape) { return shape.material().refractive; });
+    if (options.accelerator == Accelerator::Bvh) scene->packets = packetKernel(options.instructionSet);
     return scene;
-}
-
-std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& description, const BuildOptions& options) {
-    return std::make_unique<SceneRenderer>(description, options);
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -238,14 +238,14 @@ TEST_CASE("total internal reflection, from inside, and the end of the recursion"
         CHECK(beyond.max_recursion == 1);
     }
     SECTION("max_recursion") {
-        CHECK(scene.explain(0, 0, 1, 0).refraction == NotCast::MaxRecursion);
+        CHECK(scene.explain(0, 0, 1, 0).refraction == TerminationReason::MaxRecursion);
         const RayExplanation ray = scene.explain(0, 0, 1, 1);
-        CHECK(ray.refraction == NotCast::Nothing);
-        CHECK(onwards(ray, RayKind::Refraction).refraction == NotCast::MaxRecursion);
+        CHECK(ray.refraction == TerminationReason::None);
+        CHECK(onwards(ray, RayKind::Refraction).refraction == TerminationReason::MaxRecursion);
     }
     SECTION("a black factor") {
         scene.materials[1].color_refract = glm::dvec3(0);
-        CHECK(scene.explainCentre().refraction == NotCast::Black);
+        CHECK(scene.explainCentre().refraction == TerminationReason::Black);
     }
     SECTION("total internal reflection") {
         scene.transforms[0].translate = glm::dvec3(0);
@@ -255,7 +255,7 @@ TEST_CASE("total internal reflection, from inside, and the end of the recursion"
         scene.materials[1].index_of_refraction = 4;
         const RayExplanation ray = scene.explainCentre();
         CHECK_FALSE(ray.entering);
-        CHECK(ray.refraction == NotCast::TotalInternalReflection);
+        CHECK(ray.refraction == TerminationReason::TotalInternalReflection);
         CHECK(ray.rays.empty());
     }
 }

@@ -7,37 +7,26 @@
 #include <string>
 #include <vector>
 
-#include "raytracer/geometry/mesh.h"
+#include "raytracer/geometry/shapes.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 namespace test {
 
-enum class Kind { Sphere, Plane, Cylinder, Cone, Cube, Mesh };
+using Kind = ShapeType;
 inline constexpr std::array<Kind, 6> allKinds{Kind::Sphere, Kind::Plane, Kind::Cylinder,
                                               Kind::Cone,   Kind::Cube,  Kind::Mesh};
 inline constexpr std::array<Kind, 5> allSolids{Kind::Sphere, Kind::Cylinder, Kind::Cone, Kind::Cube,
                                                Kind::Mesh};
 
-inline const char* nameOf(Kind kind) {
-    constexpr const char* names[] = {"sphere", "plane", "cylinder", "cone", "cube", "mesh"};
-    return names[static_cast<int>(kind)];
-}
+inline const char* nameOf(Kind kind) { return typeName(kind); }
 
 inline std::unique_ptr<Shape> makeShape(Kind kind, const Affine& worldFromObject, const Material& material,
                                         std::shared_ptr<const MeshData> mesh = nullptr,
                                         std::uint32_t index = 0) {
-    const Transform transform(worldFromObject);
-    switch (kind) {
-        case Kind::Sphere: return std::make_unique<Sphere>(transform, material, index);
-        case Kind::Plane: return std::make_unique<Plane>(transform, material, index);
-        case Kind::Cylinder: return std::make_unique<Cylinder>(transform, material, index);
-        case Kind::Cone: return std::make_unique<Cone>(transform, material, index);
-        case Kind::Cube: return std::make_unique<Cube>(transform, material, index);
-        case Kind::Mesh: break;
-    }
-    return std::make_unique<Mesh>(transform, material, index,
-                                  std::make_shared<TriangleMesh>(std::move(mesh), BuildOptions{}));
+    std::shared_ptr<const TriangleMesh> triangles;
+    if (kind == Kind::Mesh) triangles = std::make_shared<TriangleMesh>(std::move(mesh), BuildOptions{});
+    return std::make_unique<Shape>(kind, Transform(worldFromObject), material, index, std::move(triangles));
 }
 
 // The judge's arithmetic.

@@ -48,7 +48,7 @@ class WatertightTest {
     void makeStar() {
         data_ = starMesh(center_, random_);
         triangles_ = std::make_shared<TriangleMesh>(data_, BuildOptions{});
-        mesh_.emplace(Transform(), material_, 0, triangles_);
+        mesh_.emplace(ShapeType::Mesh, Transform(), material_, 0, triangles_);
     }
 
     void cross(const Vec3& origin, const Vec3& direction, bool inside) {
@@ -71,7 +71,7 @@ class WatertightTest {
     std::shared_ptr<const MeshData> data_;
     std::shared_ptr<const TriangleMesh> triangles_;
     Material material_;
-    std::optional<Mesh> mesh_;
+    std::optional<Shape> mesh_;
     Crossings result_;
 };
 

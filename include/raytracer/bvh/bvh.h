@@ -30,14 +30,12 @@ struct FloatBox {
     bool ball = false;  // it is a cube but for rounding, and what is in it lies in the ball inscribed in it
 };
 
-// What a box's primitive is called: less than 2^30. Either a number of the caller's, or its place in memory,
-// so that the tree can ask for it before it is needed.
+// What boxes' primitives are called: numbers of the caller's, less than 2^30. Where these are places in an
+// array, the tree can ask for a primitive's memory before it is needed.
 struct BvhNames {
-    static constexpr std::uint32_t limit = std::uint32_t{1} << 30;
-    static constexpr std::size_t unit = 16;  // bytes
-
     std::vector<std::uint32_t> names;
-    const char* start = nullptr;  // a name is a distance from here, in units; null: just a number
+    const char* start = nullptr;  // of the array, if any
+    std::size_t stride = 0;       // bytes
 };
 
 // The nearest floats that are surely below and above; coordinates beyond the range of float become infinite.
@@ -103,6 +101,7 @@ struct BvhFrame {
     std::size_t count = 0;                  // of primitives
     bool triangles = false, balls = false;  // what kinds of leaves there are beside boxes
     const char* objects = nullptr;          // BvhNames::start
+    std::size_t stride = 0;                 // BvhNames::stride
 };
 
 struct BvhKernel;
@@ -143,6 +142,7 @@ struct BvhTraversal {
     const BvhNode* nodes;
     const std::uint32_t* words;  // null for boxes
     const char* objects;         // BvhNames::start
+    std::size_t stride;          // BvhNames::stride
     bool balls;                  // some boxes have a ball in them
 
     // For each axis: 1 / direction, the same a little larger (growth), and what a plane's distance is to be

@@ -1,26 +1,13 @@
-// What a traversal is looking for, and the best it has seen.
+// What a traversal is looking for, and the best it has seen: for one ray, or for each of several.
 //
 // A query's answer is a function of the set of hits offered, never of their order, so that a tree, a list and
 // any number of lanes give the same picture.
 #pragma once
 
-#include <cstdint>
-
-#include "raytracer/geometry/ray.h"
+#include "raytracer/geometry/shape.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
-
-// A hit as the traversal carries it.
-template <class T>
-struct HitT {
-    T t = infinity;
-    const Shape* shape = nullptr;  // null: nothing hit
-    Primitive<T> primitive{};
-    bool entering =
-        false;  // it meets the exterior side: known by the shape's geometry, not by a rounded normal
-};
-using Hit = HitT<Real>;
 
 // Whether a's shape stands first in the scene file, or within one shape a's primitive first.
 bool isListedBefore(const Hit& a, const Hit& b);
@@ -30,61 +17,173 @@ struct RayEnd {
     Vec3 position{0};
 };
 
-class HitQuery {
+template <class T>
+class HitQueryT {
   public:
-    // The nearest hit of all.
-    HitQuery() = default;
+    // For the active lanes: the nearest hit of all.
+    explicit HitQueryT(LaneBits active = allLanesOf<T>)
+        : active_(active), limit_(select(maskOf<T>(active), T(std::numeric_limits<Real>::max()), T(-1))) {}
 
     // The nearest hit before t = 1; with `any`, any of them.
-    HitQuery(const RayEnd& end, bool any) : limit_(1 - unitRoundoff), end_(&end), any_(any) {}
+    HitQueryT(const RayEnd& end, bool any, LaneBits active = allLanesOf<T>)
+        : active_(active),
+          limit_(select(maskOf<T>(active), T(1 - unitRoundoff), T(-1))),
+          end_(&end),
+          any_(any) {}
 
-    // What a packet of rays asks of one of them: hits up to a limit, before an end if there is one.
-    HitQuery(const RayEnd* end, bool any, Real limit) : limit_(limit), end_(end), any_(any) {}
+    // Of a ray alone: what `query` still asks of one of its lanes.
+    template <class U>
+    HitQueryT(const HitQueryT<U>& query, int lane)
+        : active_(1), limit_(laneOf(query.limit_, lane)), end_(query.end_), any_(query.any_) {}
 
-    // The first shape in the scene file, and of it the first primitive, that goes through `point` (known to
-    // within pointError) and is hit at the t of `nearest`, but for rounding. Starts from `nearest` itself.
-    HitQuery(const Hit& nearest, const Vec3& point, const Vec3& pointError)
-        : nearest_(nearest),
-          limit_(nearest.t * (1 + coincidenceWindow)),
-          point_(&point),
-          pointError_(&pointError) {}
+    // Of a ray alone: the first shape in the scene file, and of it the first primitive, that goes through
+    // `point` (known to within pointError) and is hit at the t of `nearest`, but for rounding. Starts from
+    // `nearest` itself.
+    HitQueryT(const Hit& nearest, const Vec3& point, const Vec3& pointError)
+        : active_(1), limit_(nearest.t * (1 + coincidenceWindow)), point_(&point), pointError_(&pointError) {
+        set(0, nearest);
+    }
 
-    // Hits beyond this t are of no interest: what a traversal may cull by.
-    Real limit() const { return limit_; }
+    LaneBits active() const { return active_; }
 
-    // The answer.
-    const Hit& nearest() const { return nearest_; }
-    bool found() const { return nearest_.shape != nullptr; }
+    // Hits beyond this t are of no interest: what a traversal may cull by. Below 0 in a lane that wants none.
+    const T& limit() const { return limit_; }
 
     // No further hit can change the answer.
-    bool done() const { return any_ && found(); }
+    bool done() const { return any_ && found_ == active_; }
 
-    // Another hit lies so near to the nearest one that the two might coincide: ask for the first of them.
-    bool contended() const { return contended_; }
-
-    void offer(bool hit, Real t, const Shape& shape, std::uint32_t primitive, bool entering) {
-        if (hit && t <= limit_) consider(Hit{t, &shape, primitive, entering});
+    // The lanes that have hit something, and the answer of each.
+    LaneBits found() const { return found_; }
+    Hit nearest(int lane = 0) const {
+        return {laneOf(nearest_, lane), shape_[lane], laneOf(primitive_, lane), (entering_ >> lane & 1) != 0};
     }
-    void offerFace(bool hit, Real t, const Shape& shape, Real face, bool entering) {
-        offer(hit, t, shape, static_cast<std::uint32_t>(face), entering);
+
+    // The lanes in which another hit lies so near to the nearest one that the two might coincide: ask for the
+    // first of them.
+    LaneBits contended() const { return any_ ? 0 : contended_; }
+    void set(int lane, const Hit& hit) {
+        found_ |= bitOf(lane);
+        setLane(nearest_, lane, hit.t);
+        shape_[lane] = hit.shape;
+        setLane(primitive_, lane, hit.primitive);
+        entering_ = hit.entering ? entering_ | bitOf(lane) : entering_ & ~bitOf(lane);
+    }
+
+    // Those of these lanes that met the same face of the same shape as the first of them, from the same side;
+    // of a mesh, any triangle.
+    LaneBits coherent(LaneBits lanes) const {
+        if constexpr (laneCountOf<T> == 1) return lanes;
+        const int first = firstLane(lanes);
+        const bool anyPrimitive = shape_[first]->type() == ShapeType::Mesh;
+        LaneBits same = 0;
+        for (int lane = 0; lane < laneCountOf<T>; ++lane) {
+            const bool face = (laneOf(primitive_, lane) == laneOf(primitive_, first)) | anyPrimitive;
+            same |= static_cast<LaneBits>((shape_[lane] == shape_[first]) & face) << lane;
+        }
+        return lanes & same & (entering_ >> first & 1 ? entering_ : ~entering_);
+    }
+
+    // The answers of coherent lanes; the others hold what the first of those has.
+    HitT<T> hits(LaneBits coherent) const {
+        const int first = firstLane(coherent);
+        const HitT<T> hit{nearest_, shape_[first], primitive_, (entering_ >> first & 1) != 0};
+        if (laneCountOf<T> == 1 || coherent == allLanesOf<T>) return hit;
+        return {filled(hit.t, coherent), hit.shape, filled(hit.primitive, coherent), hit.entering};
+    }
+
+    // A shape's hits: where `hit`, and t is not beyond the limit. A face is a number of T.
+    void offer(Truth<T> hit, const T& t, const Shape& shape, std::uint32_t primitive, Truth<T> entering) {
+        consider(bits(hit & (t <= limit_)), t, shape, bits(entering), [&](int) { return primitive; });
+    }
+    void offerFace(Truth<T> hit, const T& t, const Shape& shape, const T& face, Truth<T> entering) {
+        if constexpr (laneCountOf<T> == 1) {
+            offer(hit, t, shape, static_cast<std::uint32_t>(face), entering);
+        } else {
+            // By way of what registers can convert.
+            consider(bits(hit & (t <= limit_)), t, shape, bits(entering), [&](int lane) {
+                return static_cast<std::uint32_t>(static_cast<std::int32_t>(laneOf(face, lane)));
+            });
+        }
+    }
+
+    // The answer for a lane that was asked for alone.
+    void offer(int lane, const HitQueryT<Real>& alone) {
+        tests += alone.tests;
+        if (alone.found_ == 0) return;
+        if (alone.contended_ != 0) contended_ |= bitOf(lane);
+        const Hit hit = alone.nearest();
+        consider(bitOf(lane), T(hit.t), *hit.shape, hit.entering ? bitOf(lane) : 0,
+                 [&](int) { return hit.primitive; });
     }
 
     // Intersection tests made, for --stats.
     std::uint64_t tests = 0;
-    void count() { ++tests; }
+    void count() { tests += countLanes<T>(active_); }
 
   private:
-    void consider(const Hit& hit);
-    void considerCoincident(const Hit& hit);
+    template <class U>
+    friend class HitQueryT;
 
-    Hit nearest_;
-    Real limit_ = std::numeric_limits<Real>::max();  // a t that overflows is no hit
+    static LaneBits bitOf(int lane) { return LaneBits{1} << lane; }
+
+    template <class PrimitiveOf>
+    void consider(LaneBits which, const T& t, const Shape& shape, LaneBits entering,
+                  PrimitiveOf primitiveOf) {
+        if (which == 0) return;
+        if constexpr (laneCountOf<T> == 1)
+            if (point_) return considerCoincident({t, &shape, primitiveOf(0), entering != 0});
+        if (end_) which &= ~throughEnd(which, t, shape, primitiveOf);
+        const LaneBits taken = which & ~notNearer(which & found_, t, shape, primitiveOf);
+        if (taken == 0) return;
+        const Truth<T> takes = maskOf<T>(taken);
+        nearest_ = select(takes, t, nearest_);
+        limit_ = select(takes, any_ ? T(-1) : min(limit_, t * T(1 + coincidenceWindow)), limit_);
+        found_ |= taken;
+        entering_ = (entering_ & ~taken) | (entering & taken);
+        for (int lane = 0; lane < laneCountOf<T>; ++lane) {
+            const bool takesThis = (taken >> lane & 1) != 0;
+            shape_[lane] = takesThis ? &shape : shape_[lane];
+            setLane(primitive_, lane, takesThis ? primitiveOf(lane) : laneOf(primitive_, lane));
+        }
+    }
+
+    // The lanes whose hit is where the light itself lies on the surface.
+    template <class PrimitiveOf>
+    LaneBits throughEnd(LaneBits which, const T& t, const Shape& shape, PrimitiveOf primitiveOf) const {
+        LaneBits result = 0;
+        forEach<T>(which & bits(t >= T(1 - coincidenceWindow)), [&](int lane) {
+            if (shape.touches(end_->position, Vec3(0), primitiveOf(lane))) result |= bitOf(lane);
+        });
+        return result;
+    }
+
+    // The lanes, of those that have a hit, whose new one is not before that; and which of them are contended.
+    template <class PrimitiveOf>
+    LaneBits notNearer(LaneBits again, const T& t, const Shape& shape, PrimitiveOf primitiveOf) {
+        if (again == 0) return 0;
+        const T window = T(1 + coincidenceWindow);
+        contended_ |= again & bits((t <= nearest_ * window) & (nearest_ <= t * window));
+        LaneBits result = again & bits(!(t < nearest_));
+        forEach<T>(again & bits(t == nearest_), [&](int lane) {
+            if (isListedBefore({0, &shape, primitiveOf(lane), false}, nearest(lane))) result &= ~bitOf(lane);
+        });
+        return result;
+    }
+
+    void considerCoincident(const Hit& hit) {
+        if (isListedBefore(hit, nearest()) && hit.shape->touches(*point_, *pointError_, hit.primitive))
+            set(0, hit);
+    }
+
+    LaneBits active_, found_ = 0, contended_ = 0, entering_ = 0;
+    T limit_, nearest_ = T(infinity);
     const RayEnd* end_ = nullptr;
-    const Vec3* point_ = nullptr;
-    const Vec3* pointError_ = nullptr;
     bool any_ = false;
-    bool contended_ = false;
+    const Shape* shape_[laneCountOf<T>] = {};
+    Primitive<T> primitive_{};
+    const Vec3 *point_ = nullptr, *pointError_ = nullptr;
 };
+using HitQuery = HitQueryT<Real>;
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

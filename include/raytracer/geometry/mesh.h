@@ -1,122 +1,150 @@
-// A triangle mesh as a shape: watertight intersection.
+// A mesh of triangles; its faces are numbered in the order of the file.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <type_traits>
-#include <vector>
-
-#include "raytracer/bvh/build_options.h"
-#include "raytracer/geometry/shape.h"
-#include "raytracer/scene/mesh_file.h"
+#include "raytracer/geometry/culling.h"
+#include "raytracer/geometry/triangle_mesh.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// Which object axis is which for the watertight test: z has the largest component of the direction; x and y
-// are in the order that keeps the winding.
-struct ShearAxes {
-    int x, y, z;
-    bool operator==(const ShearAxes&) const = default;
-};
-ShearAxes shearAxes(const Vec3& direction);
+struct Mesh {
+    static constexpr ShapeType type = ShapeType::Mesh;
+    static constexpr bool isBall = false;
 
-// The ray's part of the watertight test (Woop, Benthin and Wald, JCGT 2013): the axes permuted and sheared so
-// that the ray becomes the z axis.
-template <class T>
-struct ShearedRayT {
-    ShearedRayT(const ObjectRayT<T>& ray, const ShearAxes& axes);
+    static std::string faceName(std::size_t triangle) { return "triangle " + std::to_string(triangle); }
 
-    Vec3T<T> origin;
-    ShearAxes axes;
-    T shearX, shearY, scaleZ;
-};
-
-// Where the line meets the triangle: t, and the weights of its corners. Exact about the inside: of the
-// triangles around an edge or a vertex of a closed mesh that the line passes through, it meets as many as if
-// it passed by an infinitesimal to the side.
-template <class T>
-struct LineHit {
-    Truth<T> hit;
-    Truth<T> entering;  // it comes from where the corners are counter-clockwise
-    T t;
-    T weight[3];
-};
-template <class T>
-LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3>& corner);
-
-// The geometry that shapes with the same OBJ file share.
-class TriangleMesh {
-  public:
-    explicit TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options = {});
-
-    std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(data_->triangleCount()); }
-    // The corners of a triangle, or of each ray's own.
-    template <class T>
-    std::array<Vec3T<T>, 3> corners(const Primitive<T>& triangle) const;
-    std::array<Vec2, 3> texCoords(std::uint32_t triangle) const;
-
-    // Where a line in object space meets one of the triangles.
-    LineHit<Real> meetLine(const ObjectRay& line, std::uint32_t triangle) const;
-
-    const Bvh& bvh() const { return bvh_; }  // empty where all triangles are to be tried
-
-    // The middle of a box around it, half its size, and the largest coordinates, without their signs.
-    const Vec3& center() const { return center_; }
-    const Vec3& size() const { return size_; }
-    const Vec3& largest() const { return largest_; }
-
-  private:
-    Vec3 position(std::uint32_t index) const {
-        if constexpr (std::is_same_v<Real, double>) return Vec3(data_->positions[index]);
-        else return positions_[index];
+    // Of the box around it.
+    static Real support(const MeshData& mesh, const Vec3& n) {
+        const Vec3 low(mesh.low), high(mesh.high);
+        return n.x * (n.x > 0 ? high : low).x + n.y * (n.y > 0 ? high : low).y +
+               n.z * (n.z > 0 ? high : low).z;
     }
 
-    std::shared_ptr<const MeshData> data_;
-    std::vector<Vec3> positions_;  // only where Real is not what data_ has
-    Vec3 center_{0}, size_{0}, largest_{0};
-    Bvh bvh_;
-};
-
-class Mesh final : public Shape {
-  public:
-    Mesh(const Transform& transform, const Material& material, std::uint32_t index,
-         std::shared_ptr<const TriangleMesh> triangles)
-        : Shape(ShapeKind::Mesh, transform, material, index), triangles_(std::move(triangles)) {}
-
-    void intersect(const Ray& ray, HitQuery& query) const override;
-    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
-    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t triangle) const override;
-
-    bool bounds(FloatBox& box) const override;
-
-    // Offers the hits of these triangles.
+    // By the cross product, not of unit length.
     template <class T>
-    struct MeshRay {
-        const RayT<T>& world;
-        ShearedRayT<T> sheared;
-    };
-    template <class T, class Query>
-    void meetTriangles(const MeshRay<T>& ray, std::span<const std::uint32_t> triangles, Query& query) const;
+    static Vec3T<T> normalOf(const std::array<Vec3T<T>, 3>& corner) {
+        return glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    }
+
+    // Whether the point may lie on the triangle's plane.
     template <class T>
-    IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit, const ShearAxes& axes) const;
+    static Truth<T> touches(const Shape& shape, const Vec3T<T>& point, const Vec3T<T>& pointError,
+                            std::uint32_t triangle) {
+        const auto corner = shape.triangles().corners<Real>(triangle);
+        const Vec3T<T> normal(normalOf(corner)), first(corner[0]),
+            relative = shape.transform().pointToObject(point) - first;
+        const Vec3T<T> error =
+            shape.transform().objectError(point, pointError) + T(gamma(6)) * (abs(relative) + abs(first));
+        return abs(glm::dot(normal, relative)) <= glm::dot(abs(normal), error);
+    }
 
     template <class T>
-    Truth<T> touchesTriangle(const Vec3T<T>& point, const Vec3T<T>& pointError, std::uint32_t triangle) const;
+    static void meet(const Shape& shape, const RayT<T>& ray, HitQueryT<T>& query) {
+        const TriangleMesh& mesh = shape.triangles();
+        const ObjectRayT<T> object = toObject(shape, ray);
+        ShearAxes axes;
+        if (commonAxes(object.direction, query.active(), axes) && !mesh.bvh().empty()) {
+            const auto slackFrom = [&](Real farthest) { return mesh.slackFrom(farthest); };
+            BvhCursor cursor(mesh.bvh(), cullingRay(object.origin, object.direction, slackFrom));
+            if (cursor.usable()) {
+                if (!nextPrimitives(cursor, query)) return;
+                const ShearedRayT<T> sheared(object, axes);
+                do meetTriangles(shape, ray, sheared, cursor.primitives(), query);
+                while (nextPrimitives(cursor, query));
+                return;
+            }
+        }
+        if constexpr (laneCountOf<T> == 1) {
+            const ShearedRayT<T> sheared(object, axes);
+            for (std::uint32_t triangle = 0; triangle < mesh.triangleCount() && !query.done(); ++triangle)
+                meetTriangles(shape, ray, sheared, {&triangle, 1}, query);
+        } else {
+            meetAlone(ray, query, [&](const Ray& one, HitQuery& alone) { shape.intersect(one, alone); });
+        }
+    }
 
-    // The ray in object space, made ready for the test: one that leaves this mesh starts a little off its
-    // triangle.
     template <class T>
-    ObjectRayT<T> toObject(const RayT<T>& ray) const;
-    // How far off a computed hit may be in object space: what BvhRay::slack is.
-    Real slackFrom(Real farthestOrigin) const;
+    static bool areCoherent(const Shape& shape, const RayT<T>& ray, LaneBits lanes) {
+        ShearAxes axes;
+        return commonAxes(shape.transform().toObject(ray).direction, lanes, axes);
+    }
 
-    const TriangleMesh& triangles() const { return *triangles_; }
+    template <class T>
+    static IntersectionT<T> surface(const Shape& shape, const RayT<T>& ray, const HitT<T>& hit) {
+        const auto corner = shape.triangles().corners<T>(hit.primitive);
+        const ObjectRayT<T> object = toObject(shape, ray);
+        const ShearAxes axes = shearAxes(laneOf(object.direction, 0));
+        const LineHit<T> line = intersectLine(ShearedRayT<T>(object, axes), corner);
+        const T* weight = line.weight;
+        const Vec3T<T> p = weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2];
+        IntersectionT<T> intersection = shape.place(hit, p, normalOf(corner));
+        // p is a sum that may cancel: its error goes with its terms.
+        const Vec3T<T> terms =
+            abs(weight[0] * corner[0]) + abs(weight[1] * corner[1]) + abs(weight[2] * corner[2]);
+        intersection.positionError += shape.transform().pointError(terms);
+        if (shape.wantsTexCoord())
+            forEachLane(hit.primitive, [&](int lane, std::uint32_t triangle) {
+                const auto uv = shape.triangles().texCoords(triangle);
+                setLane(intersection.texCoord, lane,
+                        laneOf(weight[0], lane) * uv[0] + laneOf(weight[1], lane) * uv[1] +
+                            laneOf(weight[2], lane) * uv[2]);
+            });
+        return intersection;
+    }
 
   private:
-    void intersectAll(const MeshRay<Real>& ray, HitQuery& query) const;
+    // A ray that leaves this mesh starts off its triangle's plane, on its own side, and within the edges, by
+    // more than the point may be wrong: from there the exact test of the line tells truly what it enters and
+    // leaves. On the point itself, at an edge, rounding would decide, and a ray into the mesh might pass it
+    // by.
+    template <class T>
+    static ObjectRayT<T> toObject(const Shape& shape, const RayT<T>& ray) {
+        ObjectRayT<T> object = shape.transform().toObject(ray);
+        if (ray.departure.shape != &shape) return object;
+        const auto corner = shape.triangles().corners<T>(ray.departure.primitive);
+        const Vec3T<T> error = shape.transform().objectError(ray.origin, ray.departure.positionError) +
+                               T(gamma(4)) * (abs(corner[0]) + abs(corner[1]) + abs(corner[2]));
+        const T margin = error.x + error.y + error.z;
+        const Vec3T<T> normal = normalOf(corner), up = normalized(normal);
+        const T area = glm::dot(normal, up);  // twice
+        Vec3T<T> weight, edge;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3T<T>&next = corner[static_cast<std::size_t>(i + 1) % 3],
+                  &last = corner[static_cast<std::size_t>(i + 2) % 3];
+            weight[i] = glm::dot(glm::cross(next - object.origin, last - object.origin), up);
+            edge[i] = sqrt(glm::dot(next - last, next - last));
+        }
+        // The distance from an edge is its weight over its length. A few margins, so that dihedral angles may
+        // be sharp; no more than there is where the triangle is smaller than its error.
+        const T longest = maxComponent(edge), least = min(T(8) * margin * longest, area / T(3));
+        for (int i = 0; i < 3; ++i) weight[i] = max(weight[i], least);
+        object.origin = (weight.x * corner[0] + weight.y * corner[1] + weight.z * corner[2]) /
+                        (weight.x + weight.y + weight.z);
+        const T off = least / (T(4) * longest);
+        object.origin += (ray.departure.inside ? -off : off) * up;
+        return object;
+    }
 
-    std::shared_ptr<const TriangleMesh> triangles_;
+    template <class T>
+    static void meetTriangles(const Shape& shape, const RayT<T>& ray, const ShearedRayT<T>& sheared,
+                              std::span<const std::uint32_t> triangles, HitQueryT<T>& query) {
+        const DepartureT<T>& departure = ray.departure;
+        for (const std::uint32_t triangle : triangles) {
+            const Truth<T> others =
+                !(departure.shape == &shape ? equals(departure.primitive, triangle) : T(0) < T(0));
+            if (!any(others)) continue;
+            query.count();
+            const auto corner = shape.triangles().corners<Real>(triangle);
+            const LineHit<T> line =
+                intersectLine(sheared, {Vec3T<T>(corner[0]), Vec3T<T>(corner[1]), Vec3T<T>(corner[2])});
+            if (!any(line.hit)) continue;
+            Truth<T> hit = others & line.hit & (line.t >= T(0)) & (line.t <= query.limit());
+            if (!any(hit)) continue;
+            if (departure.shape && departure.shape != &shape)
+                hit = hit & !touches(shape, ray.origin, departure.positionError, triangle);
+            query.offer(hit, line.t, shape, triangle, line.entering);
+        }
+    }
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

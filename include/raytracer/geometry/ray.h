@@ -33,5 +33,23 @@ struct RayT {
 using Departure = DepartureT<Real>;
 using Ray = RayT<Real>;
 
+template <class T>
+Ray laneOf(const RayT<T>& ray, int lane) {
+    const DepartureT<T>& departure = ray.departure;
+    return {laneOf(ray.origin, lane),
+            laneOf(ray.direction, lane),
+            {departure.shape, laneOf(departure.primitive, lane), departure.inside,
+             laneOf(departure.positionError, lane)}};
+}
+
+template <class T>
+RayT<T> filled(const RayT<T>& ray, LaneBits used) {
+    const DepartureT<T>& departure = ray.departure;
+    return {filled(ray.origin, used),
+            filled(ray.direction, used),
+            {departure.shape, filled(departure.primitive, used), departure.inside,
+             filled(departure.positionError, used)}};
+}
+
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

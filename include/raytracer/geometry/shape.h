@@ -1,13 +1,14 @@
-// The shapes of the assignment: where a ray meets them, and what their surface is like there.
+// A shape in a scene, and its surface at a hit.
 //
 // Two stages. `intersect` finds hits and offers them to a HitQuery as {t, shape, primitive}; `surfaceAt`
-// computes position, normal, texture coordinate and error bound once, for the hit that won.
+// computes position, normal, texture coordinate and error bound once, for the hit that won. What is different
+// from one type of shape to another stands in a file of its own (sphere.h, ...); shapes.h lists them.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "raytracer/bvh/bvh.h"
-#include "raytracer/geometry/hit_query.h"
 #include "raytracer/geometry/material.h"
 #include "raytracer/geometry/transform.h"
 #include "raytracer/scene/scene_description.h"
@@ -15,14 +16,27 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
+class TriangleMesh;
+template <class T>
+class HitQueryT;
+
+// A hit as the traversal carries it.
+template <class T>
+struct HitT {
+    T t = infinity;
+    const Shape* shape = nullptr;  // null: nothing hit
+    Primitive<T> primitive{};
+    bool entering = false;  // it meets the exterior side: known by geometry, not by a rounded normal
+};
+using Hit = HitT<Real>;
+
 // A hit, complete. All in world space.
 template <class T>
 struct IntersectionT {
     bool valid = false;
     T t{0};                // in units of the ray's direction
     Vec3T<T> position{0};  // on the surface: put back onto it in object space
-    Vec3T<T> normal{
-        0};  // unit length, towards the shape's exterior whatever the side that the ray comes from
+    Vec3T<T> normal{0};    // unit length, to the shape's exterior whatever side the ray comes from
     Vec2T<T> texCoord{0};  // (u, v), v up; only where the material has a texture
     const Material* material = nullptr;
 
@@ -33,165 +47,92 @@ struct IntersectionT {
 };
 using Intersection = IntersectionT<Real>;
 
-using ShapeKind = ShapeType;
+template <class T>
+Intersection laneOf(const IntersectionT<T>& hit, int lane) {
+    return {hit.valid,
+            laneOf(hit.t, lane),
+            laneOf(hit.position, lane),
+            laneOf(hit.normal, lane),
+            laneOf(hit.texCoord, lane),
+            hit.material,
+            hit.shape,
+            laneOf(hit.primitive, lane),
+            hit.entering,
+            laneOf(hit.positionError, lane)};
+}
 
-// Beside the virtual functions, for one ray, each shape has the same as templates, for one or several
-// (`meet`, `surface`), which src/shape_formulas.h and src/mesh_formulas.h define.
 class Shape {
   public:
-    Shape(ShapeKind kind, const Transform& transform, const Material& material, std::uint32_t index)
-        : transform_(transform), material_(&material), index_(index), kind_(kind) {}
-    virtual ~Shape() = default;
-    Shape(const Shape&) = delete;
-    Shape& operator=(const Shape&) = delete;
+    // A mesh has triangles, nothing else has.
+    Shape(ShapeType type, const Transform& transform, const Material& material, std::uint32_t index,
+          std::shared_ptr<const TriangleMesh> triangles = nullptr)
+        : transform_(transform),
+          material_(&material),
+          triangles_(std::move(triangles)),
+          index_(index),
+          type_(type) {}
 
     // Offers to the query the hits with t >= 0 that could matter to it: a convex shape its nearest, a mesh
     // one for each triangle. Never the point that the ray leaves (Departure): a ray that leaves a convex
     // solid outwards does not meet it again, one that enters it comes out exactly once, a plane or triangle
     // never meets its own ray; and of another shape that goes through the ray's origin (touches) the root at
     // the origin is dropped.
-    virtual void intersect(const Ray& ray, HitQuery& query) const = 0;
+    void intersect(const Ray& ray, HitQueryT<Real>& query) const;
 
     // The surface at a hit that `intersect` offered for this ray.
-    virtual Intersection surfaceAt(const Ray& ray, const Hit& hit) const = 0;
+    Intersection surfaceAt(const Ray& ray, const Hit& hit) const;
+
+    // The same two for one ray or several, the second for hits on one face from one side (shapes.h). Whether
+    // those hits can be worked on together besides: of some meshes not.
+    template <class T>
+    void meet(const RayT<T>& ray, HitQueryT<T>& query) const;
+    template <class T>
+    IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit) const;
+    template <class T>
+    bool areCoherent(const RayT<T>& ray, LaneBits lanes) const;
 
     // Whether the world point, known to within pointError for each axis, may lie on this shape's surface (on
     // the plane of that primitive, for a mesh).
-    virtual bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const = 0;
+    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const;
 
     // A box around every point that `intersect` may take for a point of this shape, in world space; false
     // where there is none.
-    virtual bool bounds(FloatBox& box) const = 0;
+    bool bounds(FloatBox& box) const;
 
     // The assignment's interface: the nearest hit of this shape alone, complete.
     Intersection rayIntersect(const Ray& ray) const;
 
-    ShapeKind kind() const { return kind_; }
+    ShapeType type() const { return type_; }
     const Transform& transform() const { return transform_; }
     const Material& material() const { return *material_; }
-    std::uint32_t index() const {
-        return index_;
-    }  // place in the scene file: the first of coincident shapes wins
+    const TriangleMesh& triangles() const { return *triangles_; }
+    // Place in the scene file: the first of coincident shapes wins.
+    std::uint32_t index() const { return index_; }
+    bool wantsTexCoord() const { return material_->diffuse_texture != nullptr; }
 
-  protected:
-    // The ray's point at the hit, in object space.
-    template <class T>
-    Vec3T<T> pointObject(const RayT<T>& ray, const HitT<T>& hit) const;
     // The point of an object-space surface, in the world: the common part of every surface.
     template <class T>
     IntersectionT<T> place(const HitT<T>& hit, const Vec3T<T>& pointObject,
-                           const Vec3T<T>& normalObject) const;
-    // The box from center - half to center + half, widened by what the arithmetic of `intersect` may be off
-    // by. sizeObject: half the size of the shape's box in object space.
-    bool widened(const Vec3& centerObject, const Vec3& sizeObject, const Vec3& half, FloatBox& box) const;
+                           const Vec3T<T>& normalObject) const {
+        IntersectionT<T> intersection;
+        intersection.valid = true;
+        intersection.t = hit.t;
+        intersection.position = transform_.pointToWorld(pointObject);
+        intersection.positionError = transform_.pointError(pointObject);
+        intersection.normal = normalized(transform_.normalToWorld(normalObject));
+        intersection.material = material_;
+        intersection.shape = this;
+        intersection.primitive = hit.primitive;
+        intersection.entering = hit.entering;
+        return intersection;
+    }
 
-    bool wantsTexCoord() const { return material_->diffuse_texture != nullptr; }
-
+  private:
     Transform transform_;
-
-  private:
     const Material* material_;
+    std::shared_ptr<const TriangleMesh> triangles_;
     std::uint32_t index_;
-    ShapeKind kind_;
-};
-
-// A convex solid: one chord a line. Faces are numbered in the order of the assignment.
-class Solid : public Shape {
-  public:
-    using Shape::Shape;
-
-  protected:
-    // What a chord means for a ray: entry or exit, or neither because the ray starts there. chordOf: the part
-    // of a line inside the solid, in object space; offsetOf: a signed measure of the distance from the
-    // surface, negative inside, at most the Euclidean distance in object units.
-    template <class T, class Query, class ChordFinder, class OffsetFinder>
-    void offerChord(const RayT<T>& ray, Query& query, ChordFinder chordOf, OffsetFinder offsetOf) const;
-    template <class T, class OffsetFinder>
-    Truth<T> touchesOffset(const Vec3T<T>& point, const Vec3T<T>& pointError, OffsetFinder offsetOf) const;
-};
-
-// x^2 + y^2 + z^2 = 1.
-class Sphere final : public Solid {
-  public:
-    Sphere(const Transform& transform, const Material& material, std::uint32_t index)
-        : Solid(ShapeKind::Sphere, transform, material, index) {}
-    void intersect(const Ray& ray, HitQuery& query) const override;
-    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
-    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const override;
-    bool bounds(FloatBox& box) const override;
-
-    template <class T, class Query>
-    void meet(const RayT<T>& ray, Query& query) const;
-    template <class T>
-    IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit) const;
-};
-
-// x^2 + y^2 = 1, 0 < z < 1 (face 0), top z = 1 (1), bottom z = 0 (2).
-class Cylinder final : public Solid {
-  public:
-    Cylinder(const Transform& transform, const Material& material, std::uint32_t index)
-        : Solid(ShapeKind::Cylinder, transform, material, index) {}
-    void intersect(const Ray& ray, HitQuery& query) const override;
-    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
-    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const override;
-    bool bounds(FloatBox& box) const override;
-
-    template <class T, class Query>
-    void meet(const RayT<T>& ray, Query& query) const;
-    template <class T>
-    IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit) const;
-};
-
-// x^2 + y^2 = (1 - z)^2, 0 < z <= 1 (face 0), bottom z = 0 (1).
-class Cone final : public Solid {
-  public:
-    Cone(const Transform& transform, const Material& material, std::uint32_t index)
-        : Solid(ShapeKind::Cone, transform, material, index) {}
-    void intersect(const Ray& ray, HitQuery& query) const override;
-    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
-    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const override;
-    bool bounds(FloatBox& box) const override;
-
-    template <class T, class Query>
-    void meet(const RayT<T>& ray, Query& query) const;
-    template <class T>
-    IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit) const;
-};
-
-// -1 <= x, y, z <= 1; faces x = 1 (0), x = -1 (1), y = 1 (2), y = -1 (3), z = 1 (4), z = -1 (5).
-class Cube final : public Solid {
-  public:
-    Cube(const Transform& transform, const Material& material, std::uint32_t index)
-        : Solid(ShapeKind::Cube, transform, material, index) {}
-    void intersect(const Ray& ray, HitQuery& query) const override;
-    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
-    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const override;
-    bool bounds(FloatBox& box) const override;
-
-    template <class T, class Query>
-    void meet(const RayT<T>& ray, Query& query) const;
-    template <class T>
-    IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit) const;
-};
-
-// z = 0.
-class Plane final : public Shape {
-  public:
-    Plane(const Transform& transform, const Material& material, std::uint32_t index)
-        : Shape(ShapeKind::Plane, transform, material, index) {}
-    void intersect(const Ray& ray, HitQuery& query) const override;
-    Intersection surfaceAt(const Ray& ray, const Hit& hit) const override;
-    bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const override;
-    bool bounds(FloatBox& box) const override;
-
-    template <class T, class Query>
-    void meet(const RayT<T>& ray, Query& query) const;
-    template <class T>
-    IntersectionT<T> surface(const RayT<T>& ray, const HitT<T>& hit) const;
-
-  private:
-    template <class T>
-    Truth<T> touchesPlane(const Vec3T<T>& point, const Vec3T<T>& pointError) const;
+    ShapeType type_;
 };
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

@@ -1,12 +1,11 @@
 // Which shapes of a scene a ray has to be tried on: those whose boxes it meets, and those that have none.
 #pragma once
 
-#include <memory>
+#include <span>
 #include <vector>
 
 #include "raytracer/bvh/build_options.h"
-#include "raytracer/bvh/bvh.h"
-#include "raytracer/geometry/shape.h"
+#include "raytracer/geometry/shapes.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -16,17 +15,17 @@ class ShapeTree {
     ShapeTree() = default;
 
     // Points to the shapes. Without a tree, or where it would not pay, they are a list.
-    ShapeTree(const std::vector<std::unique_ptr<Shape>>& shapes, const BuildOptions& options);
+    ShapeTree(std::span<const Shape> shapes, const BuildOptions& options);
 
-    // Offers to the query every hit that could matter to it (Shape::intersect).
+    // Offers to the query every hit that could matter to it (Shape::intersect); for one ray or several.
     void intersect(const Ray& ray, HitQuery& query) const;
+    template <class T>
+    void meet(const RayT<T>& ray, HitQueryT<T>& query) const;
 
-    // What it is made of: shapes to be tried on every ray, and a tree (perhaps empty) of the others, which it
-    // names.
-    const std::vector<const Shape*>& list() const { return list_; }
-    const Bvh& bvh() const { return bvh_; }
-    const Shape& named(std::uint32_t name) const;
+  private:
     void intersectBoxed(const Ray& ray, HitQuery& query) const;
+    template <class T>
+    void meetBoxed(const RayT<T>& ray, HitQueryT<T>& query) const;
 
     // BvhRay::slack for rays from no farther than this: the roundings of the way to object space and back, as
     // far as they go with the distance from the ray's origin.
@@ -34,14 +33,35 @@ class ShapeTree {
         return slackFactor_ * (farthestOrigin + static_cast<Real>(bvh_.frame().extent));
     }
 
-  private:
-    BvhNames nameBoxed() const;
-
-    std::vector<const Shape*> list_;  // first: what they hit shortens the ray for the tree
-    std::vector<const Shape*> boxed_;
-    Bvh bvh_;               // over boxed_, which it names by index or by place in memory
+    const Shape* shapes_ = nullptr;
+    std::vector<const Shape*> list_;    // first: what they hit shortens the ray for the tree
+    std::vector<std::uint32_t> boxed_;  // the others' places in shapes_, by which the tree names them
+    Bvh bvh_;
     Real slackFactor_ = 0;  // BvhRay::slack for a distance of 1
 };
+
+template <class T>
+void ShapeTree::meet(const RayT<T>& ray, HitQueryT<T>& query) const {
+    for (const Shape* shape : list_) {
+        shape->meet(ray, query);
+        if (query.done()) return;
+    }
+    if (!bvh_.empty()) meetBoxed(ray, query);
+}
+
+template <class T>
+void ShapeTree::meetBoxed(const RayT<T>& ray, HitQueryT<T>& query) const {
+    const auto slack = [this](Real farthest) { return slackFrom(farthest); };
+    BvhCursor cursor(bvh_, cullingRay(ray.origin, ray.direction, slack));
+    if (cursor.usable()) {
+        while (nextPrimitives(cursor, query))
+            for (const std::uint32_t name : cursor.primitives()) shapes_[name].meet(ray, query);
+    } else if constexpr (laneCountOf<T> == 1) {
+        for (const std::uint32_t name : boxed_) shapes_[name].meet(ray, query);
+    } else {
+        meetAlone(ray, query, [this](const Ray& one, HitQuery& alone) { intersectBoxed(one, alone); });
+    }
+}
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

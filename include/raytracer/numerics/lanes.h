@@ -14,8 +14,6 @@ namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 inline namespace RAYTRACER_LANES_NAMESPACE {
 
-// The bits of several truths: lane i's is 1 << i.
-using LaneBits = unsigned;
 inline constexpr LaneBits allLanes = (LaneBits{1} << laneCount) - 1;
 
 namespace detail {

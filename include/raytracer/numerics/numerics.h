@@ -30,12 +30,14 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "raytracer/numerics/packet_size.h"
 #include "raytracer/numerics/types.h"
 
 namespace raytracer {
@@ -67,9 +69,9 @@ inline constexpr Real farSquared = [] {
     return squared;
 }();
 
-// The words in which a formula is written once for one ray and for several (ray_lanes.h has them for Lanes):
-// comparisons of T give a Truth<T>, a choice is a select, and a branch is taken where any of the rays asks
-// for it.
+// The words in which a formula is written once for one ray and for several: a Real is a packet of one lane
+// (ray_lanes.h has the same for Lanes). Comparisons of T give a Truth<T>, a choice is a select, and a branch
+// is taken where any of the rays asks for it.
 template <class T>
 using Truth = decltype(std::declval<T>() < std::declval<T>());
 inline bool any(bool truth) { return truth; }
@@ -80,30 +82,70 @@ inline Real abs(Real x) { return std::abs(x); }
 inline Real copysign(Real magnitude, Real sign) { return std::copysign(magnitude, sign); }
 inline Real max(Real a, Real b) { return std::max(a, b); }
 inline Real min(Real a, Real b) { return std::min(a, b); }
+inline Real greatest(Real x) { return x; }  // of the lanes
+
+template <class T>
+inline constexpr int laneCountOf = 1;
+template <int n, class T>
+inline constexpr int laneCountOf<glm::vec<n, T, glm::defaultp>> = laneCountOf<T>;
+template <class T>
+inline constexpr LaneBits allLanesOf = (LaneBits{1} << laneCountOf<T>)-1;
+
+inline LaneBits bits(bool truth) { return truth; }
+template <class T>
+Truth<T> maskOf(LaneBits lanes) {
+    if constexpr (laneCountOf<T> == 1) return lanes != 0;
+    else return Truth<T>::ofBits(lanes);
+}
+template <class T>
+unsigned countLanes(LaneBits lanes) {
+    if constexpr (laneCountOf<T> == 1) return lanes;
+    else return static_cast<unsigned>(std::popcount(lanes));
+}
+inline int firstLane(LaneBits lanes) { return std::countr_zero(lanes); }
+template <class T, class Function>
+void forEach(LaneBits lanes, Function function) {
+    if constexpr (laneCountOf<T> == 1) {
+        if (lanes != 0) function(0);
+    } else {
+        for (; lanes != 0; lanes &= lanes - 1) function(firstLane(lanes));
+    }
+}
 
 inline Real laneOf(Real x, int) { return x; }
+template <int n>
+const glm::vec<n, Real, glm::defaultp>& laneOf(const glm::vec<n, Real, glm::defaultp>& v, int) {
+    return v;
+}
 template <class V>
 void setLane(V& to, int, const V& value) {
     to = value;
 }
 
 // function(arguments), each ray's by itself: for what is rare, or has no form for several.
-template <class Result>
-struct LaneByLane {
-    template <class Function, class... Arguments>
-    static Result call(Function function, const Arguments&... arguments) {
-        return function(arguments...);
-    }
-};
 template <class Result, class Function, class... Arguments>
 Result laneByLane(Function function, const Arguments&... arguments) {
-    return LaneByLane<Result>::call(function, arguments...);
+    if constexpr (laneCountOf<Result> == 1) {
+        return function(arguments...);
+    } else {
+        Result result;
+        for (int i = 0; i < laneCountOf<Result>; ++i) setLane(result, i, function(laneOf(arguments, i)...));
+        return result;
+    }
 }
 
 template <class T>
 Vec3T<T> select(const Truth<T>& truth, const Vec3T<T>& yes, const Vec3T<T>& no) {
     return {select(truth, yes.x, no.x), select(truth, yes.y, no.y), select(truth, yes.z, no.z)};
 }
+// Lanes that are not in use hold what the first one in use has, so that nothing out of the ordinary happens
+// in them.
+inline Real filled(Real x, LaneBits) { return x; }
+template <class T>
+Vec3T<T> filled(const Vec3T<T>& v, LaneBits used) {
+    return {filled(v.x, used), filled(v.y, used), filled(v.z, used)};
+}
+
 template <class T>
 Vec3T<T> abs(const Vec3T<T>& v) {
     return {abs(v.x), abs(v.y), abs(v.z)};

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "raytracer/numerics/types.h"
+#include "raytracer/numerics/numerics.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -15,6 +15,8 @@ struct PrimitiveOf {
 };
 template <class T>
 using Primitive = typename PrimitiveOf<T>::type;
+inline std::uint32_t laneOf(std::uint32_t primitive, int) { return primitive; }
+inline std::uint32_t filled(std::uint32_t primitive, LaneBits) { return primitive; }
 inline bool equals(std::uint32_t a, std::uint32_t b) { return a == b; }
 template <class Function>
 void forEachLane(std::uint32_t primitive, Function function) {

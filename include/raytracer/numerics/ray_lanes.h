@@ -13,7 +13,6 @@ inline namespace RAYTRACER_LANES_NAMESPACE {
 using Lanes = LanesOf<Real>;
 using Mask = MaskOf<Real>;
 
-inline Mask maskOf(LaneBits bits) { return Mask::ofBits(bits); }
 inline Lanes lanesOf(const Real (&numbers)[laneCount]) { return Lanes::load(numbers); }
 
 // The least lanes of three, one after the other; the fourth number means nothing.
@@ -34,6 +33,9 @@ inline void storeLeast(const Vec3T<LanesOf<Number>>& v, double (&to)[4]) {
     }
 }
 
+inline Lanes filled(const Lanes& x, LaneBits used) {
+    return select(Mask::ofBits(used), x, laneOf(x, firstLane(used)));
+}
 template <int n>
 glm::vec<n, Real, glm::defaultp> laneOf(const glm::vec<n, Lanes, glm::defaultp>& v, int lane) {
     glm::vec<n, Real, glm::defaultp> result;
@@ -49,26 +51,25 @@ void setLane(glm::vec<n, Lanes, glm::defaultp>& v, int lane, const glm::vec<n, R
 struct LanePrimitives {
     std::uint32_t of[laneCount];
 };
+inline std::uint32_t laneOf(const LanePrimitives& primitives, int lane) { return primitives.of[lane]; }
+inline LanePrimitives filled(LanePrimitives primitives, LaneBits used) {
+    for (int i = 0; i < laneCount; ++i)
+        if (!(used >> i & 1)) primitives.of[i] = primitives.of[firstLane(used)];
+    return primitives;
+}
+inline void setLane(LanePrimitives& primitives, int lane, std::uint32_t primitive) {
+    primitives.of[lane] = primitive;
+}
 inline Mask equals(const LanePrimitives& a, std::uint32_t b) {
     LaneBits bits = 0;
     for (int i = 0; i < laneCount; ++i) bits |= static_cast<LaneBits>(a.of[i] == b) << i;
-    return maskOf(bits);
+    return Mask::ofBits(bits);
 }
 template <class Function>
 void forEachLane(const LanePrimitives& primitives, Function function) {
     for (int i = 0; i < laneCount; ++i) function(i, primitives.of[i]);
 }
 inline std::uint32_t faceOf(const LanePrimitives& primitives) { return primitives.of[0]; }
-
-template <class Result>
-struct OneLaneAfterTheOther {
-    template <class Function, class... Arguments>
-    static Result call(Function function, const Arguments&... arguments) {
-        Result result;
-        for (int i = 0; i < laneCount; ++i) setLane(result, i, function(laneOf(arguments, i)...));
-        return result;
-    }
-};
 
 }  // namespace RAYTRACER_LANES_NAMESPACE
 
@@ -77,10 +78,7 @@ struct PrimitiveOf<Lanes> {
     using type = LanePrimitives;
 };
 template <>
-struct LaneByLane<Lanes> : OneLaneAfterTheOther<Lanes> {};
-template <int n>
-struct LaneByLane<glm::vec<n, Lanes, glm::defaultp>>
-    : OneLaneAfterTheOther<glm::vec<n, Lanes, glm::defaultp>> {};
+inline constexpr int laneCountOf<Lanes> = laneCount;
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

@@ -25,8 +25,8 @@ struct LightExplanation {
     glm::dvec3 sum{0};  // the whole term
 };
 
-// Why a reflective or refractive surface sent no ray on.
-enum class NotCast { Nothing, MaxRecursion, Black, Cutoff, TotalInternalReflection };
+// Why a reflective or refractive surface sends no ray on.
+enum class TerminationReason { None, MaxRecursion, Black, Cutoff, TotalInternalReflection };
 
 struct RayExplanation {
     RayKind kind = RayKind::Primary;
@@ -45,7 +45,7 @@ struct RayExplanation {
 
     std::vector<LightExplanation> lights;
     std::vector<RayExplanation> rays;  // reflection, then refraction, where cast
-    NotCast reflection = NotCast::Nothing, refraction = NotCast::Nothing;
+    TerminationReason reflection = TerminationReason::None, refraction = TerminationReason::None;
     glm::dvec3 color{0};  // of the whole ray
 };
 

@@ -1,24 +1,35 @@
-// Rays in packets: those that lie together are followed side by side, in the lanes of vector registers, for
-// as long as they meet the same shape. A packet's numbers are Scene::rayColor's own, to the bit; it is only
-// sooner there.
+// Rays in packets: those that lie together are followed side by side, in the lanes of vector registers. Their
+// colours are Scene::rayColor's own, to the bit; it is only faster.
 #pragma once
 
-#include <span>
-
+#include "raytracer/numerics/packet_size.h"
 #include "raytracer/tracer/scene.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
+// A few points of the picture, in pixels, (0, 0) at the top left; and what is seen there.
+struct PointPacket {
+    static constexpr int width = packetWidth, height = packetHeight;  // pixels that fill it best
+    static constexpr int most = width * height, least = 3;            // fewer are faster one at a time
+
+    int count = 0;
+    alignas(32) Real x[most], y[most];
+    alignas(32) Real color[3][most];
+    SampleTrace samples[most];
+
+    void add(Real pointX, Real pointY, Observer* observer = nullptr) {
+        x[count] = pointX;
+        y[count] = pointY;
+        samples[count++] = {0, observer};
+    }
+    Color colorOf(int i) const { return {color[0][i], color[1][i], color[2][i]}; }
+};
+
 // What packet_tracer.cpp, compiled for an instruction set, offers.
 struct PacketKernel {
     // Fills in the points' colours; x and y beyond count may change.
-    void (*trace)(const Scene& scene, PointPacket& points, RenderContext& context);
-
-    // The traversal alone, for benchmarks and tests: the nearest hits of up to PointPacket::most rays, which
-    // leave the same side of the same shape, if any; with an end, any hit before it. (What coincides is left
-    // to Scene::closestHit.)
-    void (*meet)(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end, std::span<Hit> hits);
+    void (*trace)(const Scene& scene, PointPacket& points, const RenderContext& context);
 };
 
 template <InstructionSet set>

@@ -8,7 +8,8 @@ namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
 // Composes the transforms in long double, chooses the scene's frame, and rounds to Real once, at the end.
-std::unique_ptr<Scene> buildScene(const SceneDescription& description, const BuildOptions& options = {});
+std::unique_ptr<const Scene> buildScene(const SceneDescription& description,
+                                        const BuildOptions& options = {});
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer

@@ -47,6 +47,12 @@ struct DirectLightT {
 };
 using DirectLight = DirectLightT<Real>;
 
+template <class T>
+DirectLight laneOf(const DirectLightT<T>& direct, int lane) {
+    return {laneOf(direct.ambient, lane), laneOf(direct.diffuse, lane), laneOf(direct.specular, lane),
+            laneOf(direct.toLight, lane), laneOf(direct.N_L, lane),     laneOf(direct.V_R, lane)};
+}
+
 // v mirrored at the unit vector n: 2 (n.v) n - v.
 template <class T>
 Vec3T<T> mirrored(const Vec3T<T>& v, const Vec3T<T>& n) {

@@ -7,21 +7,18 @@
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
 
-// Nothing is inline, since packet_tracer.cpp uses it.
-class RayFollower final : public Observer {
+class RayTreeObserver final : public Observer {
   public:
-    void enter(const RayPath& path);
-    void light(bool castsShadowRay, const Color& sum);
-    void leave();
-
+    bool asksWhatShadows() const override { return false; }
     void enter(const Ray& ray, const RayPath& path) override;
-    void meet(const ShadingPoint& point) override;
-    void light(const DirectLight& direct, const Shadow* shadow, const Color& sum) override;
-    void notCast(RayKind kind, NotCast reason) override;
+    void meet(const Intersection&, const Color&) override {}
+    void shadow(const Shape* by, const Color& S_L) override;
+    void light(const DirectLight& direct, const Color& sum) override;
+    void terminate(RayKind, TerminationReason) override {}
     void leave(const Color& color) override;
 
-    // The pixel's, to the end of what is there; another pixel comes next.
-    void moveTo(RayTrees& followed);
+    // The pixel's tree, to the end of what is there; another pixel comes next.
+    void moveTo(RayTrees& trees);
 
   private:
     std::vector<RayTreeNode> rays_;

@@ -1,8 +1,7 @@
-
 #include <algorithm>
 #include <utility>
 
-#include "raytracer/geometry/mesh_formulas.h"
+#include "raytracer/geometry/triangle_mesh.h"
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
@@ -43,14 +42,10 @@ ShearAxes shearAxes(const Vec3& direction) {
 }
 
 TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options)
-    : data_(std::move(data)) {
+    : data_(std::move(data)),
+      largest_(maxComponent(Vec3(glm::max(glm::abs(data_->low), glm::abs(data_->high))))) {
     if constexpr (!std::is_same_v<Real, double>)
         positions_.assign(data_->positions.begin(), data_->positions.end());
-    // Rounding is monotone: the least of the doubles, as Real, is the least of all as Real.
-    const Vec3 low(data_->low), high(data_->high);
-    center_ = low / Real(2) + high / Real(2);
-    size_ = glm::max(high - center_, center_ - low);
-    largest_ = glm::max(abs(low), abs(high));
     if (options.accelerator == Accelerator::Bvh && triangleCount() > listLimit)
         bvh_ = Bvh::ofTriangles(*data_, options);
 }
@@ -70,43 +65,9 @@ LineHit<Real> TriangleMesh::meetLine(const ObjectRay& line, std::uint32_t triang
 }
 
 // The roundings of the watertight test, and of float positions, which the tree has as they were.
-Real Mesh::slackFrom(Real farthestOrigin) const {
+Real TriangleMesh::slackFrom(Real farthestOrigin) const {
     constexpr Real roundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
-    return 64 * roundoff * std::max(farthestOrigin, maxComponent(triangles_->largest()));
-}
-
-void Mesh::intersect(const Ray& ray, HitQuery& query) const {
-    const ObjectRay object = toObject(ray);
-    const Bvh& bvh = triangles_->bvh();
-    const auto meshRay = [&] { return MeshRay<Real>{ray, {object, shearAxes(object.direction)}}; };
-    if (bvh.empty()) return intersectAll(meshRay(), query);
-
-    const auto slack = static_cast<double>(slackFrom(maxComponent(abs(object.origin))));
-    BvhCursor cursor(bvh, {glm::dvec3(object.origin), glm::dvec3(object.direction), slack});
-    if (!cursor.usable()) return intersectAll(meshRay(), query);
-    const auto next = [&] { return cursor.next(static_cast<double>(query.limit())); };
-    if (!next()) return;
-    const MeshRay<Real> sheared = meshRay();
-    do meetTriangles(sheared, cursor.primitives(), query);
-    while (!query.done() && next());
-}
-
-void Mesh::intersectAll(const MeshRay<Real>& ray, HitQuery& query) const {
-    for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount() && !query.done(); ++triangle)
-        meetTriangles(ray, {&triangle, 1}, query);
-}
-
-bool Mesh::bounds(FloatBox& box) const {
-    return widened(triangles_->center(), triangles_->size(), abs(transform_.linear()) * triangles_->size(),
-                   box);
-}
-
-Intersection Mesh::surfaceAt(const Ray& ray, const Hit& hit) const {
-    return surface(ray, hit, shearAxes(transform_.toObject(ray).direction));
-}
-
-bool Mesh::touches(const Vec3& point, const Vec3& pointError, std::uint32_t triangle) const {
-    return touchesTriangle(point, pointError, triangle);
+    return 64 * roundoff * std::max(farthestOrigin, largest_);
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

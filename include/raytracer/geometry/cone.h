@@ -1,0 +1,106 @@
+// x^2 + y^2 = (1 - z)^2, 0 < z <= 1 (face 0), bottom z = 0 (1).
+#pragma once
+
+#include "raytracer/geometry/solid.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// x^2 + y^2 - w^2 = 0 with w = 1 - z, the height below the apex: A t^2 + 2 B t + C = 0.
+template <class T>
+struct ConeRoots {
+    Truth<T> real;   // a point of the line is on the double cone
+    Truth<T> steep;  // A < 0: the line runs inside one nappe, then outside, then inside the other
+    T low, high;     // the roots, low <= high
+
+    // Of the line p + t d, w in place of z.
+    ConeRoots(const Vec3T<T>& p, const Vec3T<T>& d) {
+        const T a = d.x * d.x + d.y * d.y - d.z * d.z;
+        const T b = p.x * d.x + p.y * d.y - p.z * d.z;
+        const T r = radius(p), c = (r - p.z) * (r + p.z);
+        // B^2 - A C by Lagrange's identity for this form: products of differences instead of a difference of
+        // products.
+        const Vec3T<T> m = glm::cross(p, d);
+        const T h = sqrt(m.x * m.x + m.y * m.y);
+        const T discriminant = (h - abs(m.z)) * (h + abs(m.z));
+        const T root = sqrt(max(discriminant, T(0)));
+        const T q = -(b + copysign(root, b));
+        steep = a < T(0);
+        // a == 0: the first is infinite, on the side where the line stays outside.
+        const T first = q / a, second = c / q;
+        const Truth<T> touching = q == T(0);  // both roots are 0
+        // A steep line always passes the level of the apex, outside.
+        real = ((discriminant >= T(0)) | steep) & ((!touching) | !(a == T(0)));
+        low = select(touching, T(0), min(first, second));
+        high = select(touching, T(0), max(first, second));
+    }
+};
+
+struct Cone : Solid<Cone> {
+    static constexpr ShapeType type = ShapeType::Cone;
+    static constexpr const char* faces[] = {"body", "bottom"};
+
+    template <class T>
+    static Chord<T> chord(const ObjectRayT<T>& ray) {
+        // From the closest approach to the middle of the axis, so that the coefficients are of order 1
+        // (Haines et al.).
+        const Vec3T<T> fromMiddle = ray.origin - Vec3T<T>(T(0), T(0), T(Real(0.5)));
+        const T squared = glm::dot(ray.direction, ray.direction);
+        if (!all(isSafeSquare(squared)))
+            return laneByLane<Chord<T>>(chordOfAnySize, ray.origin, ray.direction);
+        const T shift = -glm::dot(fromMiddle, ray.direction) / squared;
+        const Vec3T<T> closest = ray.origin + shift * ray.direction;
+        const Vec3T<T> p(closest.x, closest.y, T(1) - closest.z),
+            d(ray.direction.x, ray.direction.y, -ray.direction.z);
+
+        const ConeRoots<T> roots(p, d);
+        const Truth<T> down = d.z > T(0);
+        Chord<T> chord{roots.real, roots.low, roots.high, T(0), T(0)};
+        // Of a steep line the part in the nappe below the apex.
+        chord.entry = select(roots.steep, select(down, roots.high, T(-infinity)), chord.entry);
+        chord.exit = select(roots.steep, select(down, T(infinity), roots.low), chord.exit);
+        // w = 0 is no face but the apex, which belongs to the body.
+        clipAxis(chord, p.z, d.z, 0, 1, 0, 1, (p.z >= T(0)) & (p.z < T(1)));
+        closeChord(chord, shift);
+        chord.entry += shift;
+        chord.exit += shift;
+        return chord;
+    }
+
+    // As UnitBall::ofAnySize.
+    static Chord<Real> chordOfAnySize(const Vec3& origin, const Vec3& direction);
+
+    template <class T>
+    static T offset(const Vec3T<T>& p) {
+        constexpr auto perpendicular =
+            static_cast<Real>(0.70710678118654752440084436210484904L);  // sqrt(1/2): a slope of 45 degrees
+        return max((radius(p) - (T(1) - p.z)) * T(perpendicular), -p.z);
+    }
+
+    // At the base or at the apex.
+    static Real support(const Vec3& n) { return max(radius(n), n.z); }
+
+    template <class T>
+    static SurfacePoint<T> onSurface(Vec3T<T> p, std::uint32_t face) {
+        const bool body = face == 0;
+        const T z = body ? clamp(p.z, 0, 1) : T(0), w = T(1) - z;
+        p.z = T(0);
+        p = withinCircle(p, body);
+        if (body) p = w * p;
+        Vec3T<T> normal(T(0), T(0), T(-1));
+        if (body) {  // at the apex it's up
+            const Truth<T> below = w > T(0);
+            normal = {select(below, p.x, T(0)), select(below, p.y, T(0)), select(below, w, T(1))};
+        }
+        p.z = z;
+        return {p, normal};
+    }
+
+    template <class T>
+    static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t face) {
+        return face == 0 ? Vec2T<T>(turn(p), p.z) : capTexCoord(p);
+    }
+};
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

@@ -1,0 +1,58 @@
+// x^2 + y^2 = 1, 0 < z < 1 (face 0), top z = 1 (1), bottom z = 0 (2).
+#pragma once
+
+#include "raytracer/geometry/solid.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+struct Cylinder : Solid<Cylinder> {
+    static constexpr ShapeType type = ShapeType::Cylinder;
+    static constexpr const char* faces[] = {"body", "top", "bottom"};
+
+    // The body as a ball in the plane, then between the caps.
+    template <class T>
+    static Chord<T> chord(const ObjectRayT<T>& ray) {
+        const Vec2T<T> origin(ray.origin.x, ray.origin.y);
+        Vec2T<T> direction(ray.direction.x, ray.direction.y);
+        // A line along the axis never meets the body.
+        const Truth<T> along = (direction.x == T(0)) & (direction.y == T(0));
+        direction.x = select(along, T(1), direction.x);
+        Chord<T> chord = UnitBall()(origin, direction);
+        if (any(along)) {
+            chord.hit = (chord.hit & !along) | (along & (glm::dot(origin, origin) < T(1)));
+            chord.entry = select(along, T(-infinity), chord.entry);
+            chord.exit = select(along, T(infinity), chord.exit);
+        }
+        clipAxis(chord, ray.origin.z, ray.direction.z, 0, 1, 2, 1,
+                 (ray.origin.z > T(0)) & (ray.origin.z < T(1)));
+        closeChord(chord);
+        return chord;
+    }
+
+    template <class T>
+    static T offset(const Vec3T<T>& p) {
+        return max(radius(p) - T(1), max(-p.z, p.z - T(1)));
+    }
+
+    static Real support(const Vec3& n) { return radius(n) + max(n.z, Real(0)); }
+
+    template <class T>
+    static SurfacePoint<T> onSurface(Vec3T<T> p, std::uint32_t face) {
+        const bool body = face == 0;
+        const T z = body ? clamp(p.z, 0, 1) : T(Real(face == 1));
+        p.z = T(0);
+        const Vec3T<T> normal = body ? offCenter(p) : Vec3T<T>(T(0), T(0), T(2) * z - T(1));
+        p = withinCircle(p, body);
+        p.z = z;
+        return {p, normal};
+    }
+
+    template <class T>
+    static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t face) {
+        return face == 0 ? Vec2T<T>(turn(p), p.z) : capTexCoord(p);
+    }
+};
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

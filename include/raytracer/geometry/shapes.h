@@ -1,0 +1,55 @@
+// The types of shape: what there is of each is found by way of this list.
+#pragma once
+
+#include "raytracer/geometry/cone.h"
+#include "raytracer/geometry/cube.h"
+#include "raytracer/geometry/cylinder.h"
+#include "raytracer/geometry/mesh.h"
+#include "raytracer/geometry/plane.h"
+#include "raytracer/geometry/sphere.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+template <class... Kinds>
+struct KindList {};
+using AllKinds = KindList<Sphere, Plane, Cylinder, Cone, Cube, Mesh>;
+
+// function(Kind()) of the one that has this type.
+template <class Function, class First, class... Rest>
+decltype(auto) visit(ShapeType type, Function function, KindList<First, Rest...>) {
+    if constexpr (sizeof...(Rest) > 0)
+        if (type != First::type) return visit(type, function, KindList<Rest...>());
+    return function(First());
+}
+template <class Function>
+decltype(auto) visit(ShapeType type, Function function) {
+    return visit(type, function, AllKinds());
+}
+
+// How far a shape reaches in a direction, in object space: the largest n . p of its points p. A mesh has
+// data.
+inline Real support(ShapeType type, const MeshData* mesh, const Vec3& n) {
+    return visit(type, [&](auto kind) {
+        if constexpr (kind.type == ShapeType::Mesh) return kind.support(*mesh, n);
+        else return kind.support(n);
+    });
+}
+
+template <class T>
+void Shape::meet(const RayT<T>& ray, HitQueryT<T>& query) const {
+    visit(type_, [&](auto kind) { kind.meet(*this, ray, query); });
+}
+
+template <class T>
+IntersectionT<T> Shape::surface(const RayT<T>& ray, const HitT<T>& hit) const {
+    return visit(type_, [&](auto kind) { return kind.surface(*this, ray, hit); });
+}
+
+template <class T>
+bool Shape::areCoherent(const RayT<T>& ray, LaneBits lanes) const {
+    return visit(type_, [&](auto kind) { return kind.areCoherent(*this, ray, lanes); });
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

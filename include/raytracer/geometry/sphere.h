@@ -1,0 +1,40 @@
+// x^2 + y^2 + z^2 = 1.
+#pragma once
+
+#include "raytracer/geometry/solid.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+struct Sphere : Solid<Sphere> {
+    static constexpr ShapeType type = ShapeType::Sphere;
+    static constexpr const char* faces[] = {""};
+    static constexpr bool isBall = true;
+
+    template <class T>
+    static Chord<T> chord(const ObjectRayT<T>& ray) {
+        return UnitBall()(ray.origin, ray.direction);
+    }
+
+    template <class T>
+    static T offset(const Vec3T<T>& p) {
+        return sqrt(glm::dot(p, p)) - T(1);
+    }
+
+    static Real support(const Vec3& n) { return sqrt(glm::dot(n, n)); }
+
+    template <class T>
+    static SurfacePoint<T> onSurface(const Vec3T<T>& p, std::uint32_t) {
+        const Vec3T<T> normal = offCenter(p);
+        return {ontoUnit(normal), normal};
+    }
+
+    template <class T>
+    static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t) {
+        const auto height = [](Real z) { return 1 - std::acos(glm::clamp(z, Real(-1), Real(1))) / pi; };
+        return {turn(p), laneByLane<T>(height, p.z)};
+    }
+};
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

@@ -1,0 +1,167 @@
+// The recursion, by the assignment's formula:
+//
+//   K_R I_R + K_T I_T + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L)
+//
+// T is Real for one ray, Lanes for a packet of them: each lane's colour has the bits that its ray has alone.
+// The rays of a packet go on together for as long as they meet the same face of the same shape. scene.cpp
+// compiles this for Real; packet_tracer.cpp for Lanes, and takes what is not a template from there.
+#pragma once
+
+#include "raytracer/tracer/scene.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// tell(observer, lane), where there are observers.
+template <class T, class Tell>
+void observe(LaneBits active, const RenderContext& context, Tell tell) {
+    if (context.samples->observer)
+        forEach<T>(active, [&](int lane) { tell(*context.samples[lane].observer, lane); });
+}
+
+template <class T>
+ColorT<T> Scene::rayColor(const RayT<T>& ray, LaneBits active, const RayPath& path,
+                          const RenderContext& context) const {
+    observe<T>(active, context, [&](Observer& o, int lane) { o.enter(laneOf(ray, lane), path); });
+    HitQueryT<T> query(active);
+    closestHits(ray, query, context);
+    ColorT<T> color(T(0));  // of a miss
+    for (LaneBits left = query.found(); left != 0;) {
+        const LaneBits coherent = query.coherent(left);
+        left &= ~coherent;
+        color = select(maskOf<T>(coherent), coherentColor(ray, query, coherent, path, context), color);
+    }
+    observe<T>(active, context, [&](Observer& o, int lane) { o.leave(laneOf(color, lane)); });
+    return color;
+}
+
+// Of each active lane the nearest hit; where another one is within rounding of it, the first listed of those
+// that go through the same point.
+template <class T>
+void Scene::closestHits(const RayT<T>& ray, HitQueryT<T>& query, const RenderContext& context) const {
+    tree.meet(ray, query);
+    context.counts->tests += query.tests;
+    forEach<T>(query.contended(), [&](int lane) {
+        query.set(lane, firstOfCoincident(laneOf(ray, lane), query.nearest(lane), context));
+    });
+}
+
+// Fewer lanes are faster one at a time.
+inline constexpr unsigned fewestCoherent = 3;
+
+template <class T>
+ColorT<T> Scene::coherentColor(const RayT<T>& ray, const HitQueryT<T>& query, LaneBits coherent,
+                               const RayPath& path, const RenderContext& context) const {
+    if constexpr (laneCountOf<T> == 1) {
+        return hitColor(ray, query.nearest(), coherent, path, context);
+    } else {
+        if (countLanes<T>(coherent) >= fewestCoherent) {
+            RayT<T> some;
+            if (coherent != allLanesOf<T>) some = filled(ray, coherent);
+            const RayT<T>& together = coherent == allLanesOf<T> ? ray : some;
+            const HitT<T> hit = query.hits(coherent);
+            if (hit.shape->areCoherent(together, coherent))
+                return hitColor(together, hit, coherent, path, context);
+        }
+        ColorT<T> color(T(0));
+        forEach<T>(coherent, [&](int lane) {
+            const RenderContext alone = context.ofSamples(context.samples + lane);
+            setLane(color, lane, hitColor(laneOf(ray, lane), query.nearest(lane), path, alone));
+        });
+        return color;
+    }
+}
+
+template <class T>
+ColorT<T> Scene::hitColor(const RayT<T>& ray, const HitT<T>& hit, LaneBits active, const RayPath& path,
+                          const RenderContext& context) const {
+    const IntersectionT<T> intersection = hit.shape->surface(ray, hit);
+    const ShadingPointT<T> point(ray, intersection, context.options->bilinear);
+    observe<T>(active, context,
+               [&](Observer& o, int lane) { o.meet(laneOf(intersection, lane), laneOf(point.K_D, lane)); });
+    ColorT<T> color = lightColor(point, active, context);
+    if (intersection.material->reflective) color += reflectedColor(point, active, path, context);
+    if (intersection.material->refractive) color += refractedColor(point, active, path, context);
+    return color;
+}
+
+template <class T>
+ColorT<T> Scene::lightColor(const ShadingPointT<T>& point, LaneBits active,
+                            const RenderContext& context) const {
+    ColorT<T> color(T(0));
+    for (const Light& light : lights) {
+        const DirectLightT<T> direct = directLight(point, light);
+        const ColorT<T> lit = direct.lit();
+        ColorT<T> sum = direct.ambient;
+        const LaneBits unlit = bits((lit.x == T(0)) & (lit.y == T(0)) & (lit.z == T(0)));
+        const LaneBits shadowed = context.options->shadows ? active & ~unlit : 0;
+        sum += shadowed != 0 ? lit * shadow(point, direct.toLight, light, shadowed, context) : lit;
+        observe<T>(active, context,
+                   [&](Observer& o, int lane) { o.light(laneOf(direct, lane), laneOf(sum, lane)); });
+        color += sum;
+    }
+    return color;
+}
+
+// S_L: only the closest hit before the light counts; where no shape is refractive, any will do, but for who
+// asks which.
+template <class T>
+ColorT<T> Scene::shadow(const ShadingPointT<T>& point, const Vec3T<T>& toLight, const Light& light,
+                        LaneBits active, const RenderContext& context) const {
+    context.counts->shadow += countLanes<T>(active);
+    const Observer* observer = context.samples->observer;
+    const RayEnd end{light.position};
+    HitQueryT<T> query(end, !hasRefractiveShape && !(observer && observer->asksWhatShadows()), active);
+    closestHits(point.leave(toLight, ShadingPointT<T>::Side::Near), query, context);
+    ColorT<T> factor = select(maskOf<T>(query.found()), ColorT<T>(T(0)), ColorT<T>(T(1)));
+    if (hasRefractiveShape)
+        forEach<T>(query.found(), [&](int lane) {
+            const Material& material = query.nearest(lane).shape->material();
+            if (material.refractive) setLane(factor, lane, material.color_refract);
+        });
+    observe<T>(active, context,
+               [&](Observer& o, int lane) { o.shadow(query.nearest(lane).shape, laneOf(factor, lane)); });
+    return factor;
+}
+
+template <class T>
+ColorT<T> Scene::reflectedColor(const ShadingPointT<T>& point, LaneBits active, const RayPath& path,
+                                const RenderContext& context) const {
+    const Material& material = *point.hit->material;
+    const RayPath onwards = path.onwards(RayKind::Reflection, material.color_reflect);
+    const TerminationReason reason = terminationReason(onwards, material.color_reflect, context);
+    if (reason != TerminationReason::None) {
+        terminate(active, onwards, reason, context);
+        return ColorT<T>(T(0));
+    }
+    context.counts->reflection += countLanes<T>(active);
+    const RayT<T> reflected = point.leave(reflectedDirection(point), ShadingPointT<T>::Side::Near);
+    return ColorT<T>(material.color_reflect) * rayColor(reflected, active, onwards, context);
+}
+
+template <class T>
+ColorT<T> Scene::refractedColor(const ShadingPointT<T>& point, LaneBits active, const RayPath& path,
+                                const RenderContext& context) const {
+    if (!context.options->refraction) return ColorT<T>(T(0));
+    const Material& material = *point.hit->material;
+    const RayPath onwards = path.onwards(RayKind::Refraction, material.color_refract);
+    const TerminationReason reason = terminationReason(onwards, material.color_refract, context);
+    LaneBits passing = active;
+    Vec3T<T> direction;
+    if (reason == TerminationReason::None || reason == TerminationReason::Cutoff) {
+        passing &= bits(refractedDirection(point, direction));
+        const LaneBits inside = active & ~passing;
+        if (inside != 0) terminate(inside, onwards, TerminationReason::TotalInternalReflection, context);
+    }
+    if (reason != TerminationReason::None) terminate(passing, onwards, reason, context);
+    if (passing == 0 || reason != TerminationReason::None) return ColorT<T>(T(0));
+    context.counts->refraction += countLanes<T>(passing);
+    if (passing != allLanesOf<T>) direction = filled(direction, passing);
+    const RayT<T> refracted = point.leave(direction, ShadingPointT<T>::Side::Far);
+    return select(maskOf<T>(passing),
+                  ColorT<T>(material.color_refract) * rayColor(refracted, passing, onwards, context),
+                  ColorT<T>(T(0)));
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

@@ -1,0 +1,20 @@
+// Pictures of a scene, or some of their pixels, on several threads.
+#pragma once
+
+#include "raytracer/tracer/ray_tree.h"
+#include "raytracer/tracer/scene.h"
+#include "raytracer/util/progress.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+// As Renderer has them (renderer.h).
+RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
+                           ProgressListener* progress);
+RenderCounts renderPixels(const Scene& scene, const RenderOptions& options,
+                          std::span<const PixelPlace> pixels, std::span<glm::dvec3> colors);
+RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
+                           std::span<const PixelPlace> pixels, RayTrees& trees);
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer

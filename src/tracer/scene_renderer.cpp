@@ -1,0 +1,48 @@
+// Renderer (renderer.h) for this precision.
+#include "raytracer/tracer/explain.h"
+#include "raytracer/tracer/renderer.h"
+#include "raytracer/tracer/scene_builder.h"
+
+#include "render.h"
+
+namespace raytracer {
+inline namespace RAYTRACER_PRECISION_NAMESPACE {
+
+namespace {
+
+class SceneRenderer final : public Renderer {
+  public:
+    SceneRenderer(const SceneDescription& description, const BuildOptions& options)
+        : scene_(buildScene(description, options)) {}
+
+    RenderCounts render(const RenderOptions& options, PixelSink& sink,
+                        ProgressListener* progress) const override {
+        return renderPicture(*scene_, options, sink, progress);
+    }
+
+    RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                              std::span<glm::dvec3> colors) const override {
+        return raytracer::renderPixels(*scene_, options, pixels, colors);
+    }
+
+    RenderCounts rayTrees(const RenderOptions& options, std::span<const PixelPlace> pixels,
+                          RayTrees& trees) const override {
+        return traceRayTrees(*scene_, options, pixels, trees);
+    }
+
+    RayExplanation explain(const RenderOptions& options, int x, int y) const override {
+        return explainPixel(*scene_, options, x, y);
+    }
+
+  private:
+    std::unique_ptr<const Scene> scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& description, const BuildOptions& options) {
+    return std::make_unique<SceneRenderer>(description, options);
+}
+
+}  // namespace RAYTRACER_PRECISION_NAMESPACE
+}  // namespace raytracer
