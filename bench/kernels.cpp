@@ -172,7 +172,7 @@ void parseMesh(benchmark::State& state) {
         text += "f " + std::to_string(mesh->positionIndex[i] + 1) + " " +
                 std::to_string(mesh->positionIndex[i + 1] + 1) + " " +
                 std::to_string(mesh->positionIndex[i + 2] + 1) + "\n";
-    for (auto _ : state) benchmark::DoNotOptimize(parseObj(text.data(), text.data() + text.size()));
+    for (auto _ : state) benchmark::DoNotOptimize(parseObj(text));
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "raytracer/commands/commands.h"
+#include "raytracer/util/error.h"
 
 namespace {
 
@@ -31,7 +32,8 @@ int main(int argc, char** argv) {
     try {
         return dispatch(argc, argv);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "raytracer: %s\n", error.what());
+        const bool isComplete = dynamic_cast<const raytracer::Error*>(&error) != nullptr;
+        std::fprintf(stderr, "%s%s\n", isComplete ? "" : "raytracer: ", error.what());
         return 2;
     }
 }

@@ -1,25 +1,6 @@
 #include "arguments.h"
 
-#include <cstdio>
-#include <stdexcept>
-
-#include "raytracer/pictures/image.h"
-#include "raytracer/scene/scene_loader.h"
-
 namespace raytracer::commands {
-
-int reportErrors(const std::function<int()>& command) {
-    try {
-        return command();
-    } catch (const SceneError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-    } catch (const ImageError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-    } catch (const std::invalid_argument& error) {
-        std::fprintf(stderr, "raytracer: %s\n", error.what());
-    }
-    return 2;
-}
 
 void addThreads(CommandLine& line, int& threads) {
     line.number("--threads", threads, {0, 4096}, "Number of threads; 0: one for each processor");

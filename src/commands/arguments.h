@@ -1,15 +1,15 @@
 // What the commands' command lines have in common.
 #pragma once
 
-#include <functional>
 
 #include "command_line.h"
 #include "raytracer/grading/compare.h"
+#include "raytracer/util/error.h"
 
 namespace raytracer::commands {
 
-// Runs the command; bad input and usage end it with one line on stderr and 2.
-int reportErrors(const std::function<int()>& command);
+// About the command line.
+inline Error usageError(const std::string& message) { return {{"raytracer"}, message}; }
 
 constexpr Range longEdgeRange{1, 65536};
 

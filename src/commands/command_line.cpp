@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "raytracer/util/numbers.h"
+#include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer::commands {
@@ -46,9 +46,9 @@ std::string inWords(const Range& range) {
 
 template <class Number>
 Number numberOf(const char* name, const std::string& text, const Range& range) {
-    const std::optional<Number> number = numberIn<Number>(text);
+    const std::optional<Number> number = raytracer::numberOf<Number>(text);
     const double value = number ? static_cast<double>(*number) : range.least - 1;
-    if (!number || value < range.least || value > range.most || (range.open && value == range.least))
+    if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
         refuse(name, (std::is_integral_v<Number> ? "a whole number" : "a number") + inWords(range), text);
     return *number;
 }

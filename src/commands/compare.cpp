@@ -91,19 +91,11 @@ void printText(const Comparison& c) {
     std::printf("  %-20s %10d\n", "score", c.score);
 }
 
-void writeDifference(const std::string& path, const Picture& a, const Picture& b) {
-    try {
-        writePng(path, amplifiedDifference(toBytes(a), toBytes(b)));
-    } catch (const ImageError& error) {
-        throw ImageError(path + ": " + error.what());
-    }
-}
-
 int comparePictures(const CompareArguments& arguments) {
     const Picture a = readPicture(arguments.a), b = readPicture(arguments.b);
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
-    if (!arguments.diff.empty()) writeDifference(arguments.diff, a, b);
+    if (!arguments.diff.empty()) writePng(arguments.diff, amplifiedDifference(toBytes(a), toBytes(b)));
     if (arguments.json) printJson(comparison, same);
     else printText(comparison);
     return same ? 0 : 1;
@@ -116,7 +108,7 @@ int compare(int argc, char** argv) {
     CompareArguments arguments;
     arguments.addTo(line);
     if (const auto status = line.parse(argc, argv)) return *status;
-    return reportErrors([&] { return comparePictures(arguments); });
+    return comparePictures(arguments);
 }
 
 }  // namespace raytracer::commands

@@ -23,14 +23,14 @@ Examples:
 
 int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
     if (arguments.pass != "color" || arguments.samples != 1)
-        throw std::invalid_argument(
+        throw usageError(
             "explain follows the light along the ray through the pixel's centre: no --pass, no --samples");
     SceneDescription scene = arguments.load();
     const RenderOptions options = arguments.prepare(scene);
     if (x < 0 || y < 0 || x >= options.size.width || y >= options.size.height)
-        throw std::invalid_argument("expected a pixel inside of the " + std::to_string(options.size.width) +
-                                    " x " + std::to_string(options.size.height) + " picture, found " +
-                                    std::to_string(x) + ", " + std::to_string(y));
+        throw usageError("expected a pixel inside of the " + std::to_string(options.size.width) + " x " +
+                         std::to_string(options.size.height) + " picture, found " + std::to_string(x) + ", " +
+                         std::to_string(y));
     const auto renderer = makeRenderer(scene, arguments.precisionChosen(), arguments.buildOptions());
     const RayExplanation explanation = renderer->explain(options, x, y);
     const std::string text = json ? explanationJson(explanation, scene) : explanationText(explanation, scene);
@@ -52,7 +52,7 @@ int explain(int argc, char** argv) {
     line.flag("--json", json, "Print the rays as JSON");
     line.footer(footer);
     if (const auto status = line.parse(argc, argv)) return *status;
-    return reportErrors([&] { return explainPixel(arguments, x, y, json); });
+    return explainPixel(arguments, x, y, json);
 }
 
 }  // namespace raytracer::commands

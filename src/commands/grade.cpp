@@ -9,6 +9,7 @@
 #include "raytracer/grading/grade_report.h"
 #include "raytracer/pictures/picture.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "render_arguments.h"
 
@@ -148,26 +149,21 @@ void writeReport(const GradeArguments& arguments, const std::vector<GradeResult>
         (arguments.program.empty() ? "raytracer" : arguments.program) + " on " + arguments.scenes;
     const std::string html = gradeReport(results, arguments.thresholds, title);
     const std::span<const char> parts[] = {html};
-    try {
-        writeFile(arguments.report, parts);
-    } catch (const FileError& error) {
-        throw std::runtime_error(arguments.report + ": " + error.what());
-    }
+    writeFile(arguments.report, parts);
 }
 
 // Said before the work is done, not after it.
 void requireFolderOf(const std::string& report) {
     const std::filesystem::path folder = std::filesystem::path(report).parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder))
-        throw std::runtime_error(report + ": no folder " + folder.string() + " to write to");
+        throw Error({report}, "no folder " + folder.string() + " to write to");
 }
 
 int gradeFolder(const GradeArguments& arguments) {
     requireFolderOf(arguments.report);
     const GradePlan plan = planFor(arguments);
     if (plan.cases.empty())
-        throw std::runtime_error(arguments.scenes +
-                                 ": no scene X.json that has a reference X.png or X-STAGE.png");
+        throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png");
     const std::vector<GradeResult> results = gradeAll(plan, arguments);
     if (!arguments.report.empty()) writeReport(arguments, results);
     return printSummary(results, plan, arguments.thresholds) ? 0 : 1;
@@ -181,12 +177,7 @@ int grade(int argc, char** argv) {
     GradeArguments arguments;
     arguments.addTo(line);
     if (const auto status = line.parse(argc, argv)) return *status;
-    try {
-        return gradeFolder(arguments);
-    } catch (const std::runtime_error& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 2;
-    }
+    return gradeFolder(arguments);
 }
 
 }  // namespace raytracer::commands

@@ -101,15 +101,14 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     std::printf("%s\n", json.text().c_str());
 }
 
-// What is wrong with the place to write to, before any work is done; empty if nothing is.
-std::string outputProblem(const std::filesystem::path& out) {
+// Before any work is done.
+void requireWritable(const std::filesystem::path& out) {
     const std::string ending = out.extension().string();
     if (ending != ".png" && ending != ".pfm")
-        return out.string() + ": expected a name that ends in .png or .pfm";
+        throw Error({out.string()}, "expected a name that ends in .png or .pfm");
     const std::filesystem::path folder = out.has_parent_path() ? out.parent_path() : ".";
     if (!std::filesystem::is_directory(folder))
-        return out.string() + ": no folder " + folder.string() + " to write to";
-    return {};
+        throw Error({out.string()}, "no folder " + folder.string() + " to write to");
 }
 
 // What only this command asks for.
@@ -138,7 +137,6 @@ RenderCounts renderInto(PixelSink& sink, const Picture& picture) {
 
 template <class Sink, class Write>
 void renderTo(Picture& picture, Write write) {
-    const std::string& out = picture.wanted.out;
     Stopwatch watch;
     Sink sink(picture.options.crop);
     if (const auto target = picture.wanted.targetError)
@@ -150,17 +148,13 @@ void renderTo(Picture& picture, Write write) {
     picture.timings.render = watch.lap();
     if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
         picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
-    try {
-        write(out, sink.image());
-    } catch (const ImageError& error) {
-        throw ImageError(out + ": " + error.what());
-    }
+    write(picture.wanted.out, sink.image());
     picture.timings.write = watch.lap();
 }
 
 int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted) {
     const std::string& out = wanted.out;
-    if (const std::string problem = outputProblem(out); !problem.empty()) throw ImageError(problem);
+    requireWritable(out);
     Timings timings;
     Stopwatch watch;
     SceneDescription description = arguments.load();
@@ -192,7 +186,7 @@ int render(int argc, char** argv) {
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.footer(footer);
     if (const auto status = line.parse(argc, argv)) return *status;
-    return reportErrors([&] { return renderPicture(arguments, wanted); });
+    return renderPicture(arguments, wanted);
 }
 
 }  // namespace raytracer::commands

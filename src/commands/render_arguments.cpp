@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
+#include "arguments.h"
 #include "raytracer/explain/scene_advice.h"
 #include "raytracer/scene/scene_loader.h"
-#include "raytracer/util/numbers.h"
+#include "raytracer/util/number.h"
 
 namespace raytracer::commands {
 
@@ -31,19 +31,24 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
+Error noCrop(const std::string& text) {
+    return usageError("--crop: expected four whole numbers x0,y0,x1,y1, found \"" + text + "\"");
+}
+
+int pixelNumber(const std::string& text) {
+    if (const auto number = numberOf<int>(text)) return *number;
+    throw noCrop(text);
+}
+
 PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
-    std::vector<std::optional<int>> numbers;
-    for (const std::string& part : split(text)) numbers.push_back(numberIn<int>(part));
-    if (numbers.size() != 4 ||
-        !std::all_of(numbers.begin(), numbers.end(), [](const auto& number) { return number; }))
-        throw std::invalid_argument("--crop: expected four whole numbers x0,y0,x1,y1, found \"" + text +
-                                    "\"");
-    const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
+    const std::vector<std::string> parts = split(text);
+    if (parts.size() != 4) throw noCrop(text);
+    const PixelRectangle crop{pixelNumber(parts[0]), pixelNumber(parts[1]), pixelNumber(parts[2]),
+                              pixelNumber(parts[3])};
     if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > size.width || crop.y1 > size.height || crop.width() < 1 ||
         crop.height() < 1)
-        throw std::invalid_argument("--crop: expected a rectangle inside of the " +
-                                    std::to_string(size.width) + " x " + std::to_string(size.height) +
-                                    " picture, found \"" + text + "\"");
+        throw usageError("--crop: expected a rectangle inside of the " + std::to_string(size.width) + " x " +
+                         std::to_string(size.height) + " picture, found \"" + text + "\"");
     return crop;
 }
 
@@ -94,7 +99,7 @@ Terms RenderArguments::terms() const {
         const auto* known = std::find_if(std::begin(termNames), std::end(termNames),
                                          [&](const TermName& term) { return name == term.name; });
         if (known == std::end(termNames))
-            throw std::invalid_argument(
+            throw usageError(
                 "--only: expected some of ambient, diffuse, specular, shadows, reflections, refraction, "
                 "textures, found \"" +
                 name + "\"");
@@ -114,9 +119,9 @@ BuildOptions RenderArguments::buildOptions() const {
 }
 
 void RenderArguments::warn(const std::string& warning) const {
-    const std::string line = scene + ": " + warning;
-    if (strict) throw SceneError(line);
-    if (!quiet) std::fprintf(stderr, "warning: %s\n", line.c_str());
+    const Error error({scene}, warning);
+    if (strict) throw error;
+    if (!quiet) std::fprintf(stderr, "warning: %s\n", error.what());
 }
 
 SceneDescription RenderArguments::load() const {

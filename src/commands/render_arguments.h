@@ -30,13 +30,13 @@ struct RenderArguments {
     void addTo(CommandLine& line);
     void addLongEdgeTo(CommandLine& line);
 
-    // The terms named by `only`. Throws std::invalid_argument with a line for the user.
+    // The terms named by `only`. Throws Error.
     Terms terms() const;
     Precision precisionChosen() const;
     BuildOptions buildOptions() const;
 
     // The scene of the file. Its warnings, the loader's and sceneAdvice's, go to stderr unless `quiet`; where
-    // `strict`, the first is a SceneError.
+    // `strict`, the first is an Error.
     SceneDescription load() const;
 
     // Whether anyone hears what `warn` is told.
@@ -49,7 +49,7 @@ struct RenderArguments {
     // scene be blamed.
     bool isWhole() const { return pass == "color" && only.empty() && crop.empty(); }
 
-    // Applies `only` and `opaque` to the scene and fills in the options for it. Throws std::invalid_argument.
+    // Applies `only` and `opaque` to the scene and fills in the options for it. Throws Error.
     RenderOptions prepare(SceneDescription& scene) const;
 
   private:

@@ -49,11 +49,7 @@ struct TradeoffArguments {
 
 void write(const std::filesystem::path& path, const std::string& text) {
     const std::span<const char> whole = text;
-    try {
-        writeFile(path.string(), {&whole, 1});
-    } catch (const FileError& error) {
-        throw ImageError(path.string() + ": " + error.what());
-    }
+    writeFile(path.string(), {&whole, 1});
 }
 
 int measure(TradeoffArguments& arguments) {
@@ -86,7 +82,7 @@ int tradeoff(int argc, char** argv) {
     TradeoffArguments arguments;
     arguments.addTo(line);
     if (const auto status = line.parse(argc, argv)) return *status;
-    return reportErrors([&] { return measure(arguments); });
+    return measure(arguments);
 }
 
 }  // namespace raytracer::commands

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "raytracer/util/error.h"
+
 namespace raytracer {
 
 namespace {
@@ -17,7 +19,7 @@ void requireSameSize(const Image& a, const Image& b) {
         return std::to_string(image.width) + " x " + std::to_string(image.height);
     };
     if (a.width != b.width || a.height != b.height)
-        throw ImageError("the pictures' sizes differ: " + size(a) + " and " + size(b));
+        throw Error("the pictures' sizes differ: " + size(a) + " and " + size(b));
 }
 
 double sampleDifference(std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); }
@@ -104,12 +106,8 @@ std::uint64_t Comparison::pixelsOver(int tolerance) const {
 }
 
 Picture readPicture(const std::string& path) {
-    try {
-        if (path.ends_with(".pfm")) return readPfm(path);
-        return readImage(path);
-    } catch (const ImageError& error) {
-        throw ImageError(path + ": " + error.what());
-    }
+    if (path.ends_with(".pfm")) return readPfm(path);
+    return readImage(path);
 }
 
 ByteImage toBytes(const Picture& picture) {

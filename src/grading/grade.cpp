@@ -6,10 +6,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <tuple>
 
 #include "raytracer/util/child_process.h"
+#include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/temporary_folder.h"
 
@@ -42,7 +42,7 @@ std::vector<fs::path> filesIn(const std::string& folder, const char* ending) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (entry->path().extension() == ending) files.push_back(entry->path());
-    if (error) throw std::runtime_error(folder + ": cannot read the folder: " + error.message());
+    if (error) throw Error({folder}, "cannot read the folder: " + error.message());
     return files;
 }
 
@@ -80,20 +80,7 @@ void removeShellsReport(std::string& output, const ProcessEnd& end) {
     if (end.signal && output.find(strsignal(end.signal), start) != std::string::npos) output.erase(start);
 }
 
-std::string bytesOf(const std::string& path) {
-    const FileBytes file(path);
-    return {file.begin(), file.end()};
-}
-
-ByteImage readReference(GradeResult& result) {
-    try {
-        ByteImage reference = readImage(result.test.reference);
-        result.referencePng = bytesOf(result.test.reference);
-        return reference;
-    } catch (const std::runtime_error& error) {
-        throw ImageError("the reference: " + std::string(error.what()));
-    }
-}
+std::string bytesOf(const std::string& path) { return std::string(FileBytes(path).text()); }
 
 void renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
     const auto start = std::chrono::steady_clock::now();
@@ -101,21 +88,26 @@ void renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, c
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.message = std::move(rendered.message);
     result.output = std::move(rendered.output);
-    if (rendered.failed) throw ImageError(result.message);
+    if (rendered.failed) throw Error(result.message);
     if (!fs::exists(out))
-        throw ImageError(result.message + (result.message.empty() ? "" : ", ") + "wrote no picture");
+        throw Error(result.message + (result.message.empty() ? "" : ", ") + "wrote no picture");
 }
 
-void gradePicture(GradeResult& result, const CaseRenderer& render, int longEdge) {
-    const TemporaryFolder folder;
-    const std::string out = folder.file("out.png");
-    const ByteImage reference = readReference(result);
+void gradePicture(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
+    const ByteImage reference = readImage(result.test.reference);
+    result.referencePng = bytesOf(result.test.reference);
     renderCase(result, render, longEdge ? longEdge : std::max(reference.width, reference.height), out);
     const ByteImage ours = readImage(out);
     result.ourPng = bytesOf(out);
     result.comparison = compareImages(ours, reference);
     const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference));
     result.differencePng.assign(difference.begin(), difference.end());
+}
+
+// The reader knows which picture it is; `out` is the path of ours.
+std::string messageOf(const Error& error, const GradeCase& test, const std::string& out) {
+    if (error.place().file == test.reference) return "the reference: " + error.inFile();
+    return error.place().file == out ? error.inFile() : error.what();
 }
 
 }  // namespace
@@ -149,8 +141,12 @@ CaseRenderer programRenderer(std::string command, double timeoutSeconds) {
 GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge) {
     GradeResult result;
     result.test = test;
+    const TemporaryFolder folder;
+    const std::string out = folder.file("out.png");
     try {
-        gradePicture(result, render, longEdge);
+        gradePicture(result, render, longEdge, out);
+    } catch (const Error& error) {
+        result.message = messageOf(error, test, out);
     } catch (const std::exception& error) {
         result.message = error.what();
     }

@@ -6,12 +6,23 @@
 
 namespace raytracer {
 
+std::string_view JsonDocument::string(std::uint32_t node) const {
+    const Node& n = nodes_[node];
+    return n.isDecoded ? std::string_view(n.decoded->text) : std::string_view(n.begin + 1, n.length);
+}
+
+const char* JsonDocument::begin(std::uint32_t node) const {
+    const Node& n = nodes_[node];
+    if (n.kind == Kind::Number) return text_.data() + (std::uint64_t{n.offsetHigh} << 32 | n.offsetLow);
+    return n.isDecoded ? n.decoded->begin : n.begin;
+}
+
 // Down from the root. A container that is not complete has an end beyond all nodes, and so contains the last
 // one.
 std::string JsonDocument::pointer(std::uint32_t node) const {
     std::string pointer;
     for (std::uint32_t at = 0; at != node;) {
-        const bool isObject = nodes_[at].kind == Kind::Object;
+        const bool isObject = kind(at) == Kind::Object;
         std::uint32_t child = at + 1 + isObject, position = 0;
         for (; end(child) <= node; ++position) child = end(child) + isObject;
         pointer =
@@ -21,8 +32,10 @@ std::string JsonDocument::pointer(std::uint32_t node) const {
     return pointer;
 }
 
-void JsonDocument::fail(std::uint32_t node, const std::string& message) const {
-    throw JsonError((node == 0 ? "" : ": " + pointer(node)) + ": " + message);
+Error JsonDocument::error(std::uint32_t node, const std::string& message) const {
+    Place at = place(static_cast<std::size_t>(begin(node) - text_.data()));
+    at.pointer = pointer(node);
+    return {at, message};
 }
 
 // Long enough for any name that people give, short enough for one line of a terminal.

@@ -1,142 +1,216 @@
-// JsonDocument from text: from what is plain by json_scanner.cpp; from all else, errors included, by the
-// events of nlohmann's parser.
+// JsonDocument from text: its nodes are the events of nlohmann's parser.
 #include <algorithm>
+#include <cctype>
+#include <iterator>
 #include <limits>
 
 #include <nlohmann/json.hpp>
 
-#include "json_nodes.h"
+#include "raytracer/json/json_document.h"
 
 namespace raytracer {
 namespace {
 
-// "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'text';
-// expected this": the library's own words, without its preamble and without a quotation that may be as long
-// as the file.
-std::string shortened(std::string message) {
-    if (const auto reason = message.find(" - "); reason != message.npos) message.erase(0, reason + 3);
-    const auto quotation = message.find("; last read: '");
-    if (quotation == message.npos) return message;
-    const auto expected = message.rfind("'; expected ");
-    const std::string rest = expected == message.npos ? "" : message.substr(expected + 1);
-    return message.substr(0, quotation) + rest;
-}
-
-// The parser's position is behind what it does not like: a token, named by its first character here, or the
-// last character of something that is no token. Only of strings and numbers is the text that it keeps the
-// token's alone.
-std::size_t charactersBack(std::string_view message, std::string_view token) {
-    const bool isText = message.starts_with("unexpected string") || message.starts_with("unexpected number");
-    return isText ? token.size() : 1;
-}
-
-// What Windows writes as "Unicode" is no JSON, and the parser would only see a strange character.
-void requireNoUtf16(std::string_view text) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-        throw JsonError(": expected UTF-8, found UTF-16");
-}
-
-// ":LINE:COLUMN: ", both from 1, the column in characters, as editors count.
-std::string placeInText(std::string_view text, std::size_t offset) {
-    std::string_view before = text.substr(0, std::min(offset, text.size()));
-    if (before.starts_with("\xef\xbb\xbf")) before.remove_prefix(3);  // a byte order mark has no width
-    const auto line = std::ranges::count(before, '\n') + 1;
-    before.remove_prefix(before.rfind('\n') + 1);  // npos + 1 is 0
-    const auto startsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
-    const auto column = std::ranges::count_if(before, startsCharacter) + 1;
-    return ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
-}
-
-// The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it
-// throws.
-class JsonEvents {
-    using Kind = JsonDocument::Kind;
-
+// A pointer into the text that all copies share, so that the events know how far the parser has read.
+class CountingIterator {
   public:
-    JsonEvents(JsonDocument& document, JsonNodes& nodes, std::string_view text)
-        : document_(document), nodes_(nodes), text_(text) {}
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
 
-    bool null() { return addNumber(Kind::Null, 0); }
-    bool boolean(bool value) { return addNumber(Kind::Boolean, value); }
-    bool number_integer(std::int64_t value) { return addNumber(Kind::Number, static_cast<double>(value)); }
-    bool number_unsigned(std::uint64_t value) { return addNumber(Kind::Number, static_cast<double>(value)); }
-    bool number_float(double value, const std::string&) { return addNumber(Kind::Number, value); }
-    bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in JSON text
-    bool string(const std::string& text) { return addText(Kind::String, text); }
-    bool key(const std::string& text) { return addText(Kind::Key, text); }
-
-    bool start_object(std::size_t) { return nodes_.open(Kind::Object), true; }
-    bool start_array(std::size_t) { return nodes_.open(Kind::Array), true; }
-    bool end_object();
-    bool end_array() { return nodes_.close(), true; }
-
-    bool parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error);
+    explicit CountingIterator(const char*& place) : place_(&place) {}
+    reference operator*() const { return **place_; }
+    CountingIterator& operator++() {
+        ++*place_;
+        return *this;
+    }
+    bool operator==(const CountingIterator& other) const { return *place_ == *other.place_; }
 
   private:
-    bool addNumber(Kind kind, double number) { return nodes_.addNumber(kind, number), true; }
-    bool addText(Kind kind, const std::string& text);
-
-    JsonDocument& document_;
-    JsonNodes& nodes_;
-    std::string_view text_;
+    const char** place_;
 };
 
-bool JsonEvents::addText(Kind kind, const std::string& text) {
-    if (text.size() > std::numeric_limits<std::uint32_t>::max()) throw JsonError(": a string of over 4 GiB");
-    nodes_.addText(kind, nodes_.keep(text));
-    return true;
+// What Windows writes as "Unicode" is no JSON, and the parser would only see a strange character.
+bool isUtf16(std::string_view text) { return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"); }
+
+constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8
+
+// "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'token';
+// expected this": the library's own words, without its preamble and without a quotation that may be as long
+// as the file.
+std::string reasonOf(std::string message, const std::string& token) {
+    message.erase(0, message.find(" - ") + 3);
+    const std::string quotation = "; last read: '" + token + "'";
+    if (const auto at = message.find(quotation); at != message.npos) message.erase(at, quotation.size());
+    return message;
 }
 
-bool JsonEvents::end_object() {
-    if (const JsonDocument::Node* key = nodes_.twice())
-        document_.fail(nodes_.innermost(),
-                       "expected each key once, found " + inQuotes({key->text, key->length}) + " twice");
-    return end_array();
-}
-
-bool JsonEvents::parse_error(std::size_t position, const std::string& token,
-                             const nlohmann::json::exception& error) {
-    constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
-    if (error.id == numberOverflow) {
-        null();  // in its place
-        document_.fail(nodes_.last(), "expected a finite number, found " + token.substr(0, 40));
-    }
-    const std::string message = shortened(error.what());
-    throw JsonError(placeInText(text_, position - std::min(position, charactersBack(message, token))) +
-                    message);
+// The parser stops at `end`, behind what it does not like: a token, which is blamed where it begins, or the
+// last character of something that is no token.
+std::size_t blamed(std::string_view text, std::size_t end, std::string_view reason,
+                   const std::string& token) {
+    const std::size_t last = end - 1;
+    if (!reason.starts_with("unexpected ") || end > text.size()) return last;
+    if (text[last] == '"') return end - token.size();
+    if (!std::isalnum(static_cast<unsigned char>(text[last]))) return last;
+    return text.find_last_of(" \t\r\n,:[]{}\"", last) + 1;  // npos + 1 is 0
 }
 
 }  // namespace
 
-// Once for each object rather than at each key, so that an object of a million keys takes no quadratic time.
-const JsonDocument::Node* JsonNodes::twice() {
-    constexpr std::size_t few = 8;  // as most objects have: not worth sorting
-    keys_.clear();
-    for (std::uint32_t key = innermost() + 1; key < size(); key = document_.end(key + 1))
-        keys_.push_back(&nodes_[key]);
-    const auto text = [](const Node* key) { return std::string_view(key->text, key->length); };
-    if (keys_.size() > few) {
-        std::ranges::sort(keys_, {}, text);
-        const auto twice = std::ranges::adjacent_find(keys_, {}, text);
-        return twice == keys_.end() ? nullptr : *twice;
+// The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it
+// throws.
+class JsonReader {
+    using Kind = JsonDocument::Kind;
+    using Node = JsonDocument::Node;
+
+  public:
+    explicit JsonReader(JsonDocument& document)
+        : document_(document), nodes_(document.nodes_), text_(document.text_) {
+        behindLast_ = read_ + (text_.starts_with(byteOrderMark) ? byteOrderMark.size() : 0);
     }
-    for (auto key = keys_.begin(); key != keys_.end(); ++key)
-        if (std::find_if(keys_.begin(), key, [&](const Node* other) { return text(other) == text(*key); }) !=
-            key)
-            return *key;
-    return nullptr;
+
+    void read() {
+        constexpr std::size_t bytesForNode = 8;  // a guess; memory that is not written to costs nothing
+        nodes_.reserve(text_.size() / bytesForNode);
+        const char* end = text_.data() + text_.size();
+        nlohmann::json::sax_parse(CountingIterator(read_), CountingIterator(end), this);
+    }
+
+    bool null() { return add(Kind::Null); }
+    bool boolean(bool) { return add(Kind::Boolean); }
+    bool number_integer(std::int64_t value) { return number(static_cast<double>(value)); }
+    bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
+    bool number_float(double value, const std::string&) { return number(value); }
+    bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in JSON text
+    bool string(std::string& value) { return text(Kind::String, value); }
+    bool key(std::string& value) { return text(Kind::Key, value); }
+
+    bool start_object(std::size_t) { return open(Kind::Object); }
+    bool start_array(std::size_t) { return open(Kind::Array); }
+    bool end_object() {
+        requireKeysOnce();
+        return end_array();
+    }
+    bool end_array() {
+        nodes_[open_.back()].end = count();
+        open_.pop_back();
+        behindLast_ = read_;
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error);
+
+  private:
+    std::uint32_t count() const { return static_cast<std::uint32_t>(nodes_.size()); }
+    [[noreturn]] void fail(std::uint32_t node, const std::string& message) const {
+        throw document_.error(node, message);
+    }
+
+    bool add(Kind kind);
+    bool number(double value);
+    bool text(Kind kind, std::string& value);
+    bool open(Kind kind);
+    void requireKeysOnce();
+
+    JsonDocument& document_;
+    std::vector<Node>& nodes_;
+    const std::string_view text_;
+    const char* read_ = text_.data();  // how far the parser has
+    const char* behindLast_;           // how far it had at the last event
+    std::vector<std::uint32_t> open_;  // containers, the innermost last
+    std::vector<std::string_view> keys_;
+};
+
+// A node begins behind the last event, which has read at most one blank, comma or closing bracket more than
+// it is about.
+bool JsonReader::add(Kind kind) {
+    if (nodes_.size() == std::numeric_limits<std::uint32_t>::max()) fail(0, "too many values");
+    const char* begin = behindLast_;
+    while (*begin == ' ' || *begin == '\n' || *begin == '\t' || *begin == '\r' || *begin == ',' ||
+           *begin == ':')
+        ++begin;
+    Node& node = nodes_.emplace_back();
+    node.begin = begin;
+    node.kind = kind;
+    behindLast_ = read_;
+    return true;
 }
 
-JsonDocument::JsonDocument(const char* begin, const char* end) {
-    std::string_view text(begin, end);
-    requireNoUtf16(text);
-    JsonNodes nodes(*this);
-    constexpr std::size_t bytesForNode = 8;  // a guess; memory that is not written to costs nothing
-    nodes.reserve(text.size() / bytesForNode);
-    if (scanPlainJson(text, nodes)) return;
-    nodes.clear();
-    JsonEvents events(*this, nodes, text);
-    nlohmann::json::sax_parse(begin, end, &events);
+bool JsonReader::number(double value) {
+    add(Kind::Number);
+    Node& node = nodes_.back();
+    const auto offset = static_cast<std::uint64_t>(node.begin - text_.data());
+    node.offsetLow = static_cast<std::uint32_t>(offset);
+    node.offsetHigh = static_cast<std::uint16_t>(offset >> 32);
+    node.number = value;
+    return true;
+}
+
+// An escape sequence is longer than what it stands for.
+bool JsonReader::text(Kind kind, std::string& value) {
+    add(kind);
+    Node& node = nodes_.back();
+    if (value.size() > std::numeric_limits<std::uint32_t>::max()) fail(count() - 1, "a string of over 4 GiB");
+    node.length = static_cast<std::uint32_t>(value.size());
+    node.isDecoded = read_ - node.begin != static_cast<std::ptrdiff_t>(value.size() + 2);
+    if (node.isDecoded) {
+        document_.decoded_.push_back({std::move(value), node.begin});
+        node.decoded = &document_.decoded_.back();
+    }
+    return true;
+}
+
+bool JsonReader::open(Kind kind) {
+    open_.push_back(count());
+    add(kind);
+    nodes_.back().end = std::numeric_limits<std::uint32_t>::max();  // for now: see JsonDocument::pointer
+    return true;
+}
+
+// Once for each object rather than at each key, so that an object of a million keys takes no quadratic time.
+void JsonReader::requireKeysOnce() {
+    constexpr std::size_t few = 8;  // as most objects have: not worth sorting
+    keys_.clear();
+    for (std::uint32_t key = open_.back() + 1; key < count(); key = document_.end(key + 1))
+        keys_.push_back(document_.string(key));
+    auto twice = keys_.begin();
+    if (keys_.size() > few) {
+        std::ranges::sort(keys_);
+        twice = std::ranges::adjacent_find(keys_);
+    } else {
+        while (twice != keys_.end() && std::find(keys_.begin(), twice, *twice) == twice) ++twice;
+    }
+    if (twice != keys_.end())
+        fail(open_.back(), "expected each key once, found " + inQuotes(*twice) + " twice");
+}
+
+bool JsonReader::parse_error(std::size_t position, const std::string& token,
+                             const nlohmann::json::exception& error) {
+    constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
+    if (error.id == numberOverflow) {
+        number(0);  // in its place
+        fail(count() - 1, "expected a finite number, found " + token.substr(0, 40));
+    }
+    const std::string reason = reasonOf(error.what(), token);
+    throw Error(document_.place(blamed(text_, position, reason, token)), reason);
+}
+
+JsonDocument::JsonDocument(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {
+    if (isUtf16(text)) throw Error({path_}, "expected UTF-8, found UTF-16");
+    JsonReader(*this).read();
+}
+
+Place JsonDocument::place(std::size_t offset) const {
+    std::string_view before = text_.substr(0, offset);
+    if (before.starts_with(byteOrderMark)) before.remove_prefix(byteOrderMark.size());  // has no width
+    const auto lines = std::ranges::count(before, '\n');
+    before.remove_prefix(before.rfind('\n') + 1);  // npos + 1 is 0
+    const auto startsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+    const auto column = std::ranges::count_if(before, startsCharacter) + 1;
+    return {path_, static_cast<std::size_t>(lines) + 1, static_cast<std::size_t>(column)};
 }
 
 }  // namespace raytracer

@@ -1,19 +1,14 @@
 #include "raytracer/json/json_view.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "raytracer/json/json_writer.h"
 #include "raytracer/json/nearest_name.h"
 
 namespace raytracer {
 namespace {
 
 using Kind = JsonDocument::Kind;
-
-std::string shortest(double number) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
-}
 
 std::string listed(std::span<const std::string_view> choices) {
     std::string list;
@@ -28,12 +23,12 @@ std::string listed(std::span<const std::string_view> choices) {
 
 bool JsonView::boolean() const {
     require(Kind::Boolean, "true or false");
-    return node().number != 0;
+    return document_->boolean(node_);
 }
 
 double JsonView::number() const {
     require(Kind::Number, "a number");
-    return node().number;
+    return document_->number(node_);
 }
 
 std::string_view JsonView::string() const {
@@ -42,8 +37,7 @@ std::string_view JsonView::string() const {
 }
 
 void JsonView::numbers(std::span<double> out) const {
-    if (node().kind != Kind::Array || size() != out.size())
-        failExpected(std::to_string(out.size()) + " numbers");
+    if (kind() != Kind::Array || size() != out.size()) failExpected(std::to_string(out.size()) + " numbers");
     std::size_t i = 0;
     for (const JsonView element : elements()) out[i++] = element.number();
 }
@@ -65,24 +59,24 @@ std::size_t JsonView::choice(std::span<const std::string_view> choices) const {
 
 JsonView::Children JsonView::elements() const {
     require(Kind::Array, "an array");
-    return {{*document_, node_ + 1, 0}, {*document_, node().end, 0}};
+    return {{*document_, node_ + 1, 0}, {*document_, document_->end(node_), 0}};
 }
 
 JsonView::Children JsonView::members() const {
     require(Kind::Object, "an object");
-    return {{*document_, node_ + 1, 1}, {*document_, node().end, 1}};
+    return {{*document_, node_ + 1, 1}, {*document_, document_->end(node_), 1}};
 }
 
 std::size_t JsonView::size() const {
-    if (node().kind != Kind::Array && node().kind != Kind::Object) return 0;
+    if (kind() != Kind::Array && kind() != Kind::Object) return 0;
     std::size_t count = 0;
-    for (const JsonView child : node().kind == Kind::Array ? elements() : members())
+    for (const JsonView child : kind() == Kind::Array ? elements() : members())
         static_cast<void>(child), ++count;
     return count;
 }
 
 void JsonView::requireElements(std::size_t count, const char* expected) const {
-    if (node().kind != Kind::Array || size() != count) failExpected(expected);
+    if (kind() != Kind::Array || size() != count) failExpected(expected);
 }
 
 JsonView JsonView::element(std::size_t index) const {
@@ -104,10 +98,10 @@ void JsonView::failExpected(const std::string& expected) const {
 }
 
 std::string JsonView::inWords() const {
-    switch (node().kind) {
+    switch (kind()) {
         case Kind::Null: return "null";
-        case Kind::Boolean: return node().number != 0 ? "true" : "false";
-        case Kind::Number: return shortest(node().number);
+        case Kind::Boolean: return document_->boolean(node_) ? "true" : "false";
+        case Kind::Number: return shortestNumber(document_->number(node_));
         case Kind::String: return inQuotes(document_->string(node_));
         case Kind::Array: return "an array of " + std::to_string(size());
         case Kind::Object: return "an object";

@@ -13,6 +13,11 @@ std::string unicodeEscape(char c) { return formatted("\\u%04x", static_cast<unsi
 
 }  // namespace
 
+std::string shortestNumber(double number) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
+}
+
 std::string jsonString(std::string_view text) {
     std::string quoted = "\"";
     for (const char c : text) {
@@ -34,12 +39,7 @@ JsonWriter& JsonWriter::key(std::string_view name) {
 JsonWriter& JsonWriter::value(std::string_view text) { return plain(jsonString(text)); }
 
 JsonWriter& JsonWriter::value(double number) {
-    if (!std::isfinite(number)) return null();
-    // The shortest text that reads back as this double (0.1, where %.17g has 0.10000000000000001), in every
-    // locale.
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
-    return plain({digits, end});
+    return std::isfinite(number) ? plain(shortestNumber(number)) : null();
 }
 
 JsonWriter& JsonWriter::begin(char bracket) {

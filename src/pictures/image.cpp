@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstddef>
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include <libdeflate.h>
 #include <stb_image.h>
 #include <stb_image_write.h>
 
+#include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/number.h"
 
 namespace raytracer {
 namespace {
@@ -53,13 +55,14 @@ std::string_view firstChunk(std::string_view text) {
                                                      : std::string_view{};
 }
 
-std::vector<std::string_view> readChunks(std::string_view png) {
+std::vector<std::string_view> readChunks(const FileBytes& file) {
+    std::string_view png = file.text();
     std::vector<std::string_view> chunks;
     do {
         png.remove_prefix(chunks.empty() ? pngSignature.size() : chunks.back().size());
         chunks.push_back(firstChunk(png));
         if (chunks.back().empty())
-            throw ImageError("broken PNG picture: it is cut short, or a checksum in it is wrong");
+            file.fail("broken PNG picture: it is cut short, or a checksum in it is wrong");
     } while (chunks.back().substr(4, 4) != "IEND");
     return chunks;
 }
@@ -87,35 +90,37 @@ bool hasPalette(std::string_view header) {
 
 using Decoded = std::unique_ptr<stbi_uc, decltype(&stbi_image_free)>;
 
-Decoded decode(std::string_view file, int wanted, int& width, int& height) {
+// The pixels, each of `wanted` bytes, of `text`: the file's own, or the same with another palette.
+Decoded decode(const FileBytes& file, std::string_view text, int wanted, ByteImage& image) {
     int channelsInFile = 0;
     stbi_uc* const pixels =
-        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()), static_cast<int>(file.size()),
-                              &width, &height, &channelsInFile, wanted);
-    if (!pixels) throw ImageError(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(text.data()), static_cast<int>(text.size()),
+                              &image.width, &image.height, &channelsInFile, wanted);
+    if (!pixels) file.fail(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
     return {pixels, &stbi_image_free};
 }
 
-ByteImage decodePaletted(const std::vector<std::string_view>& chunks) {
+ByteImage decodePaletted(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     ByteImage image;
-    const Decoded pixels = decode(withWholePalette(chunks), 4, image.width, image.height);
+    const Decoded pixels = decode(file, withWholePalette(chunks), 4, image);
     const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     for (const stbi_uc* p = pixels.get(); p != pixels.get() + 4 * count; p += 4) {
-        if (p[3] == 0) throw ImageError("broken PNG picture: a texel has a colour beyond its palette");
+        if (p[3] == 0) file.fail("broken PNG picture: a texel has a colour beyond its palette");
         image.pixels.insert(image.pixels.end(), p, p + channels);
     }
     return image;
 }
 
-ByteImage decode(std::string_view file) {
-    if (file.size() > largestStbSize / 2) throw ImageError("cannot decode: the file is over 1 GiB");
-    if (isTruncatedJpeg(file)) throw ImageError("broken JPEG picture: it has no end marker");
-    if (file.starts_with(pngSignature)) {
+ByteImage decode(const FileBytes& file) {
+    const std::string_view text = file.text();
+    if (text.size() > largestStbSize / 2) file.fail("cannot decode: the file is over 1 GiB");
+    if (isTruncatedJpeg(text)) file.fail("broken JPEG picture: it has no end marker");
+    if (text.starts_with(pngSignature)) {
         const auto chunks = readChunks(file);
-        if (hasPalette(chunks.front())) return decodePaletted(chunks);
+        if (hasPalette(chunks.front())) return decodePaletted(file, chunks);
     }
     ByteImage image;
-    const Decoded pixels = decode(file, static_cast<int>(channels), image.width, image.height);
+    const Decoded pixels = decode(file, text, static_cast<int>(channels), image);
     const auto count =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * channels;
     image.pixels.assign(pixels.get(), pixels.get() + count);
@@ -124,16 +129,10 @@ ByteImage decode(std::string_view file) {
 
 // stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a
 // little larger than both, so half of what int holds is surely enough.
-void requireEncodable(const ByteImage& image) {
+void requireEncodable(const ByteImage& image, const std::string& path) {
     const std::size_t rowBytes = static_cast<std::size_t>(image.width) * channels + 1;
     if (rowBytes * static_cast<std::size_t>(image.height) > largestStbSize / 2)
-        throw ImageError("cannot write: the picture is too large for PNG");
-}
-
-void write(const std::string& path, std::span<const std::span<const char>> parts) try {
-    writeFile(path, parts);
-} catch (const FileError& error) {
-    throw ImageError(error.what());
+        throw Error({path}, "cannot write: the picture is too large for PNG");
 }
 
 // The header of a PFM: "PF", width, height, scale, whose sign tells the byte order (negative: little endian)
@@ -142,37 +141,34 @@ void write(const std::string& path, std::span<const std::span<const char>> parts
 struct PfmHeader {
     int width = 0, height = 0;
     std::endian order = std::endian::little;
-    const char* rows = nullptr;
+    std::string_view rows;
 };
 
-std::string_view nextWord(const char*& p, const char* end) {
+std::string_view takeWord(std::string_view& text) {
     constexpr std::string_view blanks = " \t\r\n";
-    const auto isBlank = [&](char c) { return blanks.find(c) != blanks.npos; };
-    const char* const begin = std::find_if_not(p, end, isBlank);
-    p = std::find_if(begin, end, isBlank);
-    return {begin, p};
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_of(blanks));
+    text.remove_prefix(word.size());
+    return word;
 }
 
 template <class Number>
-Number parseWhole(std::string_view word, const char* what) {
-    Number number{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size())
-        throw ImageError(std::string("not a PFM picture: its ") + what + " is no number");
-    return number;
+Number takeNumber(const FileBytes& file, std::string_view& text, const char* what) {
+    const std::optional<Number> number = numberOf<Number>(takeWord(text));
+    if (!number) file.fail(std::string("not a PFM picture: its ") + what + " is no number");
+    return *number;
 }
 
 PfmHeader readPfmHeader(const FileBytes& file) {
-    const char* p = file.begin();
-    if (nextWord(p, file.end()) != "PF")
-        throw ImageError("not a colour PFM picture: it does not begin with \"PF\"");
+    std::string_view text = file.text();
+    if (takeWord(text) != "PF") file.fail("not a colour PFM picture: it does not begin with \"PF\"");
     PfmHeader header;
-    header.width = parseWhole<int>(nextWord(p, file.end()), "width");
-    header.height = parseWhole<int>(nextWord(p, file.end()), "height");
-    const double scale = parseWhole<double>(nextWord(p, file.end()), "scale");
-    if (header.width < 1 || header.height < 1) throw ImageError("not a PFM picture: it has no pixels");
+    header.width = takeNumber<int>(file, text, "width");
+    header.height = takeNumber<int>(file, text, "height");
+    const auto scale = takeNumber<double>(file, text, "scale");
+    if (header.width < 1 || header.height < 1) file.fail("not a PFM picture: it has no pixels");
     header.order = scale < 0 ? std::endian::little : std::endian::big;
-    header.rows = std::min(p + 1, file.end());
+    header.rows = text.substr(std::min<std::size_t>(1, text.size()));
     return header;
 }
 
@@ -190,13 +186,15 @@ float swapBytes(float value) {
 
 FloatImage decodePfm(const FileBytes& file) {
     const PfmHeader header = readPfmHeader(file);
-    const auto left = static_cast<std::size_t>(file.end() - header.rows);
-    if (left < pixelBytes(header)) throw ImageError("broken PFM picture: it ends before its last pixel");
+    if (header.rows.size() < pixelBytes(header))
+        file.fail("broken PFM picture: it ends before its last pixel");
     FloatImage image{header.width, header.height, std::vector<float>(pixelBytes(header) / sizeof(float))};
     const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
-    const char* row = header.rows + pixelBytes(header);
-    for (float* to = image.pixels.data(); row != header.rows; to += rowBytes / sizeof(float))
-        std::memcpy(to, row -= rowBytes, rowBytes);
+    const char* row = header.rows.data() + pixelBytes(header);
+    for (float* to = image.pixels.data(); row != header.rows.data(); to += rowBytes / sizeof(float)) {
+        row -= rowBytes;
+        std::memcpy(to, row, rowBytes);
+    }
     if (header.order != std::endian::native)
         std::ranges::transform(image.pixels, image.pixels.begin(), swapBytes);
     return image;
@@ -204,22 +202,12 @@ FloatImage decodePfm(const FileBytes& file) {
 
 }  // namespace
 
-// Equal to lround, whose call costs more than all of this: the subtraction is exact (Sterbenz).
-ByteImage readImage(const std::string& path) try {
-    const FileBytes file(path);
-    return decode({file.begin(), file.end()});
-} catch (const FileError& error) {
-    throw ImageError(error.what());
-}
+ByteImage readImage(const std::string& path) { return decode(FileBytes(path)); }
 
-FloatImage readPfm(const std::string& path) try {
-    return decodePfm(FileBytes(path));
-} catch (const FileError& error) {
-    throw ImageError(error.what());
-}
+FloatImage readPfm(const std::string& path) { return decodePfm(FileBytes(path)); }
 
-std::vector<char> encodePng(const ByteImage& image) {
-    requireEncodable(image);
+std::vector<char> encodePng(const ByteImage& image, const std::string& path) {
+    requireEncodable(image, path);
     stbi_write_force_png_filter = pngFilter;
     stbi_write_png_compression_level = deflateLevel;
     std::vector<char> png;
@@ -229,14 +217,14 @@ std::vector<char> encodePng(const ByteImage& image) {
     };
     if (!stbi_write_png_to_func(append, &png, image.width, image.height, static_cast<int>(channels),
                                 image.pixels.data(), 0))
-        throw ImageError("cannot write: not enough memory");
+        throw Error({path}, "cannot write: not enough memory");
     return png;
 }
 
 void writePng(const std::string& path, const ByteImage& image) {
-    const std::vector<char> png = encodePng(image);
+    const std::vector<char> png = encodePng(image, path);
     const std::span<const char> whole = png;
-    write(path, {&whole, 1});
+    writeFile(path, {&whole, 1});
 }
 
 void writePfm(const std::string& path, const FloatImage& image) {
@@ -248,7 +236,7 @@ void writePfm(const std::string& path, const FloatImage& image) {
     for (auto y = static_cast<std::size_t>(image.height); y-- > 0;)
         parts.emplace_back(reinterpret_cast<const char*>(image.pixels.data() + y * rowFloats),
                            rowFloats * sizeof(float));
-    write(path, parts);
+    writeFile(path, parts);
 }
 
 }  // namespace raytracer

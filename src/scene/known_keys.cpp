@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "raytracer/json/nearest_name.h"
+#include "raytracer/util/error.h"
 
 namespace raytracer {
 
@@ -35,14 +36,14 @@ void KnownKeys::report(const JsonObject& object, std::string_view key) {
     NearestName nearest(key);
     for (const std::string_view name : object.known()) nearest.consider(name);
     const std::string message = "unknown key " + inQuotes(key) + nearest.question();
-    if (strict_) object.json().fail(message);
-    const std::string pointer = object.json().pointer();
-    warnings_.push_back((pointer.empty() ? "" : ": " + pointer) + ": " + message);
+    const Error error = object.json().error(message);
+    if (strict_) throw error;
+    warnings_.emplace_back(error.what());
 }
 
-std::vector<std::string> KnownKeys::warnings() const {
+std::vector<std::string> KnownKeys::warnings(const std::string& path) const {
     std::vector<std::string> all = warnings_;
-    if (notShown_ > 0) all.push_back(": " + std::to_string(notShown_) + " more unknown keys");
+    if (notShown_ > 0) all.push_back(path + ": " + std::to_string(notShown_) + " more unknown keys");
     return all;
 }
 

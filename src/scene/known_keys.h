@@ -20,7 +20,7 @@ class JsonObject {
     JsonObject(JsonView json, std::span<const std::string_view> known) : json_(json), known_(known) {}
 
     bool knows(std::string_view key) const;
-    JsonView operator[](std::string_view key) const;  // JsonError if it is missing
+    JsonView operator[](std::string_view key) const;  // an Error if it is missing
     std::optional<JsonView> find(std::string_view key) const { return json_.find(key); }
 
     JsonView json() const { return json_; }
@@ -38,9 +38,9 @@ class KnownKeys {
     // `known` must outlive the result.
     JsonObject check(JsonView json, std::span<const std::string_view> known);
 
-    // In the form of JsonError's what(). After the first few only how many more there are: a scene of a
-    // million shapes may have a comment in each.
-    std::vector<std::string> warnings() const;
+    // One line each, as an Error would say it of the file `path`. After the first few only how many more
+    // there are: a scene of a million shapes may have a comment in each.
+    std::vector<std::string> warnings(const std::string& path) const;
 
   private:
     void report(const JsonObject& object, std::string_view key);

@@ -10,6 +10,7 @@
 #include "obj_chunk.h"
 #include "obj_line.h"
 #include "obj_text.h"
+#include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/parallel.h"
 
@@ -48,11 +49,11 @@ ObjCounts sumAbove(std::vector<ObjCounts>& counts) {
     return whole;
 }
 
-void requireUsable(const ObjCounts& whole) {
-    if (whole.faces == 0) throw MeshError("no faces, so not an OBJ mesh");
+void requireUsable(const ObjCounts& whole, const std::string& path) {
+    if (whole.faces == 0) throw Error({path}, "no faces, so not an OBJ mesh");
     // One less than all, for noTexCoord is no index.
     if (std::max(whole.positions, whole.texCoords) >= MeshData::noTexCoord)
-        throw MeshError("too many vertices: indices have 32 bits");
+        throw Error({path}, "too many vertices: indices have 32 bits");
 }
 
 // Chunks are freed as they are taken over, so that little is in memory twice.
@@ -85,37 +86,32 @@ void MeshData::findBounds() {
     }
 }
 
-MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount) {
+MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path) {
     const std::vector<std::string_view> chunks = splitAtLines(text, chunkCount);
     std::vector<ObjCounts> above(chunkCount);
     const auto jobs = static_cast<std::uint32_t>(chunkCount);
     parallelFor(jobs, 0, [&](std::uint32_t i) { above[i] = countObjChunk(chunks[i]); });
     const ObjCounts whole = sumAbove(above);
-    requireUsable(whole);
+    requireUsable(whole, path);
 
     MeshData mesh;
     mesh.positions.resize(whole.positions);
     mesh.texCoords.resize(whole.texCoords);
     std::vector<ObjTriangles> triangles(chunkCount);
-    parallelFor(jobs, 0,
-                [&](std::uint32_t i) { triangles[i] = parseObjChunk(chunks[i], above[i], whole, mesh); });
+    parallelFor(jobs, 0, [&](std::uint32_t i) {
+        triangles[i] = parseObjChunk({chunks[i], path}, above[i], whole, mesh);
+    });
     appendTriangles(triangles, mesh);
     mesh.findBounds();
     return mesh;
 }
 
-MeshData parseObj(const char* begin, const char* end) {
-    std::string_view text(begin, end);
+MeshData parseObj(std::string_view text, const std::string& path) {
     if (constexpr std::string_view utf8Mark = "\xef\xbb\xbf"; text.starts_with(utf8Mark))
         text.remove_prefix(utf8Mark.size());
-    return parseObjInChunks(text, text.size() / chunkBytes + 1);
+    return parseObjInChunks(text, text.size() / chunkBytes + 1, path);
 }
 
-MeshData loadObj(const std::string& path) try {
-    const FileBytes file(path);
-    return parseObj(file.begin(), file.end());
-} catch (const FileError& error) {
-    throw MeshError(error.what());
-}
+MeshData loadObj(const std::string& path) { return parseObj(FileBytes(path).text(), path); }
 
 }  // namespace raytracer

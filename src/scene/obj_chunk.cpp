@@ -24,9 +24,9 @@ class ChunkParser {
     ChunkParser(const ObjCounts& above, const ObjCounts& whole, MeshData& mesh)
         : above_(above), whole_(whole), mesh_(mesh) {}
 
-    ObjTriangles parse(std::string_view chunk) {
-        for (std::size_t physicalLines = 0; !chunk.empty(); above_.lines += physicalLines) {
-            ObjLine line(takeObjLine(chunk, physicalLines), above_.lines + 1);
+    ObjTriangles parse(ObjChunk chunk) {
+        for (std::size_t physicalLines = 0; !chunk.text.empty(); above_.lines += physicalLines) {
+            ObjLine line(takeObjLine(chunk.text, physicalLines), chunk.path, above_.lines + 1);
             parseLine(line);
         }
         return std::move(triangles_);
@@ -134,7 +134,7 @@ ObjCounts& ObjCounts::operator+=(const ObjCounts& other) {
 ObjCounts countObjChunk(std::string_view chunk) {
     ObjCounts counts;
     for (std::size_t physicalLines = 0; !chunk.empty(); counts.lines += physicalLines) {
-        switch (ObjLine(takeObjLine(chunk, physicalLines), 0).keyword()) {
+        switch (ObjLine(takeObjLine(chunk, physicalLines)).keyword()) {
             case ObjKeyword::position: ++counts.positions; break;
             case ObjKeyword::texCoord: ++counts.texCoords; break;
             case ObjKeyword::normal: ++counts.normals; break;
@@ -145,7 +145,7 @@ ObjCounts countObjChunk(std::string_view chunk) {
     return counts;
 }
 
-ObjTriangles parseObjChunk(std::string_view chunk, const ObjCounts& above, const ObjCounts& whole,
+ObjTriangles parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole,
                            MeshData& mesh) {
     return ChunkParser(above, whole, mesh).parse(chunk);
 }

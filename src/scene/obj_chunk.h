@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,11 +24,16 @@ struct ObjTriangles {
     std::vector<std::uint32_t> positionIndex, texCoordIndex;
 };
 
+struct ObjChunk {
+    std::string_view text;
+    const std::string& path;  // of the whole file, for errors
+};
+
 ObjCounts countObjChunk(std::string_view chunk);
 
 // Fills the chunk's own part of mesh.positions and mesh.texCoords, which have their final sizes, and returns
-// its triangles. Throws MeshError at the chunk's first line that is to blame.
-ObjTriangles parseObjChunk(std::string_view chunk, const ObjCounts& above, const ObjCounts& whole,
+// its triangles. Throws Error at the chunk's first line that is to blame.
+ObjTriangles parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole,
                            MeshData& mesh);
 
 }  // namespace raytracer

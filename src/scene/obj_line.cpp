@@ -1,11 +1,11 @@
 #include "obj_line.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <utility>
 
-#include "raytracer/scene/mesh_file.h"
+#include "raytracer/util/error.h"
+#include "raytracer/util/number.h"
 
 namespace raytracer {
 
@@ -40,15 +40,10 @@ ObjKeyword ObjLine::keyword() {
 
 double ObjLine::number() {
     if (atEnd()) fail("expected a number, found the end of the line");
-    // std::from_chars knows no plus.
-    const char* const begin = p_ + (end_ - p_ > 1 && p_[0] == '+' && p_[1] != '-');
+    const char* const begin = p_ + (*p_ == '+' && end_ - p_ > 1 && p_[1] != '-');
     double value = 0;
-    const auto [stop, error] = std::from_chars(begin, end_, value);
-    p_ = stop;
-    if (error == std::errc::invalid_argument || !isAtWordEnd()) failWord("expected a number, found ");
-    // Too large or too near to 0, and it does not say which.
-    if (error == std::errc::result_out_of_range)
-        value = std::strtod(std::string(begin, stop).c_str(), nullptr);
+    p_ = readNumber(begin, end_, value);
+    if (p_ == begin || !isAtWordEnd()) failWord("expected a number, found ");
     if (!std::isfinite(value)) failWord("expected a finite number, found ");
     return value;
 }
@@ -66,12 +61,9 @@ ObjLine::Corner ObjLine::corner() {
 
 std::int64_t ObjLine::index() {
     std::int64_t value = 0;
-    const auto [stop, error] = std::from_chars(p_, end_, value);
-    p_ = stop;
-    if (error == std::errc::invalid_argument)
-        failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
-    if (error == std::errc::result_out_of_range || value == 0)
-        failWord("indices count from 1, or from -1 backwards; found ");
+    const char* const begin = std::exchange(p_, readNumber(p_, end_, value));
+    if (p_ == begin) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
+    if (value == 0) failWord("indices count from 1, or from -1 backwards; found ");
     return value;
 }
 
@@ -81,13 +73,13 @@ bool ObjLine::isAtContinuation() const {
 }
 
 void ObjLine::fail(const std::string& message) const {
-    throw MeshError("line " + std::to_string(number_) + ": " + message);
+    throw Error({.file = std::string(path_), .line = number_}, message);
 }
 
 // The word may be anything, if the file is no OBJ at all.
 void ObjLine::failWord(const char* message) const {
     constexpr std::size_t longest = 40;
-    ObjLine rest(std::string_view(word_, end_), number_);
+    ObjLine rest(std::string_view(word_, end_));
     while (!rest.isAtWordEnd()) ++rest.p_;
     std::string word(word_, rest.p_);
     const bool isLong = word.size() > longest;

@@ -17,11 +17,12 @@ bool endsInBackslash(std::string_view physicalLine);
 // the file.
 std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines);
 
-// Reads a line from left to right. Throws MeshError with the line's number.
+// Reads a line from left to right. Throws Error with the line's number.
 class ObjLine {
   public:
-    ObjLine(std::string_view line, std::size_t number)
-        : p_(line.data()), end_(p_ + line.size()), number_(number) {}
+    // Of a line whose keyword alone is asked for, path and number do not matter.
+    explicit ObjLine(std::string_view line, std::string_view path = {}, std::size_t number = 0)
+        : p_(line.data()), end_(p_ + line.size()), path_(path), number_(number) {}
 
     ObjKeyword keyword();
     // Skips blanks; a comment ends the line too.
@@ -59,6 +60,7 @@ class ObjLine {
     const char* p_;
     const char* end_;
     const char* word_ = nullptr;
+    std::string_view path_;
     std::size_t number_;
 };
 

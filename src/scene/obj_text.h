@@ -3,12 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "raytracer/scene/mesh_file.h"
 
 namespace raytracer {
 
-MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount);
+MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path = {});
 
 }  // namespace raytracer

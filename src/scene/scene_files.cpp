@@ -2,18 +2,19 @@
 
 #include "raytracer/json/json_writer.h"
 #include "raytracer/pictures/image.h"
+#include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 
 namespace raytracer {
 namespace {
 
-// Calls read() and adds to the error of its own kind which file it is about, and who asked for it.
-template <class Error, class Read>
-auto readOrBlame(JsonView path, const std::string& file, const char* expected, Read read) {
+// Calls read(file). An Error becomes one at the scene's path that named the file.
+template <class Read>
+auto readNamed(JsonView path, const std::string& file, const char* expected, Read read) {
     try {
-        return read();
+        return read(file);
     } catch (const Error& error) {
-        path.fail(std::string("expected ") + expected + " in " + jsonString(file) + ": " + error.what());
+        path.fail(std::string("expected ") + expected + " in " + jsonString(file) + ": " + error.inFile());
     }
 }
 
@@ -21,6 +22,9 @@ Texture readTexture(const std::string& file) {
     ByteImage image = readImage(file);
     return {image.width, image.height, std::move(image.pixels)};
 }
+
+constexpr const char* aMesh = "an OBJ mesh";
+constexpr const char* aPicture = "a picture";
 
 }  // namespace
 
@@ -30,22 +34,19 @@ SceneFiles::SceneFiles(const std::string& scenePath)
 std::shared_ptr<const MeshData> SceneFiles::mesh(JsonView path) {
     const std::string file = resolve(path);
     std::shared_ptr<const MeshData>& mesh = meshes_[file];
-    const auto read = [&] { return loadObj(file); };
-    if (!mesh) mesh = std::make_shared<MeshData>(readOrBlame<MeshError>(path, file, "an OBJ mesh", read));
+    if (!mesh) mesh = std::make_shared<MeshData>(readNamed(path, file, aMesh, loadObj));
     return mesh;
 }
 
 std::shared_ptr<const Texture> SceneFiles::texture(JsonView path) {
     const std::string file = resolve(path);
     std::shared_ptr<const Texture>& texture = textures_[file];
-    const auto read = [&] { return readTexture(file); };
-    if (!texture) texture = std::make_shared<Texture>(readOrBlame<ImageError>(path, file, "a picture", read));
+    if (!texture) texture = std::make_shared<Texture>(readNamed(path, file, aPicture, readTexture));
     return texture;
 }
 
 void SceneFiles::requireTexture(JsonView path) const {
-    const std::string file = resolve(path);
-    readOrBlame<FileError>(path, file, "a picture", [&] { FileBytes{file}; });
+    readNamed(path, resolve(path), aPicture, [](const std::string& file) { FileBytes{file}; });
 }
 
 // A NUL would silently end the path where the operating system reads it.

@@ -12,8 +12,8 @@
 
 namespace raytracer {
 
-// Paths are strings of the scene, relative to its own file. What is wrong with a file is a JsonError at its
-// path.
+// Paths are strings of the scene, relative to its own file. What is wrong with a file is an Error at its
+// path in the scene.
 class SceneFiles {
   public:
     explicit SceneFiles(const std::string& scenePath);

@@ -25,7 +25,7 @@ class SceneReader {
     void read(JsonView scene);
 
     SceneDescription& description() { return description_; }
-    std::vector<std::string> warnings() const { return keys_.warnings(); }
+    std::vector<std::string> warnings(const std::string& path) const { return keys_.warnings(path); }
 
   private:
     void readTextures(JsonView textures);
@@ -114,26 +114,14 @@ void SceneReader::loadTextureOf(std::size_t material) {
     if (!texture) texture = files_.texture(texturePaths_[*index]);
 }
 
-LoadedScene read(const std::string& path, bool strict) {
-    const FileBytes file(path);
-    const JsonDocument document(file.begin(), file.end());
-    SceneReader reader(path, strict);
-    reader.read(JsonView(document));
-    LoadedScene loaded{std::move(reader.description()), reader.warnings()};
-    for (std::string& warning : loaded.warnings) warning.insert(0, path);
-    return loaded;
-}
-
 }  // namespace
 
 LoadedScene loadScene(const std::string& path, bool strict) {
-    try {
-        return read(path, strict);
-    } catch (const JsonError& error) {
-        throw SceneError(path + error.what());
-    } catch (const FileError& error) {
-        throw SceneError(path + ": " + error.what());
-    }
+    const FileBytes file(path);
+    const JsonDocument document(path, file.text());
+    SceneReader reader(path, strict);
+    reader.read(JsonView(document));
+    return {std::move(reader.description()), reader.warnings(path)};
 }
 
 }  // namespace raytracer

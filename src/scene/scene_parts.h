@@ -1,4 +1,4 @@
-// The parts of a scene that stand for themselves, each from its JSON object. Throws JsonError.
+// The parts of a scene that stand for themselves, each from its JSON object. Throws Error.
 #pragma once
 
 #include "known_keys.h"

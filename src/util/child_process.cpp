@@ -12,8 +12,9 @@
 #include <cstring>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <thread>
+
+#include "raytracer/util/error.h"
 
 extern char** environ;
 
@@ -94,7 +95,7 @@ pid_t spawn(const std::vector<std::string>& words, const std::string& output, co
     const int error = posix_spawn(&child, "/bin/sh", &files, &attributes, argv.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
-    if (error != 0) throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(error));
+    if (error != 0) throw Error(std::string("cannot start a process: ") + std::strerror(error));
     return child;
 }
 

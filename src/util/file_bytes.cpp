@@ -12,18 +12,18 @@
 #include <system_error>
 #include <utility>
 
+#include "raytracer/util/error.h"
+
 namespace raytracer {
 namespace {
 
-[[noreturn]] void fail(const char* what, int error) {
-    throw FileError(std::string(what) + ": " + std::generic_category().message(error));
-}
-
+// An open file that the user calls `name`. What the system refuses is an Error: `purpose`, "cannot read" or
+// "cannot write", and why.
 class Descriptor {
   public:
-    Descriptor(const std::string& path, int flags, const char* whatFailed)
-        : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-        if (fd_ < 0) fail(whatFailed, errno);
+    Descriptor(const std::string& path, int flags, const std::string& name, const char* purpose)
+        : name_(name), purpose_(purpose), fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+        require(fd_ >= 0);
     }
     ~Descriptor() {
         if (fd_ >= 0) ::close(fd_);
@@ -33,37 +33,43 @@ class Descriptor {
 
     int get() const { return fd_; }
 
-    // Some file systems (NFS, quotas) report a full disk only here.
-    void close() {
-        if (::close(std::exchange(fd_, -1)) != 0) fail("cannot write", errno);
+    void require(bool done) const {
+        if (!done)
+            throw Error({name_}, std::string(purpose_) + ": " + std::generic_category().message(errno));
     }
 
+    // Some file systems (NFS, quotas) report a full disk only here.
+    void close() { require(::close(std::exchange(fd_, -1)) == 0); }
+
   private:
+    const std::string& name_;
+    const char* purpose_;
     int fd_;
 };
 
-std::string readToEnd(int fd) {
+std::string readToEnd(const Descriptor& file) {
     std::string bytes;
     char block[1 << 16];  // a pipe's capacity on Linux
     for (;;) {
-        const ssize_t count = ::read(fd, block, sizeof block);
+        const ssize_t count = ::read(file.get(), block, sizeof block);
         if (count == 0) return bytes;
         if (count > 0) bytes.append(block, static_cast<std::size_t>(count));
-        else if (errno != EINTR) fail("cannot read", errno);
+        else file.require(errno == EINTR);
     }
 }
 
-void writeAll(int fd, std::span<const char> bytes) {
+void writeAll(const Descriptor& file, std::span<const char> bytes) {
     while (!bytes.empty()) {
-        const ssize_t count = ::write(fd, bytes.data(), bytes.size());
+        const ssize_t count = ::write(file.get(), bytes.data(), bytes.size());
         if (count >= 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
-        else if (errno != EINTR) fail("cannot write", errno);
+        else file.require(errno == EINTR);
     }
 }
 
-void writeParts(const std::string& path, int flags, std::span<const std::span<const char>> parts) {
-    Descriptor file(path, O_WRONLY | flags, "cannot write");
-    for (const std::span<const char> part : parts) writeAll(file.get(), part);
+using Parts = std::span<const std::span<const char>>;
+
+void writeParts(Descriptor& file, const Parts& parts) {
+    for (const std::span<const char> part : parts) writeAll(file, part);
     file.close();
 }
 
@@ -76,24 +82,34 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& target) {
     return target.parent_path() / name;
 }
 
-void replaceWhole(const std::string& target, std::span<const std::span<const char>> parts) {
-    const std::string temporary = temporaryBeside(target);
-    ::unlink(temporary.c_str());  // left by a killed process that had our number
-    try {
-        writeParts(temporary, O_CREAT | O_EXCL, parts);
-        if (std::rename(temporary.c_str(), target.c_str()) != 0) fail("cannot write", errno);
-    } catch (...) {
-        ::unlink(temporary.c_str());
-        throw;
-    }
+// Unlinks the file before, since a killed process that had our number may have left one, and after, unless it
+// has been renamed.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(std::string path) : path_(std::move(path)) { ::unlink(path_.c_str()); }
+    ~TemporaryFile() { ::unlink(path_.c_str()); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
+void replaceWhole(const std::string& target, const std::string& name, const Parts& parts) {
+    const TemporaryFile temporary(temporaryBeside(target));
+    Descriptor file(temporary.path(), O_WRONLY | O_CREAT | O_EXCL, name, "cannot write");
+    writeParts(file, parts);
+    file.require(std::rename(temporary.path().c_str(), target.c_str()) == 0);
 }
 
 }  // namespace
 
-FileBytes::FileBytes(const std::string& path) {
-    const Descriptor file(path, O_RDONLY, "cannot read");
+FileBytes::FileBytes(const std::string& path) : path_(path) {
+    const Descriptor file(path, O_RDONLY, path, "cannot read");
     struct stat status;
-    if (::fstat(file.get(), &status) != 0) fail("cannot read", errno);
+    file.require(::fstat(file.get(), &status) == 0);
     size_ = static_cast<std::size_t>(status.st_size);
     // A file of /proc says that its size is 0, so that is read as a pipe is.
     if (S_ISREG(status.st_mode) && size_ > 0) {
@@ -102,7 +118,7 @@ FileBytes::FileBytes(const std::string& path) {
         if (mapped_) begin_ = static_cast<const char*>(map);
     }
     if (mapped_) return;
-    copy_ = readToEnd(file.get());
+    copy_ = readToEnd(file);
     begin_ = copy_.data();
     size_ = copy_.size();
 }
@@ -111,14 +127,17 @@ FileBytes::~FileBytes() {
     if (mapped_) ::munmap(const_cast<char*>(begin_), size_);
 }
 
+void FileBytes::fail(const std::string& message) const { throw Error({path_}, message); }
+
 void writeFile(const std::string& path, std::span<const std::span<const char>> parts) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-        writeParts(path, 0, parts);
+        Descriptor file(path, O_WRONLY, path, "cannot write");
+        writeParts(file, parts);
     } else {
         const std::filesystem::path target = std::filesystem::canonical(path, error);
-        replaceWhole(error ? path : target.string(), parts);
+        replaceWhole(error ? path : target.string(), path, parts);
     }
 }
 

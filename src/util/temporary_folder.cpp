@@ -4,14 +4,15 @@
 
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
+
+#include "raytracer/util/error.h"
 
 namespace raytracer {
 
 TemporaryFolder::TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "raytracer-XXXXXX").string();
     if (!mkdtemp(name.data()))
-        throw std::runtime_error(name + ": cannot make the folder: " + std::strerror(errno));
+        throw Error({name}, std::string("cannot make the folder: ") + std::strerror(errno));
     path_ = name;
 }
 

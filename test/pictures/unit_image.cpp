@@ -15,6 +15,7 @@
 
 #include "../support/test_folder.h"
 #include "raytracer/pictures/image.h"
+#include "raytracer/util/error.h"
 
 using namespace raytracer;
 
@@ -135,7 +136,7 @@ TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
 TEST_CASE("A picture that cannot be read is told") {
     const TestFolder folder;
     const auto check = [&](const std::string& bytes, const std::string& message) {
-        CHECK_THROWS_WITH(readImage(folder.write("a.png", bytes)), message);
+        CHECK_THROWS_WITH(readImage(folder.write("a.png", bytes)), folder.file("a.png") + ": " + message);
     };
     const std::string png = pngOf(20, 20, 3, testPicture(20, 20).pixels), jpeg = jpegOf(testPicture(20, 20));
     check("", "cannot decode as PNG or JPEG: Image not of any known type, or corrupt");
@@ -145,9 +146,10 @@ TEST_CASE("A picture that cannot be read is told") {
     std::string huge = png;
     huge.replace(16, 8, std::string("\0\xff\xff\xff\0\xff\xff\xff", 8));  // IHDR's width and height
     check(checksummed(huge), "cannot decode as PNG or JPEG: Image too large to decode");
-    CHECK_THROWS_WITH(readImage(folder.file("b.png")), "cannot read: No such file or directory");
-    CHECK_THROWS_WITH(readImage(folder.file("")), "cannot read: Is a directory");
-    CHECK_THROWS_AS(readImage(folder.file("")), ImageError);
+    CHECK_THROWS_WITH(readImage(folder.file("b.png")),
+                      folder.file("b.png") + ": cannot read: No such file or directory");
+    CHECK_THROWS_WITH(readImage(folder.file("")), folder.file("") + ": cannot read: Is a directory");
+    CHECK_THROWS_AS(readImage(folder.file("")), Error);
 }
 
 TEST_CASE("A PNG with any bit flipped is refused") {
@@ -157,7 +159,7 @@ TEST_CASE("A PNG with any bit flipped is refused") {
         std::string flipped = png;
         flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ 1 << bit % 8);
         INFO("bit " << bit % 8 << " of byte " << bit / 8);
-        CHECK_THROWS_AS(readImage(folder.write("a.png", flipped)), ImageError);
+        CHECK_THROWS_AS(readImage(folder.write("a.png", flipped)), Error);
     }
 }
 
@@ -184,8 +186,9 @@ TEST_CASE("A PNG with a palette") {
     const auto read = [&](const std::string& png) { return readImage(folder.write("a.png", png)); };
     CHECK(read(paletted(2, 1, 0)).pixels == std::vector<std::uint8_t>{0, 0, 255, 0, 255, 0, 255, 0, 0});
     for (const int beyond : {3, 4, 255})
-        CHECK_THROWS_WITH(read(paletted(0, static_cast<std::uint8_t>(beyond), 1)),
-                          "broken PNG picture: a texel has a colour beyond its palette");
+        CHECK_THROWS_WITH(
+            read(paletted(0, static_cast<std::uint8_t>(beyond), 1)),
+            folder.file("a.png") + ": broken PNG picture: a texel has a colour beyond its palette");
 }
 
 TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
@@ -216,7 +219,7 @@ TEST_CASE("A PFM of the other byte order is read") {
 TEST_CASE("A PFM that is broken is told") {
     const TestFolder folder;
     const auto check = [&](const std::string& bytes, const std::string& message) {
-        CHECK_THROWS_WITH(readPfm(folder.write("a.pfm", bytes)), message);
+        CHECK_THROWS_WITH(readPfm(folder.write("a.pfm", bytes)), folder.file("a.pfm") + ": " + message);
     };
     check("", "not a colour PFM picture: it does not begin with \"PF\"");
     check("Pf\n1 1\n-1.0\n1234", "not a colour PFM picture: it does not begin with \"PF\"");
@@ -226,28 +229,31 @@ TEST_CASE("A PFM that is broken is told") {
     check("PF\n1 1\n-1.0", "broken PFM picture: it ends before its last pixel");
     check("PF\n1 1\n-1.0\n12345678901", "broken PFM picture: it ends before its last pixel");
     check("PF\n2147483647 2147483647\n-1.0\n123", "broken PFM picture: it ends before its last pixel");
-    CHECK_THROWS_AS(readPfm(folder.file("b.pfm")), ImageError);
-    CHECK_THROWS_WITH(readPfm(folder.file("b.pfm")), "cannot read: No such file or directory");
+    CHECK_THROWS_AS(readPfm(folder.file("b.pfm")), Error);
+    CHECK_THROWS_WITH(readPfm(folder.file("b.pfm")),
+                      folder.file("b.pfm") + ": cannot read: No such file or directory");
 }
 
 TEST_CASE("A picture is written whole or not at all") {
     const TestFolder folder;
     const ByteImage image = testPicture(100, 100);
     SECTION("the folder is missing") {
-        CHECK_THROWS_AS(writePng(folder.file("no/a.png"), image), ImageError);
+        CHECK_THROWS_AS(writePng(folder.file("no/a.png"), image), Error);
         CHECK_THROWS_WITH(writePng(folder.file("no/a.png"), image),
-                          "cannot write: No such file or directory");
+                          folder.file("no/a.png") + ": cannot write: No such file or directory");
         CHECK(folder.fileCount() == 0);
     }
     SECTION("a folder has the name") {
-        CHECK_THROWS_WITH(writePng(folder.file(""), image), "cannot write: Is a directory");
+        CHECK_THROWS_WITH(writePng(folder.file(""), image),
+                          folder.file("") + ": cannot write: Is a directory");
         CHECK(folder.fileCount() == 0);
     }
     SECTION("writing stops in the middle") {
         folder.write("a.png", "as it was");
         {
             const FileSizeLimit limit(1000);
-            CHECK_THROWS_WITH(writePng(folder.file("a.png"), image), "cannot write: File too large");
+            CHECK_THROWS_WITH(writePng(folder.file("a.png"), image),
+                              folder.file("a.png") + ": cannot write: File too large");
         }
         CHECK(bytesOf(folder.file("a.png")) == "as it was");
         CHECK(folder.fileCount() == 1);
@@ -275,7 +281,7 @@ TEST_CASE("A picture is written whole or not at all") {
     }
     SECTION("too large for PNG") {
         CHECK_THROWS_WITH(writePng(folder.file("a.png"), {50000, 50000, {}}),
-                          "cannot write: the picture is too large for PNG");
+                          folder.file("a.png") + ": cannot write: the picture is too large for PNG");
     }
 }
 

@@ -9,6 +9,7 @@
 #include "raytracer/pictures/texture.h"
 #include "raytracer/scene/mesh_file.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/error.h"
 
 using namespace raytracer;
 namespace fs = std::filesystem;
@@ -39,7 +40,7 @@ class SceneText {
 std::string errorOf(const std::string& path, bool strict) {
     try {
         loadScene(path, strict);
-    } catch (const SceneError& error) {
+    } catch (const Error& error) {
         return error.what();
     }
     return "no error";

@@ -7,23 +7,22 @@
 #include "../../src/scene/obj_text.h"
 #include "../support/test_folder.h"
 #include "raytracer/scene/mesh_file.h"
+#include "raytracer/util/error.h"
 
+using raytracer::Error;
 using raytracer::MeshData;
-using raytracer::MeshError;
 
 namespace {
 
 constexpr auto none = MeshData::noTexCoord;
 using Indices = std::vector<std::uint32_t>;
 
-MeshData parse(const std::string& text) {
-    return raytracer::parseObj(text.data(), text.data() + text.size());
-}
+MeshData parse(const std::string& text) { return raytracer::parseObj(text); }
 
 std::string errorOf(const std::string& text) try {
     parse(text);
     return "none";
-} catch (const MeshError& error) {
+} catch (const Error& error) {
     return error.what();
 }
 
@@ -208,14 +207,17 @@ TEST_CASE("An OBJ from a file") {
         CHECK(raytracer::loadObj(folder.write("a.obj", square + "f 1 2 3")).triangleCount() == 1);
     }
     SECTION("that is empty") {
-        CHECK_THROWS_WITH(raytracer::loadObj(folder.write("a.obj", "")), "no faces, so not an OBJ mesh");
+        const std::string path = folder.write("a.obj", "");
+        CHECK_THROWS_WITH(raytracer::loadObj(path), path + ": no faces, so not an OBJ mesh");
     }
     SECTION("that is missing") {
-        CHECK_THROWS_AS(raytracer::loadObj(folder.file("b.obj")), MeshError);
-        CHECK_THROWS_WITH(raytracer::loadObj(folder.file("b.obj")), "cannot read: No such file or directory");
+        const std::string path = folder.file("b.obj");
+        CHECK_THROWS_AS(raytracer::loadObj(path), Error);
+        CHECK_THROWS_WITH(raytracer::loadObj(path), path + ": cannot read: No such file or directory");
     }
     SECTION("that is a folder") {
-        CHECK_THROWS_WITH(raytracer::loadObj(folder.file("")), "cannot read: Is a directory");
+        CHECK_THROWS_WITH(raytracer::loadObj(folder.file("")),
+                          folder.file("") + ": cannot read: Is a directory");
     }
     SECTION("of many chunks") {
         std::string text = square;
@@ -223,7 +225,8 @@ TEST_CASE("An OBJ from a file") {
         CHECK(raytracer::loadObj(folder.write("a.obj", text)).triangleCount() ==
               (text.size() - square.size()) / 5);
         CHECK_THROWS_WITH(raytracer::loadObj(folder.write("a.obj", text + "f 1 2 9")),
-                          "line " + std::to_string(5 + (text.size() - square.size()) / 10) +
+                          folder.file("a.obj") + ": line " +
+                              std::to_string(5 + (text.size() - square.size()) / 10) +
                               ": there is no vertex 9: the file has 4");
     }
 }

@@ -1,5 +1,5 @@
 // The subcommands: each parses its own arguments, calls the library and returns the process's exit status
-// (0 success, 1 a comparison or goal not met, 2 bad input or usage).
+// (0 success, 1 a comparison or goal not met, 2 wrong usage). Bad input is an Error, for main to print.
 #pragma once
 
 namespace raytracer::commands {

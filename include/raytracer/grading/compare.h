@@ -17,7 +17,7 @@ namespace raytracer {
 
 using Picture = std::variant<ByteImage, FloatImage>;
 
-// Reads floats if the name ends in .pfm, else bytes. Throws ImageError with the file's name in it.
+// Reads floats if the name ends in .pfm, else bytes. Throws Error.
 Picture readPicture(const std::string& path);
 ByteImage toBytes(const Picture& picture);
 
@@ -44,7 +44,7 @@ struct Comparison {
     std::uint64_t pixelsOver(int tolerance) const;
 };
 
-// Throw ImageError if the sizes differ.
+// Throw Error if the sizes differ.
 Comparison compareImages(const ByteImage& a, const ByteImage& b);
 Comparison compareImages(const FloatImage& a, const FloatImage& b);
 Comparison compareImages(const Picture& a, const Picture& b);

@@ -37,7 +37,7 @@ struct GradePlan {
 };
 
 // Each X.json in the folder `scenes` with its X.png and X-STAGE.png in the folder `references`, which may be
-// the same. Throws std::runtime_error, one line, if a folder cannot be read.
+// the same. Throws Error if a folder cannot be read.
 GradePlan planGrading(const std::string& scenes, const std::string& references);
 
 // The outcome of rendering a case. It does not say whether there is a picture.

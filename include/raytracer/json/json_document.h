@@ -1,70 +1,83 @@
-// A JSON text as a flat tree: 16 bytes a value and 16 a key, in one vector; strings stay where they are in
-// the text.
+// A JSON text as a flat tree: 16 bytes a value and 16 a key, in one vector. Every node knows where it begins
+// in the text; strings stay there.
 //
-// nlohmann::json would hold a std::map for each object and let the last of two equal keys win in silence;
-// this finds duplicate keys, and lets each value say its JSON pointer (RFC 6901) without storing it.
+// nlohmann::json would hold a std::map for each object, and the last of two equal keys would win in silence;
+// this finds duplicate keys, and a value's JSON pointer (RFC 6901) and line are computed when they are asked
+// for.
 #pragma once
 
 #include <cstdint>
 #include <deque>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace raytracer {
+#include "raytracer/util/error.h"
 
-// what() is the part of a SceneError after the file's name: ":LINE:COLUMN: ...", ": /json/pointer: ...", or,
-// about the whole document, ": ...".
-struct JsonError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+namespace raytracer {
 
 class JsonDocument {
   public:
     // A member of an object is two nodes: its key, then its value.
     enum class Kind : std::uint8_t { Null, Boolean, Number, String, Array, Object, Key };
 
-    struct Node {
-        union {
-            double number;     // of a Number, always finite; of a Boolean, 0 or 1
-            const char* text;  // of a String or a Key
-        };
-        union {
-            std::uint32_t length;  // of a String or a Key, in bytes
-            std::uint32_t end;     // of an Array or an Object: the first node behind all that is in it
-        };
-        Kind kind;
-    };
-
-    // UTF-8, with a byte order mark or without; it must outlive the document. Throws JsonError for what is no
-    // JSON, for a key that an object has twice, and for a number too large for a double. Nesting of any depth
-    // takes no stack.
-    JsonDocument(const char* begin, const char* end);
+    // The text of the file `path`: UTF-8, with a byte order mark or without. It must outlive the document.
+    // Throws Error for what is no JSON, for a key that an object has twice, and for a number too large for a
+    // double. Nesting of any depth takes no stack.
+    JsonDocument(std::string path, std::string_view text);
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
 
     // The root is node 0; a container's first element or key is the node after it.
-    const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
-    std::string_view string(std::uint32_t node) const { return {nodes_[node].text, nodes_[node].length}; }
+    Kind kind(std::uint32_t node) const { return nodes_[node].kind; }
+    bool boolean(std::uint32_t node) const { return *nodes_[node].begin == 't'; }
+    double number(std::uint32_t node) const { return nodes_[node].number; }  // finite
+    std::string_view string(std::uint32_t node) const;                       // of a String or a Key
 
     // The first node behind this value and all in it: its next sibling or that one's key, if it has one.
     std::uint32_t end(std::uint32_t node) const { return isContainer(node) ? nodes_[node].end : node + 1; }
 
+    const char* begin(std::uint32_t node) const;    // in the text
     std::string pointer(std::uint32_t node) const;  // empty for the root
 
-    // A JsonError at a value, with its JSON pointer.
-    [[noreturn]] void fail(std::uint32_t node, const std::string& message) const;
+    // About a value: with its line, its column and its JSON pointer.
+    Error error(std::uint32_t node, const std::string& message) const;
 
   private:
-    friend class JsonNodes;
+    friend class JsonReader;
 
+    // A String or a Key that is not in the text as it is, for it has an escape sequence.
+    struct Decoded {
+        std::string text;
+        const char* begin;
+    };
+
+    struct Node {
+        union {
+            const char* begin;       // in the text
+            const Decoded* decoded;  // where isDecoded
+            double number;           // of a Number, which begins `offset` bytes behind the text's begin
+        };
+        union {
+            std::uint32_t length;     // of a String or a Key, in bytes
+            std::uint32_t end;        // of an Array or an Object: the first node behind all that is in it
+            std::uint32_t offsetLow;  // of a Number
+        };
+        std::uint16_t offsetHigh;
+        Kind kind;
+        bool isDecoded;
+    };
+    static_assert(sizeof(Node) == 16);
+
+    Place place(std::size_t offset) const;  // line and column of text_[offset]
     bool isContainer(std::uint32_t node) const {
-        return nodes_[node].kind == Kind::Array || nodes_[node].kind == Kind::Object;
+        return kind(node) == Kind::Array || kind(node) == Kind::Object;
     }
 
+    std::string path_;
+    std::string_view text_;
     std::vector<Node> nodes_;
-    std::deque<std::string> strings_;  // those that are not in the text as they are
+    std::deque<Decoded> decoded_;
 };
 
 // `text` in quotes with control characters escaped, for a message; shortened if it is long.

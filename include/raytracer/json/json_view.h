@@ -1,5 +1,5 @@
 // A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that the
-// JsonError that it throws says so: ": /camera/eye: expected 3 numbers, found an array of 2".
+// Error that it throws says so: "scene.json: /camera/eye: expected 3 numbers, found an array of 2".
 #pragma once
 
 #include <cstddef>
@@ -44,14 +44,15 @@ class JsonView {
     std::optional<JsonView> find(std::string_view key) const;  // an object's member
 
     std::string pointer() const { return document_->pointer(node_); }
-    [[noreturn]] void fail(const std::string& message) const { document_->fail(node_, message); }
+    Error error(const std::string& message) const { return document_->error(node_, message); }
+    [[noreturn]] void fail(const std::string& message) const { throw error(message); }
     [[noreturn]] void failExpected(
         const std::string& expected) const;  // "expected ..., found " and this value
 
   private:
-    const JsonDocument::Node& node() const { return (*document_)[node_]; }
-    void require(JsonDocument::Kind kind, const char* expected) const {
-        if (node().kind != kind) failExpected(expected);
+    JsonDocument::Kind kind() const { return document_->kind(node_); }
+    void require(JsonDocument::Kind wanted, const char* expected) const {
+        if (kind() != wanted) failExpected(expected);
     }
     std::string inWords() const;
 
@@ -65,7 +66,10 @@ class JsonView::Iterator {
     Iterator(const JsonDocument& document, std::uint32_t node, std::uint32_t ahead)
         : document_(&document), node_(node), ahead_(ahead) {}
     JsonView operator*() const { return JsonView(*document_, node_ + ahead_); }
-    Iterator& operator++() { return node_ = document_->end(node_ + ahead_), *this; }
+    Iterator& operator++() {
+        node_ = document_->end(node_ + ahead_);
+        return *this;
+    }
     bool operator==(const Iterator& other) const { return node_ == other.node_; }
 
   private:

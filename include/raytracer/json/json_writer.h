@@ -57,6 +57,10 @@ class JsonWriter {
     bool afterKey_ = false;
 };
 
+// The shortest text that reads back as this double (0.1, where %.17g has 0.10000000000000001), in every
+// locale.
+std::string shortestNumber(double number);
+
 // `text` with quotes around it and what JSON forbids in a string escaped; also "<", so that it can stand in a
 // <script>.
 std::string jsonString(std::string_view text);

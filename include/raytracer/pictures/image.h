@@ -3,18 +3,12 @@
 
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "raytracer/pictures/texture.h"
 
 namespace raytracer {
-
-// The file is missing, unreadable, unwritable or not a picture; what() is one line without the file's name.
-struct ImageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 // 8-bit RGB, row-major from the top left.
 struct ByteImage {
@@ -28,21 +22,23 @@ struct FloatImage {
     std::vector<float> pixels;  // width * height * 3
 };
 
-// A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0.
+// A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0. The rounding is equal to
+// lround, whose call costs more than all of this: the subtraction is exact (Sterbenz).
 inline std::uint8_t toByte(double channel) {
     const double scaled = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0);
     const int whole = static_cast<int>(scaled);
     return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5));
 }
 
-// PNG or JPEG, decoded to 8-bit RGB (alpha dropped, grey spread). Throws ImageError.
+// PNG or JPEG, decoded to 8-bit RGB (alpha dropped, grey spread). Throws Error where the file is missing,
+// unreadable or not a picture.
 ByteImage readImage(const std::string& path);
 FloatImage readPfm(const std::string& path);
 
-// A PNG file's bytes. Throws ImageError.
-std::vector<char> encodePng(const ByteImage& image);
+// A PNG file's bytes. Throws Error, about the file `path`, where they are too many for the encoder.
+std::vector<char> encodePng(const ByteImage& image, const std::string& path = {});
 
-// Written beside `path` and renamed onto it, so that a picture is whole or absent. Throws ImageError.
+// Written beside `path` and renamed onto it, so that a picture is whole or absent. Throws Error.
 void writePng(const std::string& path, const ByteImage& image);
 void writePfm(const std::string& path, const FloatImage& image);
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -28,17 +28,12 @@ struct MeshData {
     std::size_t triangleCount() const { return positionIndex.size() / 3; }
 };
 
-// The file is missing, unreadable or not an OBJ that we understand; what() is one line without the file's
-// name, with "line N: " in front where a line is to blame.
-struct MeshError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 // Reads positions, texture coordinates and faces (polygons, negative indices, v, v/vt, v//vn, v/vt/vn);
-// groups, objects, normals, materials and smoothing are read past. Throws MeshError.
+// groups, objects, normals, materials and smoothing are read past. Throws Error where
+// the file is missing, unreadable or not an OBJ that we understand, with the line that is to blame.
 MeshData loadObj(const std::string& path);
 
-// The same from text in memory.
-MeshData parseObj(const char* begin, const char* end);
+// The same from text in memory; an Error calls it `path`.
+MeshData parseObj(std::string_view text, const std::string& path = {});
 
 }  // namespace raytracer

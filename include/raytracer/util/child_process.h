@@ -19,8 +19,8 @@ struct ProcessEnd {
 
 // Runs `command arguments...` by the shell, which splits and expands the command but leaves the arguments as
 // they are. It reads nothing; what it prints goes to the file `output`. After `timeoutSeconds` it is killed,
-// and with its end whatever it has started and left behind. Throws std::runtime_error where there is no
-// process to be had.
+// and with its end whatever it has started and left behind. Throws Error where there is no process to
+// be had.
 ProcessEnd runProcess(const std::string& command, const std::vector<std::string>& arguments,
                       const std::string& output, double timeoutSeconds);
 

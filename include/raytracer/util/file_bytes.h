@@ -1,32 +1,29 @@
-// Whole files in and out, with errors that say why.
+// Whole files in and out. Each Error has the path and says why: "out.png: cannot write: No space left on
+// device".
 #pragma once
 
 #include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace raytracer {
-
-// what() is one line without the file's name: "cannot read: No such file or directory".
-struct FileError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 // A file's bytes, read only: mapped where the file allows it, so that threads that parse it also share the
 // work of fetching it, else (a pipe) read into memory. The file must not shrink while it is mapped.
 class FileBytes {
   public:
-    explicit FileBytes(const std::string& path);  // throws FileError
+    explicit FileBytes(const std::string& path);  // throws Error
     ~FileBytes();
     FileBytes(const FileBytes&) = delete;
     FileBytes& operator=(const FileBytes&) = delete;
 
-    const char* begin() const { return begin_; }
-    const char* end() const { return begin_ + size_; }
-    std::size_t size() const { return size_; }
+    const std::string& path() const { return path_; }
+    std::string_view text() const { return {begin_, size_}; }
+    [[noreturn]] void fail(const std::string& message) const;  // an Error about what is in the file
 
   private:
+    std::string path_;
     const char* begin_ = "";
     std::size_t size_ = 0;
     bool mapped_ = false;
@@ -35,7 +32,7 @@ class FileBytes {
 
 // Writes the parts, one after the other, beside `path` and renames the whole onto it, so that the file is
 // whole or as it was; a symbolic link stays one. What is no regular file (/dev/null, a pipe) is written in
-// place. Throws FileError.
+// place. Throws Error.
 void writeFile(const std::string& path, std::span<const std::span<const char>> parts);
 
 }  // namespace raytracer

@@ -8,7 +8,7 @@ namespace raytracer {
 
 class TemporaryFolder {
   public:
-    TemporaryFolder();  // throws std::runtime_error
+    TemporaryFolder();  // throws Error
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -1,0 +1,33 @@
+// Text becomes a number here, in every room but json, whose numbers nlohmann's parser reads.
+#pragma once
+
+#include <charconv>
+#include <concepts>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace raytracer {
+
+// Reads the number that the text begins with and returns where it ends, or `begin` where there is none. A
+// double is correctly rounded: one too large for double is an infinity. A whole number that does not fit is
+// 0.
+template <std::integral Number>
+const char* readNumber(const char* begin, const char* end, Number& number) {
+    const auto [stop, error] = std::from_chars(begin, end, number);
+    if (error == std::errc::result_out_of_range) number = 0;
+    return stop;
+}
+const char* readNumber(const char* begin, const char* end, double& number);
+
+// The number that the whole text is; a plus may stand before it.
+template <class Number>
+std::optional<Number> numberOf(std::string_view text) {
+    Number number{};
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    const char* const end = text.data() + text.size();
+    if (text.empty() || readNumber(text.data(), end, number) != end) return std::nullopt;
+    return number;
+}
+
+}  // namespace raytracer
