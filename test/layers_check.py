@@ -17,7 +17,7 @@ floor = {room: -place for place, room in enumerate(rooms)}
 
 # What is included, by whom alone.
 wrapped = {
-    r"nlohmann/": {"json", "scene"},
+    r"nlohmann/": {"json"},
     r"stb_image": {"pictures"},
     r"libdeflate": {"pictures"},
     r"CLI/": {"src/commands/command_line.cpp"},

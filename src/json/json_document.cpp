@@ -5,6 +5,21 @@
 #include "raytracer/json/json_writer.h"
 
 namespace raytracer {
+namespace {
+
+// The JSON pointer that leads from `pointer` to its member `key`.
+std::string pointerToMember(std::string pointer, std::string_view key) {
+    pointer += '/';
+    const std::string escaped = jsonString(key);
+    for (const char c : std::string_view(escaped).substr(1, escaped.size() - 2)) {
+        if (c == '~') pointer += "~0";
+        else if (c == '/') pointer += "~1";
+        else pointer += c;
+    }
+    return pointer;
+}
+
+}  // namespace
 
 std::string_view JsonDocument::string(std::uint32_t node) const {
     const Node& n = nodes_[node];
@@ -17,8 +32,7 @@ const char* JsonDocument::begin(std::uint32_t node) const {
     return n.isDecoded ? n.decoded->begin : n.begin;
 }
 
-// Down from the root. A container that is not complete has an end beyond all nodes, and so contains the last
-// one.
+// Goes down from the root. A container that is still open ends beyond all nodes, so it contains the last one.
 std::string JsonDocument::pointer(std::uint32_t node) const {
     std::string pointer;
     for (std::uint32_t at = 0; at != node;) {
@@ -38,7 +52,7 @@ Error JsonDocument::error(std::uint32_t node, const std::string& message) const 
     return {at, message};
 }
 
-// Long enough for any name that people give, short enough for one line of a terminal.
+// 60 bytes are enough for any name that people choose, and leave room on a terminal's line.
 std::string inQuotes(std::string_view text) {
     constexpr std::size_t longest = 60;
     if (text.size() <= longest) return jsonString(text);
@@ -48,17 +62,6 @@ std::string inQuotes(std::string_view text) {
     };  // UTF-8
     while (end > 0 && isInCharacter(text[end])) --end;
     return jsonString(text.substr(0, end)) + "...";
-}
-
-std::string pointerToMember(std::string pointer, std::string_view key) {
-    pointer += '/';
-    const std::string escaped = jsonString(key);
-    for (const char c : std::string_view(escaped).substr(1, escaped.size() - 2)) {
-        if (c == '~') pointer += "~0";
-        else if (c == '/') pointer += "~1";
-        else pointer += c;
-    }
-    return pointer;
 }
 
 }  // namespace raytracer

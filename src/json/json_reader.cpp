@@ -11,7 +11,8 @@
 namespace raytracer {
 namespace {
 
-// A pointer into the text that all copies share, so that the events know how far the parser has read.
+// nlohmann's parser copies its iterator. All copies of this one share their position, so the handler of the
+// events knows how far the parser has read.
 class CountingIterator {
   public:
     using iterator_category = std::forward_iterator_tag;
@@ -32,14 +33,13 @@ class CountingIterator {
     const char** place_;
 };
 
-// What Windows writes as "Unicode" is no JSON, and the parser would only see a strange character.
+// Windows calls UTF-16 "Unicode". The parser would only report a strange character.
 bool isUtf16(std::string_view text) { return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"); }
 
 constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8
 
 // "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'token';
-// expected this": the library's own words, without its preamble and without a quotation that may be as long
-// as the file.
+// expected this": keeps "what; expected this". The quotation may be as long as the file.
 std::string reasonOf(std::string message, const std::string& token) {
     message.erase(0, message.find(" - ") + 3);
     const std::string quotation = "; last read: '" + token + "'";
@@ -47,8 +47,8 @@ std::string reasonOf(std::string message, const std::string& token) {
     return message;
 }
 
-// The parser stops at `end`, behind what it does not like: a token, which is blamed where it begins, or the
-// last character of something that is no token.
+// Where an error is. The parser has read up to `end`: either a whole token that is not expected, and then the
+// error is where that begins; or part of one, whose last character is the error.
 std::size_t blamed(std::string_view text, std::size_t end, std::string_view reason,
                    const std::string& token) {
     const std::size_t last = end - 1;
@@ -60,8 +60,8 @@ std::size_t blamed(std::string_view text, std::size_t end, std::string_view reas
 
 }  // namespace
 
-// The handler of the events (nlohmann's SAX interface, whose names these are). It never returns false: it
-// throws.
+// Handles the events of nlohmann's SAX interface, which gives these functions their names. It throws rather
+// than return false.
 class JsonReader {
     using Kind = JsonDocument::Kind;
     using Node = JsonDocument::Node;
@@ -73,7 +73,7 @@ class JsonReader {
     }
 
     void read() {
-        constexpr std::size_t bytesForNode = 8;  // a guess; memory that is not written to costs nothing
+        constexpr std::size_t bytesForNode = 8;  // an estimate; memory that is not written to costs nothing
         nodes_.reserve(text_.size() / bytesForNode);
         const char* end = text_.data() + text_.size();
         nlohmann::json::sax_parse(CountingIterator(read_), CountingIterator(end), this);
@@ -84,7 +84,7 @@ class JsonReader {
     bool number_integer(std::int64_t value) { return number(static_cast<double>(value)); }
     bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
     bool number_float(double value, const std::string&) { return number(value); }
-    bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in JSON text
+    bool binary(std::vector<std::uint8_t>&) { return false; }  // JSON text has none
     bool string(std::string& value) { return text(Kind::String, value); }
     bool key(std::string& value) { return text(Kind::Key, value); }
 
@@ -118,14 +118,14 @@ class JsonReader {
     JsonDocument& document_;
     std::vector<Node>& nodes_;
     const std::string_view text_;
-    const char* read_ = text_.data();  // how far the parser has
-    const char* behindLast_;           // how far it had at the last event
+    const char* read_ = text_.data();  // how far the parser has read
+    const char* behindLast_;           // the same, at the last event
     std::vector<std::uint32_t> open_;  // containers, the innermost last
     std::vector<std::string_view> keys_;
 };
 
-// A node begins behind the last event, which has read at most one blank, comma or closing bracket more than
-// it is about.
+// A node begins after the last event, behind blanks, a comma or a colon. After a number, the parser has read
+// one character more, but never the first of another value.
 bool JsonReader::add(Kind kind) {
     if (nodes_.size() == std::numeric_limits<std::uint32_t>::max()) fail(0, "too many values");
     const char* begin = behindLast_;
@@ -149,7 +149,7 @@ bool JsonReader::number(double value) {
     return true;
 }
 
-// An escape sequence is longer than what it stands for.
+// Text with an escape sequence is longer than what it stands for.
 bool JsonReader::text(Kind kind, std::string& value) {
     add(kind);
     Node& node = nodes_.back();
@@ -166,13 +166,13 @@ bool JsonReader::text(Kind kind, std::string& value) {
 bool JsonReader::open(Kind kind) {
     open_.push_back(count());
     add(kind);
-    nodes_.back().end = std::numeric_limits<std::uint32_t>::max();  // for now: see JsonDocument::pointer
+    nodes_.back().end = std::numeric_limits<std::uint32_t>::max();  // until closed: see pointer()
     return true;
 }
 
-// Once for each object rather than at each key, so that an object of a million keys takes no quadratic time.
+// Once for each object, not at each key, so that the time for a million keys is not quadratic.
 void JsonReader::requireKeysOnce() {
-    constexpr std::size_t few = 8;  // as most objects have: not worth sorting
+    constexpr std::size_t few = 8;  // most objects have no more; sorting is not worth it
     keys_.clear();
     for (std::uint32_t key = open_.back() + 1; key < count(); key = document_.end(key + 1))
         keys_.push_back(document_.string(key));
@@ -191,7 +191,7 @@ bool JsonReader::parse_error(std::size_t position, const std::string& token,
                              const nlohmann::json::exception& error) {
     constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
     if (error.id == numberOverflow) {
-        number(0);  // in its place
+        number(0);  // a node in the number's place
         fail(count() - 1, "expected a finite number, found " + token.substr(0, 40));
     }
     const std::string reason = reasonOf(error.what(), token);

@@ -70,8 +70,8 @@ JsonView::Children JsonView::members() const {
 std::size_t JsonView::size() const {
     if (kind() != Kind::Array && kind() != Kind::Object) return 0;
     std::size_t count = 0;
-    for (const JsonView child : kind() == Kind::Array ? elements() : members())
-        static_cast<void>(child), ++count;
+    const auto [first, last] = kind() == Kind::Array ? elements() : members();
+    for (Iterator child = first; !(child == last); ++child) ++count;
     return count;
 }
 
@@ -105,7 +105,7 @@ std::string JsonView::inWords() const {
         case Kind::String: return inQuotes(document_->string(node_));
         case Kind::Array: return "an array of " + std::to_string(size());
         case Kind::Object: return "an object";
-        case Kind::Key: break;  // no value
+        case Kind::Key: break;  // a key is no value
     }
     return {};
 }

@@ -8,7 +8,7 @@
 namespace raytracer {
 namespace {
 
-// Text that is longer is no misspelled name, and comparing takes the product of the lengths.
+// Longer text is no misspelled name, and the time to compare grows with the product of the lengths.
 constexpr std::size_t longestName = 100;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -17,8 +17,7 @@ bool areSwapped(std::string_view a, std::string_view b, std::size_t i, std::size
     return i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
 }
 
-// distance(i, j) of the first i and j letters, row by row: the least of one less in a, one less in b, one
-// less in both.
+// The distance of the first i letters of a to the first j of b, row by row (dynamic programming).
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

@@ -21,15 +21,15 @@
 namespace raytracer {
 namespace {
 
-// Measured by bench/png_levels.cpp (Notes.txt).
+// Measured by bench/png_levels (bench/README.md).
 constexpr int pngFilter = 2;
 constexpr int deflateLevel = 1;
 
 constexpr std::size_t channels = 3;
 constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
 
-// stb 2.27 refuses a JPEG that stops in the middle, 2.29 reads it as if it were whole (its issue 1608). In a
-// picture's data 0xff is never followed by 0xd9, so those two are its end marker.
+// stb 2.27 refuses a JPEG that stops in the middle; 2.29 reads it as if it were whole (its issue 1608). The
+// bytes 0xff 0xd9 are the end marker, and never occur in a picture's data.
 bool isTruncatedJpeg(std::string_view file) {
     return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
 }
@@ -40,12 +40,12 @@ std::uint32_t bigEndian(std::string_view bytes) {
     return number;
 }
 
-// A chunk of a PNG: length, type, as many bytes, and a CRC of type and bytes.
+// A chunk of a PNG: length, type, data of that length, and a CRC of type and data.
 constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t chunkFrame = 12;
 
-// The chunk, whole, that the text begins with; empty where it is cut short or its checksum is wrong, which
-// stb does not look at: a flipped bit would pass for another colour.
+// The whole chunk that the text begins with; empty where it is cut short or its checksum is wrong. stb
+// ignores checksums, so a flipped bit would pass for another colour.
 std::string_view firstChunk(std::string_view text) {
     if (text.size() < chunkFrame) return {};
     const std::size_t length = bigEndian(text);
@@ -67,13 +67,13 @@ std::vector<std::string_view> readChunks(const FileBytes& file) {
     return chunks;
 }
 
-// A texel beyond the palette is for stb whatever its memory holds. So before the file's own palette comes one
-// of 256 colours that are transparent; what the file says of transparency is left out, for the colours that
-// it has are not to be so.
+// For a texel beyond the palette, stb returns whatever its memory holds. So a palette of 256 transparent
+// colours is put before the file's own, and the file's transparency is left out: a texel that is still
+// transparent is beyond the file's palette.
 std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     const auto chunk = [](std::string_view head, std::size_t size) {
         return std::string(head) +
-               std::string(size + 4, '\0');  // black, or transparent; and a checksum that is not looked at
+               std::string(size + 4, '\0');  // black, or transparent; and a checksum, which stb ignores
     };
     std::string png(pngSignature);
     for (const std::string_view& own : chunks) {
@@ -127,17 +127,16 @@ ByteImage decode(const FileBytes& file) {
     return image;
 }
 
-// stb counts in int: the pixels, a byte a row for the filter, and the compressed stream, which is at most a
-// little larger than both, so half of what int holds is surely enough.
+// stb counts in int: the pixels, one filter byte for each row, and the compressed stream, which is at most a
+// little larger than both. Half the range of int leaves room for that.
 void requireEncodable(const ByteImage& image, const std::string& path) {
     const std::size_t rowBytes = static_cast<std::size_t>(image.width) * channels + 1;
     if (rowBytes * static_cast<std::size_t>(image.height) > largestStbSize / 2)
         throw Error({path}, "cannot write: the picture is too large for PNG");
 }
 
-// The header of a PFM: "PF", width, height, scale, whose sign tells the byte order (negative: little endian)
-// and whose size is a unit that no program agrees on, so it is read past; one blank; then the rows, bottom
-// row first.
+// The header of a PFM: "PF", width, height, scale, whose sign is the byte order (negative: little endian) and
+// whose size, a unit on which programs disagree, is ignored; one blank; then the rows, the bottom row first.
 struct PfmHeader {
     int width = 0, height = 0;
     std::endian order = std::endian::little;
@@ -177,7 +176,7 @@ std::size_t pixelBytes(const PfmHeader& header) {
            sizeof(float);
 }
 
-// GCC and Clang see the byte swap in this.
+// GCC and Clang compile this to a byte swap.
 float swapBytes(float value) {
     auto bytes = std::bit_cast<std::array<char, sizeof value>>(value);
     std::ranges::reverse(bytes);

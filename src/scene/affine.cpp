@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include <glm/trigonometric.hpp>
@@ -18,9 +19,9 @@ struct SineCosine {
     Real sine, cosine;
 };
 
-// Quarter turns are exact. Any other angle is brought to radians in double, as the course framework's
-// glm::radians does: its rounding is part of what references were made with (a cylinder turned by 45 degrees
-// shows it in its normals).
+// Quarter turns are exact. Any other angle is converted to radians in double, as the course framework's
+// glm::radians does, because the reference pictures contain that rounding: the normals of a cylinder turned
+// by 45 degrees show it.
 SineCosine sineCosine(double degrees) {
     int quarters = 0;
     if (std::remquo(degrees, 90.0, &quarters) == 0) {
@@ -31,7 +32,7 @@ SineCosine sineCosine(double degrees) {
     return {std::sin(radians), std::cos(radians)};
 }
 
-// No double is so large or small that its square leaves the exponent range of long double.
+// The square of every double is within the exponent range of long double.
 void normalise(const glm::dvec3& vector, Real (&unit)[3]) {
     for (int i = 0; i < 3; ++i) unit[i] = vector[i];
     const Real length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
@@ -78,7 +79,7 @@ Real balance(Real a, Real b, Real c) {
     return std::ldexp(Real(1), -exponent);
 }
 
-// B = diag(row) A diag(column), every row and column of which has its largest entry near 1.
+// B = diag(row) A diag(column), where the largest entry of every row and column is near 1.
 struct Balanced {
     Real entry[3][3], row[3], column[3];
 };
@@ -96,11 +97,12 @@ Balanced balanced(const Rows& a) {
     return b;
 }
 
-// Gauss-Jordan on [B | I] with full pivoting. Rows are swapped, columns only remembered.
+// Gauss-Jordan elimination of [B | I] with full pivoting. Rows are swapped; pivotColumn stands for swapping
+// columns.
 struct Elimination {
     Rows& left;
     Rows right = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    int pivotColumn[3] = {0, 1, 2};  // of each finished row; then those still without a pivot
+    int pivotColumn[3] = {0, 1, 2};  // of each finished row, then the columns without a pivot
     Real largestPivot = 0;
 
     void choosePivot(int step);
@@ -113,14 +115,15 @@ void Elimination::choosePivot(int step) {
     int bestRow = step, best = step;
     for (int row = step; row < 3; ++row)
         for (int i = step; i < 3; ++i)
-            if (size(row, i) > size(bestRow, best)) bestRow = row, best = i;
+            if (size(row, i) > size(bestRow, best)) std::tie(bestRow, best) = std::pair(row, i);
     std::swap(left[step], left[bestRow]);
     std::swap(right[step], right[bestRow]);
     std::swap(pivotColumn[step], pivotColumn[best]);
 }
 
-// Higham, Theorem 9.3: elimination of 3 x 3 is backward stable to gamma_3 |L||U|, which full pivoting keeps
-// below 3 * 3 * 2.25 times the largest entry; another two for the roundings in compose().
+// Higham, Theorem 9.3: the backward error of eliminating a 3 x 3 matrix is at most gamma_3 |L||U|, and full
+// pivoting keeps |L||U| below 3 * 2.25 times the largest entry. A factor of 2 is for the roundings in
+// compose().
 bool Elimination::isRoundingError(Real pivot) const {
     constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
     return std::abs(pivot) <= 2 * 3 * 3 * Real(2.25) * unitRoundoff * largestPivot;
@@ -129,16 +132,21 @@ bool Elimination::isRoundingError(Real pivot) const {
 void Elimination::eliminate(int step) {
     const int column = pivotColumn[step];
     const Real pivot = left[step][column];
-    for (int j = 0; j < 3; ++j) left[step][j] /= pivot, right[step][j] /= pivot;
+    for (int j = 0; j < 3; ++j) {
+        left[step][j] /= pivot;
+        right[step][j] /= pivot;
+    }
     for (int row = 0; row < 3; ++row) {
         if (row == step) continue;
         const Real factor = left[row][column];
-        for (int j = 0; j < 3; ++j)
-            left[row][j] -= factor * left[step][j], right[row][j] -= factor * right[step][j];
+        for (int j = 0; j < 3; ++j) {
+            left[row][j] -= factor * left[step][j];
+            right[row][j] -= factor * right[step][j];
+        }
     }
 }
 
-// Only factors above 0: the commonest of matrices.
+// Scales by positive factors: most matrices do no more.
 bool isPositiveDiagonal(const Rows& a) {
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
@@ -162,7 +170,7 @@ Affine compose(const TransformDescription& transform) {
 
 std::optional<Matrix3> inverseLinear(const Affine& affine) {
     const Rows& a = affine.linear;
-    // What the elimination comes to, without its cost.
+    // The same result as by elimination, only faster.
     if (isPositiveDiagonal(a))
         return Matrix3{{{1 / a[0][0], 0, 0}, {0, 1 / a[1][1], 0}, {0, 0, 1 / a[2][2]}}};
     Balanced b = balanced(affine.linear);

@@ -1,6 +1,5 @@
-// Objects whose keys the format knows. A key that it does not know is a warning with the nearest one that it
-// knows, or an error when strict; a required key that is missing is an error with the unknown one that may
-// have been meant.
+// Checks the keys of objects. An unknown key is a warning with the nearest known one, or an Error if
+// `strict`. A required key that is missing is an Error with the unknown key that may have been meant.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +13,13 @@
 
 namespace raytracer {
 
-// An object with the keys that it may have.
+// A JSON object and the keys that it may have.
 class JsonObject {
   public:
     JsonObject(JsonView json, std::span<const std::string_view> known) : json_(json), known_(known) {}
 
     bool knows(std::string_view key) const;
-    JsonView operator[](std::string_view key) const;  // an Error if it is missing
+    JsonView operator[](std::string_view key) const;  // throws Error if it is missing
     std::optional<JsonView> find(std::string_view key) const { return json_.find(key); }
 
     JsonView json() const { return json_; }
@@ -38,8 +37,8 @@ class KnownKeys {
     // `known` must outlive the result.
     JsonObject check(JsonView json, std::span<const std::string_view> known);
 
-    // One line each, as an Error would say it of the file `path`. After the first few only how many more
-    // there are: a scene of a million shapes may have a comment in each.
+    // One line each, as what() of an Error about the file `path`. The last line counts those after the first
+    // few: in a scene of a million shapes, each may have a comment.
     std::vector<std::string> warnings(const std::string& path) const;
 
   private:

@@ -17,11 +17,10 @@
 namespace raytracer {
 namespace {
 
-// Some milliseconds of parsing: much longer than a thread takes to start, and small enough to be shared out
-// evenly.
+// Some milliseconds of parsing: much longer than a thread takes to start, and short enough for an even load.
 constexpr std::size_t chunkBytes = std::size_t{1} << 20;
 
-// The first line that begins after `from` and is not the rest of one that a backslash continues.
+// Where the first line begins after `from` that is not the continuation of another (by a backslash).
 std::size_t nextLineBegin(std::string_view text, std::size_t from) {
     std::size_t newline = text.find('\n', from);
     while (newline != text.npos && endsInBackslash(text.substr(0, newline)))
@@ -29,7 +28,7 @@ std::size_t nextLineBegin(std::string_view text, std::size_t from) {
     return newline == text.npos ? text.size() : newline + 1;
 }
 
-// About equally long; some may be empty.
+// Chunks of about equal length; some may be empty.
 std::vector<std::string_view> splitAtLines(std::string_view text, std::size_t chunkCount) {
     std::vector<std::string_view> chunks;
     std::size_t begin = 0;
@@ -42,7 +41,7 @@ std::vector<std::string_view> splitAtLines(std::string_view text, std::size_t ch
     return chunks;
 }
 
-// Each chunk's own counts become those of all that stands above it.
+// Replaces each chunk's counts by the sums over all chunks above it. Returns the sums over the whole file.
 ObjCounts sumAbove(std::vector<ObjCounts>& counts) {
     ObjCounts whole;
     for (ObjCounts& chunk : counts) whole += std::exchange(chunk, whole);
@@ -51,12 +50,12 @@ ObjCounts sumAbove(std::vector<ObjCounts>& counts) {
 
 void requireUsable(const ObjCounts& whole, const std::string& path) {
     if (whole.faces == 0) throw Error({path}, "no faces, so not an OBJ mesh");
-    // One less than all, for noTexCoord is no index.
+    // noTexCoord is no index.
     if (std::max(whole.positions, whole.texCoords) >= MeshData::noTexCoord)
         throw Error({path}, "too many vertices: indices have 32 bits");
 }
 
-// Chunks are freed as they are taken over, so that little is in memory twice.
+// Frees each chunk once it is copied, so that little is in memory twice.
 void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh) {
     std::size_t corners = 0;
     for (const ObjTriangles& chunk : chunks) corners += chunk.positionIndex.size();

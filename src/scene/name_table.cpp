@@ -26,7 +26,7 @@ std::size_t NameTable::find(JsonView name) {
     name.fail(std::string("no ") + kind_ + " named " + inQuotes(wanted) + nearest.question());
 }
 
-// The name's, or the one that it would get.
+// The slot of the name, or the free one that it would get.
 NameTable::Slot& NameTable::slotOf(std::string_view name) {
     const auto hash = static_cast<std::uint32_t>(std::hash<std::string_view>()(name));
     const std::size_t last = slots_.size() - 1;

@@ -1,4 +1,4 @@
-// The names of a scene's materials, transforms or textures, and which of them a string means.
+// Finds a scene's materials, transforms or textures by name.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,17 @@
 
 namespace raytracer {
 
-// A hash table by open addressing (linear probing), for a scene may have a million names.
+// A hash table with open addressing and linear probing, since a scene may have a million names.
 class NameTable {
   public:
-    // `kind` is for messages: no material named ...
+    // `kind` is a word for messages, as in "no material named ...".
     explicit NameTable(const char* kind) : kind_(kind) {}
 
-    // Gives the next index, from 0, to `name`, which must outlive the table; an error at `owner` if it has
-    // one already.
+    // Gives `name`, which must outlive the table, the next index, from 0. Throws Error at `owner` if the name
+    // is in use.
     void add(std::string_view name, JsonView owner);
 
-    // The index of the name that this string is; an error with the nearest one if it is none.
+    // The index of this name. Throws Error, with the nearest name, where there is none.
     std::size_t find(JsonView name);
 
   private:
@@ -39,8 +39,8 @@ class NameTable {
 
     const char* kind_;
     std::vector<Entry> entries_;
-    std::vector<Slot> slots_ = std::vector<Slot>(2);  // as many as a power of two, at most half of them taken
-    std::size_t next_ = 0;  // behind the one found last: likely to be asked for next
+    std::vector<Slot> slots_ = std::vector<Slot>(2);  // a power of two; at most half are in use
+    std::size_t next_ = 0;  // the entry after the one found last, which scenes often ask for next
 };
 
 }  // namespace raytracer

@@ -8,8 +8,8 @@
 namespace raytracer {
 namespace {
 
-// The index, from 0, that a face means by `written`: from 1 among all of the file's, or, below 0, back from
-// the face.
+// The index, from 0, for an index of a face as written: above 0 it counts from 1 in the whole file, below 0
+// backwards from the face.
 std::uint32_t resolve(const ObjLine& line, std::int64_t written, std::size_t above, std::size_t whole,
                       const char* what) {
     const auto count = static_cast<std::int64_t>(written > 0 ? whole : above);
@@ -50,12 +50,12 @@ class ChunkParser {
             case ObjKeyword::face: return parseFace(line);
             case ObjKeyword::normal:
                 ++above_.normals;
-                return;  // not read: our normals are the triangles' own
+                return;  // not read: a triangle's normal is that of its plane
             case ObjKeyword::other: return;
         }
     }
 
-    // x y z, and after it a weight w, which matters to curves only, a colour r g b, or both.
+    // x y z; then, ignored, a weight w (for curves only), a colour r g b, or both.
     void parsePosition(ObjLine& line) {
         const double x = line.number(), y = line.number(), z = line.number();
         mesh_.positions[above_.positions++] = {x, y, z};
@@ -108,13 +108,13 @@ class ChunkParser {
         auto& [positionIndex, texCoordIndex] = triangles_;
         if (a.texCoord != MeshData::noTexCoord) {
             texCoordIndex.resize(positionIndex.size(),
-                                 MeshData::noTexCoord);  // catches up with triangles without
+                                 MeshData::noTexCoord);  // fills in the triangles before, which had none
             texCoordIndex.insert(texCoordIndex.end(), {a.texCoord, b.texCoord, c.texCoord});
         }
         positionIndex.insert(positionIndex.end(), {a.position, b.position, c.position});
     }
 
-    ObjCounts above_;  // the current line
+    ObjCounts above_;  // of what stands above the current line
     const ObjCounts whole_;
     MeshData& mesh_;
     ObjTriangles triangles_;

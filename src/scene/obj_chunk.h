@@ -1,6 +1,6 @@
-// One chunk of an OBJ file: whole lines of its text. Every chunk is first counted, then parsed knowing what
-// stands above it and in the whole file, so that chunks can be parsed at the same time, in any order, with
-// the errors of one pass.
+// One chunk of an OBJ file: whole lines of its text. Each chunk is first counted, then parsed with the counts
+// above it and of the whole file. So chunks can be parsed in parallel, and an error is the same as in one
+// pass.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct ObjCounts {
     ObjCounts& operator+=(const ObjCounts& other);
 };
 
-// As MeshData's, but texCoordIndex ends with the last triangle that has texture coordinates.
+// As in MeshData, but texCoordIndex ends with the last triangle that has texture coordinates.
 struct ObjTriangles {
     std::vector<std::uint32_t> positionIndex, texCoordIndex;
 };
@@ -31,8 +31,8 @@ struct ObjChunk {
 
 ObjCounts countObjChunk(std::string_view chunk);
 
-// Fills the chunk's own part of mesh.positions and mesh.texCoords, which have their final sizes, and returns
-// its triangles. Throws Error at the chunk's first line that is to blame.
+// Fills the chunk's part of mesh.positions and mesh.texCoords, which have their final sizes already, and
+// returns its triangles. Throws Error at the first line with a mistake.
 ObjTriangles parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole,
                            MeshData& mesh);
 

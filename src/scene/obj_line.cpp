@@ -76,7 +76,7 @@ void ObjLine::fail(const std::string& message) const {
     throw Error({.file = std::string(path_), .line = number_}, message);
 }
 
-// The word may be anything, if the file is no OBJ at all.
+// The word may have any bytes and any length, since the file may be no OBJ at all.
 void ObjLine::failWord(const char* message) const {
     constexpr std::size_t longest = 40;
     ObjLine rest(std::string_view(word_, end_));

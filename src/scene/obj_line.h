@@ -1,5 +1,5 @@
-// The lines of an OBJ file and the words of a line. A line that ends in a backslash goes on in the next,
-// unless the backslash is in a comment (the end of a path, say).
+// The lines of an OBJ file and the words of a line. After a backslash at its end, a line continues in the
+// next, unless the backslash is in a comment (which may end in a path).
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,19 @@ enum class ObjKeyword { position, texCoord, normal, face, other };
 
 bool endsInBackslash(std::string_view physicalLine);
 
-// Takes the first line from `text`, without its line end, and says in `physicalLines` how many it spans in
-// the file.
+// Removes the first line from `text` and returns it without its line end. `physicalLines` is how many lines
+// of the file it spans.
 std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines);
 
 // Reads a line from left to right. Throws Error with the line's number.
 class ObjLine {
   public:
-    // Of a line whose keyword alone is asked for, path and number do not matter.
+    // `path` and `number` are for errors; keyword() has none.
     explicit ObjLine(std::string_view line, std::string_view path = {}, std::size_t number = 0)
         : p_(line.data()), end_(p_ + line.size()), path_(path), number_(number) {}
 
     ObjKeyword keyword();
-    // Skips blanks; a comment ends the line too.
+    // Skips blanks. A comment counts as the end.
     bool atEnd() {
         startWord();
         return p_ == end_ || *p_ == '#';
@@ -34,7 +34,7 @@ class ObjLine {
     // A finite number, correctly rounded.
     double number();
 
-    // A corner of a face as written: v, v/vt, v//vn or v/vt/vn; 0 stands for what is left out.
+    // A corner of a face as written: v, v/vt, v//vn or v/vt/vn. 0: left out.
     struct Corner {
         std::int64_t position = 0, texCoord = 0, normal = 0;
     };
@@ -44,8 +44,12 @@ class ObjLine {
 
   private:
     std::int64_t index();
-    bool takeSlash() { return p_ != end_ && *p_ == '/' && ++p_; }
-    // Inside a line, a line end is one that a backslash takes back.
+    bool takeSlash() {
+        const bool isSlash = p_ != end_ && *p_ == '/';
+        p_ += isSlash;
+        return isSlash;
+    }
+    // A line end inside a line follows a backslash.
     bool isAtBlank() const {
         return *p_ == ' ' || *p_ == '\t' || *p_ == '\r' || *p_ == '\n' || (*p_ == '\\' && isAtContinuation());
     }

@@ -1,5 +1,5 @@
-// The text of a whole OBJ file, in chunks that are parsed at the same time. The answer, errors included, does
-// not depend on how many there are.
+// Parses the text of a whole OBJ file in chunks, in parallel. Neither the mesh nor an Error depends on their
+// number.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 namespace raytracer {
 namespace {
 
-// Calls read(file). An Error becomes one at the scene's path that named the file.
+// Calls read(file). An Error about the file becomes one about the value of the scene that names it.
 template <class Read>
 auto readNamed(JsonView path, const std::string& file, const char* expected, Read read) {
     try {
@@ -49,7 +49,7 @@ void SceneFiles::requireTexture(JsonView path) const {
     readNamed(path, resolve(path), aPicture, [](const std::string& file) { FileBytes{file}; });
 }
 
-// A NUL would silently end the path where the operating system reads it.
+// The operating system would read a path only up to a NUL.
 std::string SceneFiles::resolve(JsonView path) const {
     const std::string_view written = path.string();
     if (written.empty() || written.find('\0') != written.npos) path.failExpected("the path of a file");

@@ -12,8 +12,8 @@
 
 namespace raytracer {
 
-// Paths are strings of the scene, relative to its own file. What is wrong with a file is an Error at its
-// path in the scene.
+// Paths are strings of the scene, relative to the scene's file. An Error is about the string that names the
+// file.
 class SceneFiles {
   public:
     explicit SceneFiles(const std::string& scenePath);
@@ -21,7 +21,7 @@ class SceneFiles {
     std::shared_ptr<const MeshData> mesh(JsonView path);
     std::shared_ptr<const Texture> texture(JsonView path);
 
-    // That a texture's file can be opened, without reading it.
+    // Throws unless the texture's file can be opened; does not read it.
     void requireTexture(JsonView path) const;
 
   private:

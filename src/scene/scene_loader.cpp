@@ -17,7 +17,7 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view defaultMaterialName = "default";  // as in MaterialDescription
 
-// The scene as a whole: what its parts call each other by. Strings and views are the document's.
+// Reads the whole scene and resolves its names. Strings and views belong to the document.
 class SceneReader {
   public:
     SceneReader(const std::string& path, bool strict) : files_(path), keys_(strict) {}
@@ -71,8 +71,8 @@ void SceneReader::readMaterials(JsonView materials) {
         const MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
         materials_.add(name ? name->string() : defaultMaterialName, name.value_or(json));
-        // One that is not textured may name whatever it likes; readMaterial has seen that one that is names
-        // something.
+        // Without use_diffuse_texture, diffuse_texture may name anything. With it, readMaterial has required
+        // the key.
         auto& texture = textureOfMaterial_.emplace_back();
         if (material.use_diffuse_texture) texture = textures_.find(*json.find("diffuse_texture"));
     }
@@ -96,7 +96,7 @@ void SceneReader::readShapes(JsonView shapes) {
 ShapeDescription SceneReader::readShape(JsonView view) {
     static constexpr std::array known = {"type"sv, "transform"sv, "material"sv, "path"sv};
     const auto type = view.find("type");
-    const bool isMesh = type && type->string() == "mesh";  // nothing else has a path
+    const bool isMesh = type && type->string() == "mesh";  // no other shape has a path
     const JsonObject json = keys_.check(view, std::span(known).first(isMesh ? 4 : 3));
     ShapeDescription shape;
     shape.type = static_cast<ShapeType>(json["type"].choice(shapeTypeNames));
@@ -106,7 +106,7 @@ ShapeDescription SceneReader::readShape(JsonView view) {
     return shape;
 }
 
-// Only now is it known that someone can see it (src/README.md, 7: the model has what a scene needs).
+// A texture is read when the first shape uses it (src/README.md, 7: the model has what a scene needs).
 void SceneReader::loadTextureOf(std::size_t material) {
     const auto index = textureOfMaterial_[material];
     if (!index) return;

@@ -37,7 +37,7 @@ glm::dvec3 direction(JsonView value) {
     return vector;
 }
 
-// In long double, where the product of two doubles neither overflows nor underflows.
+// The product of two doubles neither overflows nor underflows in long double.
 bool areParallel(const glm::dvec3& a, const glm::dvec3& b) {
     using Real = long double;
     const auto minor = [&](int i, int j) { return Real(a[i]) * Real(b[j]) - Real(a[j]) * Real(b[i]); };
@@ -49,7 +49,7 @@ void readFilm(const JsonObject& json, CameraDescription& camera) {
     read(json["film_right"], camera.film_right);
     read(json["film_bottom"], camera.film_bottom);
     read(json["film_top"], camera.film_top);
-    // One that is mirrored or upside down is as good as any.
+    // A film may be mirrored or upside down.
     if (camera.film_left == camera.film_right)
         json["film_right"].failExpected("a number other than film_left");
     if (camera.film_bottom == camera.film_top)
@@ -100,7 +100,7 @@ glm::dmat4 readMatrix(JsonView json) {
     return matrix;
 }
 
-// Homogeneous coordinates, of which only those of a point are one.
+// x y z, or homogeneous coordinates x y z 1.
 glm::dvec3 readPosition(JsonView json) {
     double numbers[4] = {0, 0, 0, 1};
     const bool isHomogeneous = json.size() == 4;
@@ -146,7 +146,7 @@ MaterialDescription readMaterial(JsonView view, KnownKeys& keys) {
     if (const auto index = json.find("index_of_refraction")) material.index_of_refraction = positive(*index);
     readOptional(json, "use_diffuse_texture", material.use_diffuse_texture);
     readOptional(json, "diffuse_texture", material.diffuse_texture);
-    if (material.use_diffuse_texture) json["diffuse_texture"];  // then it is required
+    if (material.use_diffuse_texture) json["diffuse_texture"];  // throws where it is missing
     return material;
 }
 
@@ -169,7 +169,7 @@ TransformDescription readTransform(JsonView view, KnownKeys& keys) {
     if (const auto rotate = json.find("rotate")) transform.rotate = readRotation(*rotate, keys);
     if (const auto scale = json.find("scale")) transform.scale = scaleFactors(*scale);
     if (const auto matrix = json.find("matrix")) transform.matrix = readMatrix(*matrix);
-    // Rotations have one, and so have scales other than 0.
+    // Without a matrix there is always an inverse: scales are not 0.
     if (transform.matrix && !inverseLinear(compose(transform)))
         view.fail("expected a transform that has an inverse, found one that is singular");
     return transform;

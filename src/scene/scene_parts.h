@@ -1,4 +1,4 @@
-// The parts of a scene that stand for themselves, each from its JSON object. Throws Error.
+// The parts of a scene that refer to no other, each from its JSON object. All throw Error.
 #pragma once
 
 #include "known_keys.h"
@@ -9,11 +9,11 @@ namespace raytracer {
 
 CameraDescription readCamera(JsonView camera, KnownKeys& keys);
 
-// A key that is left out leaves the default that MaterialDescription or LightDescription has.
+// Where a key is missing, the default of MaterialDescription or LightDescription stays.
 MaterialDescription readMaterial(JsonView material, KnownKeys& keys);
 LightDescription readLight(JsonView light, KnownKeys& keys);
 
-// One that can be inverted.
+// The transform has an inverse, or this throws.
 TransformDescription readTransform(JsonView transform, KnownKeys& keys);
 
 }  // namespace raytracer

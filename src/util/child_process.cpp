@@ -35,8 +35,8 @@ void killGroupAndDie(int signal) {
     std::raise(signal);
 }
 
-// The child is in a process group of its own, so that all of it can be killed; the terminal's Ctrl-C no
-// longer reaches it there, so it is passed on.
+// The child has a process group of its own, so that it can be killed with all its children. The terminal's
+// Ctrl-C does not reach that group, so this passes it on.
 class GroupGuard {
   public:
     explicit GroupGuard(pid_t group) {
@@ -57,7 +57,7 @@ class GroupGuard {
     void (*terminate_)(int);
 };
 
-// An interrupt that comes between the child's start and the guard waits, so that it can't miss the child.
+// Delays interrupts from before the child's start until the guard is there, so that none misses the child.
 class InterruptsWait {
   public:
     InterruptsWait() {
@@ -99,7 +99,7 @@ pid_t spawn(const std::vector<std::string>& words, const std::string& output, co
     return child;
 }
 
-// True once the child has ended; it stays a zombie, so that its number and its group's are still its own.
+// True once the child has ended. It stays a zombie, so that no other process can get its number.
 bool hasEnded(pid_t child) {
     siginfo_t info{};
     return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
@@ -107,7 +107,7 @@ bool hasEnded(pid_t child) {
 }
 
 bool endsBefore(pid_t child, Clock::time_point deadline) {
-    // Polled, as no portable call waits for a child with a time limit; 2 ms is little beside any render.
+    // Polled, since no portable call waits for a child with a time limit. 2 ms are short beside a render.
     while (!hasEnded(child)) {
         if (Clock::now() >= deadline) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -122,8 +122,7 @@ int reap(pid_t child) {
     return status;
 }
 
-// A shell that waited for a program that a signal killed says so by 128 + signal (POSIX leaves it at "over
-// 128").
+// The exit status of a shell whose program a signal has killed is 128 + signal (POSIX says only "over 128").
 void readStatus(int status, ProcessEnd& end) {
     constexpr int lastSignal = 31;
     if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);

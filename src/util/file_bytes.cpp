@@ -17,8 +17,7 @@
 namespace raytracer {
 namespace {
 
-// An open file that the user calls `name`. What the system refuses is an Error: `purpose`, "cannot read" or
-// "cannot write", and why.
+// An open file that errors call `name`. `purpose` is how their text begins: "cannot read" or "cannot write".
 class Descriptor {
   public:
     Descriptor(const std::string& path, int flags, const std::string& name, const char* purpose)
@@ -73,8 +72,8 @@ void writeParts(Descriptor& file, const Parts& parts) {
     file.close();
 }
 
-// In the target's folder, for a rename cannot cross file systems; short, whatever the length of the target's
-// name.
+// In the target's folder, since a rename cannot cross file systems. The name is short, however long the
+// target's is.
 std::filesystem::path temporaryBeside(const std::filesystem::path& target) {
     static std::atomic<unsigned> serial = 0;
     const std::string name =
@@ -82,8 +81,8 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& target) {
     return target.parent_path() / name;
 }
 
-// Unlinks the file before, since a killed process that had our number may have left one, and after, unless it
-// has been renamed.
+// Deletes the file at the end, unless it has been renamed, and one at the start that a killed process with
+// the same number has left.
 class TemporaryFile {
   public:
     explicit TemporaryFile(std::string path) : path_(std::move(path)) { ::unlink(path_.c_str()); }
@@ -111,7 +110,7 @@ FileBytes::FileBytes(const std::string& path) : path_(path) {
     struct stat status;
     file.require(::fstat(file.get(), &status) == 0);
     size_ = static_cast<std::size_t>(status.st_size);
-    // A file of /proc says that its size is 0, so that is read as a pipe is.
+    // Files of /proc say that their size is 0. They are read as a pipe is.
     if (S_ISREG(status.st_mode) && size_ > 0) {
         void* const map = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.get(), 0);
         mapped_ = map != MAP_FAILED;

@@ -17,7 +17,7 @@ TemporaryFolder::TemporaryFolder() {
 }
 
 TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;  // of a folder for temporary files, what is left is no harm
+    std::error_code ignored;  // what stays in the folder for temporary files does no harm
     std::filesystem::remove_all(path_, ignored);
 }
 

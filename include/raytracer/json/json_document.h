@@ -1,9 +1,9 @@
 // A JSON text as a flat tree: 16 bytes a value and 16 a key, in one vector. Every node knows where it begins
 // in the text; strings stay there.
 //
-// nlohmann::json would hold a std::map for each object, and the last of two equal keys would win in silence;
-// this finds duplicate keys, and a value's JSON pointer (RFC 6901) and line are computed when they are asked
-// for.
+// nlohmann::json would hold a std::map for each object, and of two equal keys it would keep the last in
+// silence. A JsonDocument refuses duplicate keys. It computes a value's JSON pointer (RFC 6901) and line only
+// when they are asked for.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class JsonDocument {
 
     // The text of the file `path`: UTF-8, with a byte order mark or without. It must outlive the document.
     // Throws Error for what is no JSON, for a key that an object has twice, and for a number too large for a
-    // double. Nesting of any depth takes no stack.
+    // double. Deep nesting does not use the stack.
     JsonDocument(std::string path, std::string_view text);
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
@@ -34,19 +34,19 @@ class JsonDocument {
     double number(std::uint32_t node) const { return nodes_[node].number; }  // finite
     std::string_view string(std::uint32_t node) const;                       // of a String or a Key
 
-    // The first node behind this value and all in it: its next sibling or that one's key, if it has one.
+    // The first node after this value and all that is in it: the next sibling, or in an object its key.
     std::uint32_t end(std::uint32_t node) const { return isContainer(node) ? nodes_[node].end : node + 1; }
 
     const char* begin(std::uint32_t node) const;    // in the text
     std::string pointer(std::uint32_t node) const;  // empty for the root
 
-    // About a value: with its line, its column and its JSON pointer.
+    // An Error about a value, with the value's line, column and JSON pointer.
     Error error(std::uint32_t node, const std::string& message) const;
 
   private:
     friend class JsonReader;
 
-    // A String or a Key that is not in the text as it is, for it has an escape sequence.
+    // A String or a Key with an escape sequence, so that the text does not have it as it is.
     struct Decoded {
         std::string text;
         const char* begin;
@@ -56,11 +56,11 @@ class JsonDocument {
         union {
             const char* begin;       // in the text
             const Decoded* decoded;  // where isDecoded
-            double number;           // of a Number, which begins `offset` bytes behind the text's begin
+            double number;           // of a Number, which begins at text_[offset]
         };
         union {
             std::uint32_t length;     // of a String or a Key, in bytes
-            std::uint32_t end;        // of an Array or an Object: the first node behind all that is in it
+            std::uint32_t end;        // of an Array or an Object: the first node after all that is in it
             std::uint32_t offsetLow;  // of a Number
         };
         std::uint16_t offsetHigh;
@@ -82,8 +82,5 @@ class JsonDocument {
 
 // `text` in quotes with control characters escaped, for a message; shortened if it is long.
 std::string inQuotes(std::string_view text);
-
-// The JSON pointer that leads from `pointer` to its member `key`.
-std::string pointerToMember(std::string pointer, std::string_view key);
 
 }  // namespace raytracer

@@ -1,5 +1,5 @@
-// A value of a JsonDocument that is read as what it must be. Every read knows where it is, so that the
-// Error that it throws says so: "scene.json: /camera/eye: expected 3 numbers, found an array of 2".
+// Reads a value of a JsonDocument as the type that it must have. An Error has the value's place: "scene.json:
+// /camera/eye: expected 3 numbers, found an array of 2".
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace raytracer {
 
-// Two words, passed by value; the document must outlive it.
+// Two machine words, passed by value. The document must outlive it.
 class JsonView {
   public:
     class Iterator;
@@ -26,7 +26,7 @@ class JsonView {
     bool boolean() const;
     double number() const;
     std::string_view string() const;
-    void numbers(std::span<double> out) const;  // an array of exactly as many
+    void numbers(std::span<double> out) const;  // an array of exactly out.size() numbers
     glm::dvec3 vec3() const;
 
     // The position of this string in `choices`.
@@ -35,10 +35,10 @@ class JsonView {
     std::string_view key() const;  // of an object's member
     Children elements() const;     // of an array
     Children members() const;      // of an object
-    std::size_t size() const;      // of either, else 0; counted anew at each call
+    std::size_t size() const;      // of either, else 0; each call counts
     JsonView element(std::size_t index) const;
 
-    // That this is an array of so many, which the error calls `expected`.
+    // Throws unless this is an array of `count` elements; the message calls that `expected`.
     void requireElements(std::size_t count, const char* expected) const;
 
     std::optional<JsonView> find(std::string_view key) const;  // an object's member
@@ -62,7 +62,7 @@ class JsonView {
 
 class JsonView::Iterator {
   public:
-    // `ahead`: by how much a value lies behind where its sibling ends; 1 in an object, for the key.
+    // `ahead`: the number of nodes between a sibling's end and the value: 1 in an object, the key; else 0.
     Iterator(const JsonDocument& document, std::uint32_t node, std::uint32_t ahead)
         : document_(&document), node_(node), ahead_(ahead) {}
     JsonView operator*() const { return JsonView(*document_, node_ + ahead_); }

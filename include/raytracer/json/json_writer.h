@@ -1,4 +1,4 @@
-// Writes JSON, for --stats, --json and the reports: a string that grows from left to right.
+// Writes JSON to a string, for --stats, --json and the reports.
 //
 //     JsonWriter json;
 //     json.beginObject();
@@ -15,8 +15,8 @@
 
 namespace raytracer {
 
-// The caller keeps the grammar (in an object every value has its key, what begins ends); nothing is checked.
-// Objects take a line for each key, arrays of plain values a single line.
+// The caller must follow the grammar: in an object every value has a key, and each begin has its end. Nothing
+// is checked. An object has a line for each key, an array of plain values has one line.
 class JsonWriter {
   public:
     JsonWriter& beginObject() { return begin('{'); }
@@ -26,8 +26,8 @@ class JsonWriter {
 
     JsonWriter& key(std::string_view name);
 
-    // Text is UTF-8. A number reads back as the very same double; what JSON has no number for (infinities,
-    // NaN) is null.
+    // Text is UTF-8. A number reads back as the same double. Infinities and NaN, which JSON cannot write,
+    // become null.
     JsonWriter& value(std::string_view text);
     JsonWriter& value(const char* text) { return value(std::string_view(text)); }
     JsonWriter& value(double number);
@@ -43,7 +43,7 @@ class JsonWriter {
   private:
     struct Container {
         bool empty = true;
-        bool lines = false;  // its elements take a line each
+        bool lines = false;  // each element has its own line
     };
 
     JsonWriter& begin(char bracket);
@@ -61,8 +61,8 @@ class JsonWriter {
 // locale.
 std::string shortestNumber(double number);
 
-// `text` with quotes around it and what JSON forbids in a string escaped; also "<", so that it can stand in a
-// <script>.
+// `text` in quotes, with escape sequences for what JSON forbids in a string, and for "<", so that the result
+// can stand in a <script>.
 std::string jsonString(std::string_view text);
 
 }  // namespace raytracer

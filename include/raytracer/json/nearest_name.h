@@ -1,4 +1,4 @@
-// "did you mean ...?": the known name that a misspelled one is nearest to.
+// "did you mean ...?": finds the known name nearest to a misspelled one.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace raytracer {
 
-// Collects candidates for `name` and keeps the nearest (the first of equals), counting letters inserted, left
-// out, replaced or swapped with their neighbour, whatever their case (Damerau, Levenshtein; the restricted
-// distance). Only a candidate with at most one such error for each three letters counts: what is further off
-// is a different word.
+// Keeps the candidate nearest to `name`, the first of several. The distance is that of Damerau and
+// Levenshtein (restricted, without regard to case): the number of letters inserted, left out, replaced, or
+// swapped with a neighbour. A candidate with more than one error for each three letters is a different word
+// and does not count.
 class NearestName {
   public:
     explicit NearestName(std::string_view name);

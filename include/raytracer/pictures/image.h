@@ -22,16 +22,16 @@ struct FloatImage {
     std::vector<float> pixels;  // width * height * 3
 };
 
-// A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0. The rounding is equal to
-// lround, whose call costs more than all of this: the subtraction is exact (Sterbenz).
+// A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0. The result is that of lround,
+// whose call costs more than the whole function: the subtraction is exact (Sterbenz).
 inline std::uint8_t toByte(double channel) {
     const double scaled = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0);
     const int whole = static_cast<int>(scaled);
     return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5));
 }
 
-// PNG or JPEG, decoded to 8-bit RGB (alpha dropped, grey spread). Throws Error where the file is missing,
-// unreadable or not a picture.
+// PNG or JPEG, decoded to 8-bit RGB: without alpha, grey as three equal channels. Throws Error where the file
+// is missing, unreadable or not a picture.
 ByteImage readImage(const std::string& path);
 FloatImage readPfm(const std::string& path);
 

@@ -6,7 +6,7 @@
 
 namespace raytracer {
 
-// Clamped and quantised, for PNG.
+// Clamps and quantises, for PNG.
 class ByteSink final : public PixelSink {
   public:
     explicit ByteSink(const PixelRectangle& crop);

@@ -1,4 +1,4 @@
-// An image that is looked up by texture coordinate: 8-bit RGB texels, row 0 at the top (v = 1).
+// The image of a texture: 8-bit RGB texels, row 0 at the top (v = 1).
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,7 @@
 // Affine maps as the scene file describes them, composed and inverted in long double.
 //
-// long double has the exponent range for scales of 1e+-100 in all three directions at once (their product is
-// the determinant) and bits to spare, so that what the core receives is correctly rounded in all but a few
-// cases.
+// The determinant of a matrix that scales by 1e100 or 1e-100 along all three axes fits the exponent range of
+// long double. Its extra bits round what the core receives correctly in all but a few cases.
 #pragma once
 
 #include <optional>
@@ -17,13 +16,13 @@ struct Affine {
     long double translation[3] = {0, 0, 0};
 };
 
-// World from object: translate * rotate * scale * matrix. A rotation by a multiple of 90 degrees about any
-// axis uses the exact sine and cosine. The axis need not be of unit length but must not be zero.
+// World from object: translate * rotate * scale * matrix. A rotation by a multiple of 90 degrees uses the
+// exact sine and cosine. The axis may have any length but zero.
 Affine compose(const TransformDescription& transform);
 
-// The inverse of the linear part (row by row), or nothing where it is singular: rows and columns are first
-// brought to comparable size by powers of two, then eliminated with full pivoting (Higham, Accuracy and
-// Stability, ch. 9); a pivot that is all rounding error counts as zero.
+// The inverse of the linear part, row by row, or nothing where it is singular. Rows and columns are scaled to
+// similar size by powers of two, then eliminated with full pivoting (Higham, Accuracy and Stability of
+// Numerical Algorithms, chapter 9). A pivot no larger than its rounding error counts as zero.
 struct Matrix3 {
     long double entry[3][3];
 };

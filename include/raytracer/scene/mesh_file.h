@@ -12,7 +12,7 @@
 namespace raytracer {
 
 // An indexed triangle mesh in object space. Triangle i has the corners positions[positionIndex[3i + 0..2]],
-// counter- clockwise seen from outside, in file order (a polygon of n corners is the fan of its n - 2
+// counter-clockwise seen from outside, in file order (a polygon of n corners is the fan of its n - 2
 // triangles in order).
 struct MeshData {
     std::vector<glm::dvec3> positions;
@@ -21,7 +21,7 @@ struct MeshData {
     std::vector<std::uint32_t> texCoordIndex;  // 3 for each triangle, or empty where no face has vt
     static constexpr std::uint32_t noTexCoord = ~std::uint32_t{0};  // for a corner without vt: (0, 0)
 
-    // The box around all positions, as findBounds has found it: whoever fills positions calls that once.
+    // The smallest box around all positions. Whoever fills `positions` then calls findBounds once.
     glm::dvec3 low{0}, high{0};
     void findBounds();
 
@@ -29,11 +29,11 @@ struct MeshData {
 };
 
 // Reads positions, texture coordinates and faces (polygons, negative indices, v, v/vt, v//vn, v/vt/vn);
-// groups, objects, normals, materials and smoothing are read past. Throws Error where
-// the file is missing, unreadable or not an OBJ that we understand, with the line that is to blame.
+// ignores groups, objects, normals, materials and smoothing. Throws Error, with the line where it can, if the
+// file is missing, unreadable or not an OBJ of this kind.
 MeshData loadObj(const std::string& path);
 
-// The same from text in memory; an Error calls it `path`.
+// The same from text in memory. `path` is what an Error calls it.
 MeshData parseObj(std::string_view text, const std::string& path = {});
 
 }  // namespace raytracer

@@ -1,8 +1,8 @@
-// The scene as its author wrote it: the numbers of the JSON file, checked but not computed with.
+// The scene as its author wrote it: the numbers of the JSON file, checked but not changed.
 //
 // Everything here is in the user's own units and spaces (positions and lengths in world units, angles in
-// degrees) and in double, the precision of JSON numbers. `scene_loader` makes it; the core (compiled once for
-// each precision) builds its `Scene` from it, so that every precision starts from the very same numbers.
+// degrees) and in double, the precision of JSON numbers. `scene_loader` makes it. The core, which is compiled
+// once for each precision, builds its `Scene` from it, so every precision starts from the same numbers.
 #pragma once
 
 #include <cstddef>
@@ -50,7 +50,7 @@ struct LightDescription {
     glm::dvec3 color{1}, color_ambient{1};
 };
 
-// World from object is translate * rotate * scale * matrix, a part left out being the identity.
+// World from object is translate * rotate * scale * matrix. A part left out is the identity.
 struct TransformDescription {
     struct Rotation {
         double degrees = 0;
@@ -77,7 +77,7 @@ inline const char* typeName(ShapeType type) { return shapeTypeNames[static_cast<
 
 struct TextureDescription {
     std::string name;
-    std::shared_ptr<const Texture> texture;  // null when no shape's material uses it: it was not read
+    std::shared_ptr<const Texture> texture;  // null, as not read, where no shape's material uses it
 };
 
 struct SceneDescription {

@@ -1,4 +1,4 @@
-// Scene files: JSON text to SceneDescription, checked strictly.
+// Reads a scene file: from JSON text to a SceneDescription.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ struct LoadedScene {
     std::vector<std::string> warnings;  // one line each, in the form of Error's what()
 };
 
-// Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). A
-// key that is not known is a warning, or an error when `strict`. Throws Error:
-// "FILE: /json/pointer: what was expected, what was found" (syntax errors: "FILE:LINE:COLUMN: ...").
+// Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). An
+// unknown key is a warning, or an Error if `strict`. Throws Error: "FILE: /json/pointer: what was expected,
+// what was found" (syntax errors: "FILE:LINE:COLUMN: ...").
 LoadedScene loadScene(const std::string& path, bool strict);
 
 }  // namespace raytracer

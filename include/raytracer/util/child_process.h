@@ -17,10 +17,9 @@ struct ProcessEnd {
         const;  // "crashed: Segmentation fault", "hung: ...", "exit status 3", or "" if all is well
 };
 
-// Runs `command arguments...` by the shell, which splits and expands the command but leaves the arguments as
-// they are. It reads nothing; what it prints goes to the file `output`. After `timeoutSeconds` it is killed,
-// and with its end whatever it has started and left behind. Throws Error where there is no process to
-// be had.
+// Runs `command arguments...` in a shell, which splits and expands the command but not the arguments. Its
+// input is empty, and its output goes to the file `output`. It is killed after `timeoutSeconds`. Processes
+// that it has started and not ended are killed too. Throws Error where no process can be started.
 ProcessEnd runProcess(const std::string& command, const std::vector<std::string>& arguments,
                       const std::string& output, double timeoutSeconds);
 

@@ -1,4 +1,4 @@
-// What is wrong with what the user gave: one line, with its place, ready for the terminal.
+// The one type for what is wrong with the user's input: one line, with its place, complete for the terminal.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace raytracer {
 
-// Where in a file. What is not known is left out.
+// A place in a file, as far as it is known.
 struct Place {
     std::string file;                  // empty where no file is to blame
     std::size_t line = 0, column = 0;  // from 1, the column in characters, as editors count; 0: not known
@@ -16,8 +16,7 @@ struct Place {
 };
 
 // what() is "FILE: /json/pointer: MESSAGE", "FILE:LINE:COLUMN: MESSAGE", "FILE: line LINE: MESSAGE",
-// "FILE: MESSAGE" or, of no file, "MESSAGE". The boundary (main) prints it and ends the program with
-// status 2.
+// "FILE: MESSAGE" or, of no file, "MESSAGE". main catches it, prints it and ends the program with status 2.
 class Error : public std::runtime_error {
   public:
     Error(Place place, const std::string& message);

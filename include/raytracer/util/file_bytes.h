@@ -9,8 +9,8 @@
 
 namespace raytracer {
 
-// A file's bytes, read only: mapped where the file allows it, so that threads that parse it also share the
-// work of fetching it, else (a pipe) read into memory. The file must not shrink while it is mapped.
+// A file's bytes, read only. The file is mapped where that is possible, so that threads that parse it share
+// the work of fetching it; else (a pipe) it is read into memory. It must not shrink while it is mapped.
 class FileBytes {
   public:
     explicit FileBytes(const std::string& path);  // throws Error
@@ -30,9 +30,9 @@ class FileBytes {
     std::string copy_;
 };
 
-// Writes the parts, one after the other, beside `path` and renames the whole onto it, so that the file is
-// whole or as it was; a symbolic link stays one. What is no regular file (/dev/null, a pipe) is written in
-// place. Throws Error.
+// Writes the parts one after the other to a file beside `path` and renames that to `path`, so that the file
+// is either whole or as before. A symbolic link stays one. What is no regular file (/dev/null, a pipe) is
+// written in place. Throws Error.
 void writeFile(const std::string& path, std::span<const std::span<const char>> parts);
 
 }  // namespace raytracer

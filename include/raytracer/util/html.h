@@ -1,4 +1,4 @@
-// What self-contained pages are made of.
+// Parts of self-contained HTML pages.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace raytracer {
 
-// Text for between tags or for an attribute in double quotes.
+// Text as HTML, for between tags or for an attribute in double quotes.
 std::string escaped(std::string_view text);
 
 // A page from its doctype to the opened body. `title` is escaped here, `style` is CSS.

@@ -1,4 +1,4 @@
-// Text becomes a number here, in every room but json, whose numbers nlohmann's parser reads.
+// Reads numbers from text, for all rooms but json, where nlohmann's parser does it.
 #pragma once
 
 #include <charconv>
@@ -10,8 +10,7 @@
 namespace raytracer {
 
 // Reads the number that the text begins with and returns where it ends, or `begin` where there is none. A
-// double is correctly rounded: one too large for double is an infinity. A whole number that does not fit is
-// 0.
+// double is correctly rounded; one that is too large is an infinity. An integer that does not fit is 0.
 template <std::integral Number>
 const char* readNumber(const char* begin, const char* end, Number& number) {
     const auto [stop, error] = std::from_chars(begin, end, number);

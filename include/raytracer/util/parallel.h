@@ -6,7 +6,7 @@
 
 namespace raytracer {
 
-// The number of threads that `asked` means: 0 is one for each processor.
+// The number of threads for a user's number: 0 is one for each processor.
 int threadCount(int asked);
 
 // Hands out the numbers 0, 1, ... below a count, each to one thread.
@@ -26,7 +26,7 @@ void onThreads(std::uint32_t jobs, int threads, const std::function<void(JobQueu
 // work(job) for every 0 <= job < jobs, as onThreads.
 void parallelFor(std::uint32_t jobs, int threads, const std::function<void(std::uint32_t)>& work);
 
-// A range of fewer numbers is not worth a thread's start.
+// In a smaller range, a thread's start is not worth it.
 inline constexpr std::uint32_t parallelSize = 1 << 15;
 
 // How many pieces parallelPieces makes at most.

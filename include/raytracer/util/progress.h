@@ -1,9 +1,9 @@
-// How long work tells of its progress.
+// Who is told of progress.
 #pragma once
 
 namespace raytracer {
 
-// Told from time to time how much of the work is done, from one thread at a time.
+// Called from time to time, by one thread at a time, with the part of the work that is done, from 0 to 1.
 class ProgressListener {
   public:
     virtual ~ProgressListener() = default;

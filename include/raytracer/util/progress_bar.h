@@ -1,4 +1,4 @@
-// What long work says on a terminal while it lasts.
+// Progress on a terminal.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,8 @@
 
 namespace raytracer {
 
-// A line on stderr that is written over. Shows nothing in the first second, and nothing at all where stderr
-// is not a terminal.
+// A line on stderr that is overwritten. It shows nothing in the first second, or where stderr is not a
+// terminal.
 class TerminalLine {
   public:
     TerminalLine();
@@ -17,7 +17,7 @@ class TerminalLine {
     TerminalLine(const TerminalLine&) = delete;
     TerminalLine& operator=(const TerminalLine&) = delete;
 
-    bool isDue() const;  // not too soon after what was shown last
+    bool isDue() const;  // long enough after the last text
     void show(const std::string& text);
     double elapsedSeconds() const;
 
@@ -28,7 +28,7 @@ class TerminalLine {
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-// With the remaining time.
+// A bar with the remaining time.
 class ProgressBar final : public ProgressListener {
   public:
     void progress(double fraction) override;

@@ -1,4 +1,4 @@
-// An optional value that hardly anyone has: where there is none, it takes the room of a pointer.
+// An optional value that is mostly missing, and then takes no more memory than a pointer.
 #pragma once
 
 #include <concepts>
@@ -8,7 +8,7 @@
 
 namespace raytracer {
 
-// Of std::optional's interface, what is asked of it.
+// The part of std::optional's interface that is in use.
 template <class T>
 class Rare {
   public:

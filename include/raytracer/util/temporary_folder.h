@@ -1,4 +1,4 @@
-// A new empty folder for files that are nobody else's business, gone with its owner.
+// A new empty folder that is deleted with its owner.
 #pragma once
 
 #include <filesystem>
