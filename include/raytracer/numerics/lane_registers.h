@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 #include "raytracer/numerics/packet_size.h"
@@ -136,6 +137,21 @@ inline Floats earlier(Floats x, Floats y) { return smaller(x, y); }
 inline FloatsMask isLater(Floats x, Floats y) {
     return reinterpret_cast<FloatsMask>(x) > reinterpret_cast<FloatsMask>(y);
 }
+
+// The first of these numbers, one for each lane. (GCC 12 would convert eight by halves.)
+#if defined(RAYTRACER_LANES_avx2)
+inline Floats integers(const std::uint16_t* numbers) {
+    return _mm256_cvtepi32_ps(
+        _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(numbers))));
+}
+#else
+inline Floats integers(const std::uint16_t* numbers) {
+    using Shorts [[gnu::vector_size(RegistersOf<float>::lanes * sizeof *numbers)]] = std::uint16_t;
+    Shorts shorts;
+    std::memcpy(&shorts, numbers, sizeof shorts);
+    return __builtin_convertvector(__builtin_convertvector(shorts, FloatsMask), Floats);
+}
+#endif
 
 }  // namespace detail
 }  // namespace RAYTRACER_LANES_NAMESPACE

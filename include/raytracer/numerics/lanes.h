@@ -192,10 +192,7 @@ inline MaskOf<float> isLater(const LanesOf<float>& a, const LanesOf<float>& b) {
 inline LanesOf<float> integers(const std::uint16_t* numbers) {
     LanesOf<float> result;
     for (detail::Floats& part : result.part) {
-        using Shorts [[gnu::vector_size(LanesOf<float>::partLanes * sizeof *numbers)]] = std::uint16_t;
-        Shorts shorts;
-        std::memcpy(&shorts, numbers, sizeof shorts);
-        part = __builtin_convertvector(__builtin_convertvector(shorts, detail::FloatsMask), detail::Floats);
+        part = detail::integers(numbers);
         numbers += LanesOf<float>::partLanes;
     }
     return result;
