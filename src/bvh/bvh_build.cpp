@@ -28,7 +28,7 @@ class BvhBuilder {
     BvhBuilder(Bvh& bvh, int threads)
         : bvh_(bvh), threads_(threadCount(threads)), splitter_(references_, threads_) {}
 
-    void build(std::span<const FloatBox> boxes, const BvhNames& names);
+    void build(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names);
     void build(const MeshData& mesh);
 
   private:
@@ -73,10 +73,9 @@ class BvhBuilder {
     std::span<const std::uint32_t> indices_;
 };
 
-void BvhBuilder::build(std::span<const FloatBox> boxes, const BvhNames& names) {
-    boxes_ = boxes, names_ = names.names;
-    bvh_.frame_.objects = names.start;
-    bvh_.frame_.stride = names.stride;
+void BvhBuilder::build(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names) {
+    boxes_ = boxes;
+    names_ = names;
     leafSize_ = 1;
     bvh_.frame_.balls = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
@@ -262,7 +261,8 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
     return BvhNode::leafBit | place;
 }
 
-Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names, const BuildOptions& options) {
+Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names,
+                 const BuildOptions& options) {
     Bvh bvh(boxes.size(), options.instructionSet);
     BvhBuilder(bvh, options.threads).build(boxes, names);
     for (const FloatBox& box : boxes)

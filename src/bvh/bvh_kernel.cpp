@@ -54,38 +54,25 @@ inline LaneBits hitChildren(const SpreadRay& ray, std::uint32_t place, FloatLane
     return allLanes ^ bits(isLater(distance, earlier(earlier(far[0], far[1]), earlier(far[2], ray.limit))));
 }
 
-// Asks for a child's memory before it is needed.
-inline void fetch(const BvhTraversal& s, std::uint32_t child) {
-    const auto lines = [](const char* start, std::size_t last) {
-        for (std::size_t byte = 0; byte <= last; byte += 64) __builtin_prefetch(start + byte);
-    };
-    if (!(child & BvhNode::leafBit))
-        lines(reinterpret_cast<const char*>(s.nodes) + std::size_t{child} * bvhUnit, sizeof(BvhNode) - 1);
-    else if (s.words) lines(reinterpret_cast<const char*>(s.words + (child & ~BvhNode::leafBit)), 127);
-    else if (s.objects) lines(s.objects + (child & ~(BvhNode::leafBit | BvhNode::ballBit)) * s.stride, 128);
-}
-
 // A stack entry: the distance's bits above the child. Distances are not negative (nor -0), so entries are in
 // the order of distance.
-inline std::uint64_t entryOf(const BvhTraversal& s, const BvhNode& node, const float (&distances)[8],
-                             int lane) {
-    fetch(s, node.child[lane]);
+inline std::uint64_t entryOf(const BvhNode& node, const float (&distances)[8], int lane) {
     return std::uint64_t{std::bit_cast<std::uint32_t>(distances[lane])} << 32 | node.child[lane];
 }
 
 // Puts the children that are hit on the stack but for the nearest, which is returned. hits: at least two.
 inline std::uint64_t sortChildren(BvhTraversal& s, const BvhNode& node, const float (&distances)[8],
                                   LaneBits hits) {
-    const std::uint64_t a = entryOf(s, node, distances, std::countr_zero(hits));
+    const std::uint64_t a = entryOf(node, distances, std::countr_zero(hits));
     hits &= hits - 1;
-    const std::uint64_t b = entryOf(s, node, distances, std::countr_zero(hits));
+    const std::uint64_t b = entryOf(node, distances, std::countr_zero(hits));
     hits &= hits - 1;
     std::uint64_t nearest = std::min(a, b);
     std::uint64_t* const base = s.stack + s.depth;
     std::uint64_t* top = base;
     *top = std::max(a, b);
     for (; hits != 0; hits &= hits - 1) {
-        const std::uint64_t c = entryOf(s, node, distances, std::countr_zero(hits));
+        const std::uint64_t c = entryOf(node, distances, std::countr_zero(hits));
         std::uint64_t farther = std::max(nearest, c);
         nearest = std::min(nearest, c);
         std::uint64_t* place = ++top;
@@ -100,7 +87,7 @@ inline std::uint64_t sortChildren(BvhTraversal& s, const BvhNode& node, const fl
 inline void pushChildren(BvhTraversal& s, const BvhNode& node, const FloatLanes& distance, LaneBits hits) {
     float distances[8];
     store(distance, distances);
-    if ((hits & (hits - 1)) == 0) s.stack[s.depth++] = entryOf(s, node, distances, std::countr_zero(hits));
+    if ((hits & (hits - 1)) == 0) s.stack[s.depth++] = entryOf(node, distances, std::countr_zero(hits));
     else {
         const std::uint64_t nearest = sortChildren(s, node, distances, hits);
         s.stack[s.depth++] = nearest;

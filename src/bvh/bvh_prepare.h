@@ -89,8 +89,6 @@ struct FrameBeam {
     // spare.
     const double spread = s.slack + 0x1p-38 * (farthest + frame.extent * frame.scale);
     setSlabs(s, beam, tScale, spread + 4 * roundoff * distance);
-    s.objects = frame.objects;
-    s.stride = frame.stride;
     if (frame.balls) s.ballMargin = static_cast<float>(spread + 0x1p-19 * farthest);
     return tScale;
 }

@@ -31,7 +31,7 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const BuildOptions& options)
         for (const Shape& shape : shapes) list_.push_back(&shape);
         return;
     }
-    bvh_ = Bvh::ofBoxes(boxes, {boxed_, reinterpret_cast<const char*>(shapes_), sizeof(Shape)}, options);
+    bvh_ = Bvh::ofBoxes(boxes, boxed_, options);
     slackFactor_ = gamma(32) * conditioning;
 }
 

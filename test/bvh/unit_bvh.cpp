@@ -253,7 +253,7 @@ TEST_CASE("a beam meets whatever one of its rays does, with each instruction set
     Random random(12);
     const auto mesh = triangleSoup(random, 5000);
     std::vector<FloatBox> boxes;
-    BvhNames names;
+    std::vector<std::uint32_t> names;
     for (std::uint32_t i = 0; i < mesh->triangleCount(); ++i) {
         FloatBox box;
         for (int axis = 0; axis < 3; ++axis) {
@@ -262,7 +262,7 @@ TEST_CASE("a beam meets whatever one of its rays does, with each instruction set
             box.high[axis] = floatAbove(std::max({corner[0][axis], corner[1][axis], corner[2][axis]}));
         }
         boxes.push_back(box);
-        names.names.push_back(i);
+        names.push_back(i);
     }
     for (const InstructionSet set : supportedInstructionSets()) {
         const BuildOptions options{Accelerator::Bvh, 0, set};
@@ -300,7 +300,7 @@ TEST_CASE("a beam meets whatever one of its rays does, with each instruction set
 
 TEST_CASE("a tree is no use for rays that are out of all proportion, or part") {
     const FloatBox boxes[2] = {{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
-    const Bvh bvh = Bvh::ofBoxes(boxes, {{0, 1}, nullptr});
+    const Bvh bvh = Bvh::ofBoxes(boxes, std::vector<std::uint32_t>{0, 1});
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
     CHECK(BvhCursor(bvh, BvhRay{{0, 0, 0}, {1, 0, 0}}).usable());
     CHECK_FALSE(BvhCursor(bvh, BvhRay{{0, 0, 0}, {0, 0, 0}}).usable());

@@ -30,14 +30,6 @@ struct FloatBox {
     bool ball = false;  // it is a cube but for rounding, and what is in it lies in the ball inscribed in it
 };
 
-// What boxes' primitives are called: numbers of the caller's, less than 2^30. Where these are places in an
-// array, the tree can ask for a primitive's memory before it is needed.
-struct BvhNames {
-    std::vector<std::uint32_t> names;
-    const char* start = nullptr;  // of the array, if any
-    std::size_t stride = 0;       // bytes
-};
-
 // The nearest floats that are surely below and above; coordinates beyond the range of float become infinite.
 float floatBelow(double x);
 float floatAbove(double x);
@@ -100,8 +92,6 @@ struct BvhFrame {
     double scale = 1;                       // a power of two
     std::size_t count = 0;                  // of primitives
     bool triangles = false, balls = false;  // what kinds of leaves there are beside boxes
-    const char* objects = nullptr;          // BvhNames::start
-    std::size_t stride = 0;                 // BvhNames::stride
 };
 
 struct BvhKernel;
@@ -110,8 +100,8 @@ class Bvh {
   public:
     Bvh() = default;
 
-    // Over boxes, which must be usable, with a name for each.
-    static Bvh ofBoxes(std::span<const FloatBox> boxes, const BvhNames& names,
+    // Over boxes, which must be usable, with a name for each: a number of the caller's, less than 2^30.
+    static Bvh ofBoxes(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names,
                        const BuildOptions& options = {});
     static bool usable(const FloatBox& box);
 
@@ -141,8 +131,6 @@ class Bvh {
 struct BvhTraversal {
     const BvhNode* nodes;
     const std::uint32_t* words;  // null for boxes
-    const char* objects;         // BvhNames::start
-    std::size_t stride;          // BvhNames::stride
     bool balls;                  // some boxes have a ball in them
 
     // For each axis: 1 / direction, the same a little larger (growth), and what a plane's distance is to be
