@@ -31,20 +31,12 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
-Error noCrop(const std::string& text) {
-    return usageError("--crop: expected four whole numbers x0,y0,x1,y1, found \"" + text + "\"");
-}
-
-int pixelNumber(const std::string& text) {
-    if (const auto number = numberOf<int>(text)) return *number;
-    throw noCrop(text);
-}
-
 PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
-    const std::vector<std::string> parts = split(text);
-    if (parts.size() != 4) throw noCrop(text);
-    const PixelRectangle crop{pixelNumber(parts[0]), pixelNumber(parts[1]), pixelNumber(parts[2]),
-                              pixelNumber(parts[3])};
+    std::vector<std::optional<int>> numbers;
+    for (const std::string& part : split(text)) numbers.push_back(numberOf<int>(part));
+    if (numbers.size() != 4 || std::ranges::count(numbers, std::optional<int>()) > 0)
+        throw usageError("--crop: expected four whole numbers x0,y0,x1,y1, found \"" + text + "\"");
+    const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
     if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > size.width || crop.y1 > size.height || crop.width() < 1 ||
         crop.height() < 1)
         throw usageError("--crop: expected a rectangle inside of the " + std::to_string(size.width) + " x " +

@@ -19,13 +19,19 @@ const char* readNumber(const char* begin, const char* end, Number& number) {
 }
 const char* readNumber(const char* begin, const char* end, double& number);
 
-// The number that the whole text is; a plus may stand before it.
+// The number that the whole text is; a plus may stand before it. Nothing for a whole number that does not
+// fit.
 template <class Number>
 std::optional<Number> numberOf(std::string_view text) {
     Number number{};
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     const char* const end = text.data() + text.size();
-    if (text.empty() || readNumber(text.data(), end, number) != end) return std::nullopt;
+    if constexpr (std::integral<Number>) {
+        const auto [stop, error] = std::from_chars(text.data(), end, number);
+        if (error != std::errc() || stop != end) return std::nullopt;
+    } else {
+        if (text.empty() || readNumber(text.data(), end, number) != end) return std::nullopt;
+    }
     return number;
 }
 
