@@ -6,7 +6,7 @@
 Every relative link, and every path in backticks or in a code block, of README.md, src/README.md,
 bench/README.md and Notes.txt exists. README.md has at most 1,000 words of prose (without code, tables,
 pictures and addresses), Notes.txt at most 120 lines. A line that is not of a table ends by column 110, in
-Notes.txt by column 100. --words prints the count.
+Notes.txt by column 100. Comments name no file that is not there. --words prints the count.
 """
 import pathlib
 import re
@@ -69,6 +69,17 @@ def faults_of(tree, paper):
             yield f"{paper}: names {path}, which is not there"
 
 
+def comment_faults(tree):
+    """Comments that name a file which is not there."""
+    tops = [tree.root / top for top in ("include", "src", "test", "bench")]
+    for path in sorted(path for top in tops for path in top.rglob("*")):
+        mark = {".h": "//", ".cpp": "//", ".py": "#", "CMakeLists.txt": "#"}.get(path.suffix or path.name)
+        for number, line in enumerate(path.read_text().splitlines() if mark else [], 1):
+            for name in re.findall(r"[\w./]+\.(?:h|cpp|py|md|js|css)\b", line.partition(mark)[2]):
+                if name.split("/")[-1] not in tree.names or not tree.has(name, path.parent):
+                    yield f"{path.relative_to(tree.root)}:{number}: names {name}, which is not there"
+
+
 def length_faults(root):
     count = words((root / "README.md").read_text())
     if count > MOST_WORDS:
@@ -91,7 +102,7 @@ def main():
         print(words((root / "README.md").read_text()), "words of prose in README.md")
     tree = Tree(root)
     faults = [fault for paper in PAPERS for fault in [*faults_of(tree, paper), *width_faults(root, paper)]]
-    faults += length_faults(root)
+    faults += [*length_faults(root), *comment_faults(tree)]
     print("\n".join(faults) if faults else f"{len(PAPERS)} papers name what is there")
     return 1 if faults else 0
 

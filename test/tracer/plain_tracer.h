@@ -1,6 +1,6 @@
-// The model of SPEC.md once more, as plainly as it can be written: every ray tries every triangle of every
-// shape, in double, with no tree, no packets and no error bounds. It is there to disagree with the tracer, so
-// it shares nothing with it: only the description of the scene and its textures.
+// The light model (README.md) once more, as plainly as it can be written: every ray tries every triangle of
+// every shape, in double, with no tree, no packets and no error bounds. It is there to disagree with the
+// tracer, so it shares nothing with it: only the description of the scene and its textures.
 #pragma once
 
 #include <algorithm>
