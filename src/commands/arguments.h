@@ -1,7 +1,6 @@
 // What the commands' command lines have in common.
 #pragma once
 
-
 #include "command_line.h"
 #include "raytracer/grading/compare.h"
 #include "raytracer/util/error.h"

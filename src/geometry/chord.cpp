@@ -3,8 +3,7 @@
 
 #include "raytracer/geometry/cone.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -38,5 +37,4 @@ Chord<Real> Cone::chordOfAnySize(const Vec3& origin, const Vec3& direction) {
     return inSafeUnits(direction, [&](const Vec3& safe) { return chord(ObjectRay{origin, safe}); });
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -2,12 +2,10 @@
 
 #include <tuple>
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 bool isListedBefore(const Hit& a, const Hit& b) {
     return std::tuple(a.shape->index(), a.primitive) < std::tuple(b.shape->index(), b.primitive);
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 
 #include "raytracer/geometry/shapes.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -73,5 +72,4 @@ bool Shape::bounds(FloatBox& box) const {
     return Bvh::usable(box);
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

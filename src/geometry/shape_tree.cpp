@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -39,5 +38,4 @@ void ShapeTree::intersect(const Ray& ray, HitQuery& query) const { meet(ray, que
 
 void ShapeTree::intersectBoxed(const Ray& ray, HitQuery& query) const { meetBoxed(ray, query); }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

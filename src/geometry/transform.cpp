@@ -2,8 +2,7 @@
 
 #include <stdexcept>
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 Transform::Transform(const Affine& worldFromObject) {
     const auto inverse = inverseLinear(worldFromObject);
@@ -19,5 +18,4 @@ Transform::Transform(const Affine& worldFromObject) {
 
 Real Transform::conditioning() const { return maxComponent(abs(linear_) * (abs(inverse_) * Vec3(1))); }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

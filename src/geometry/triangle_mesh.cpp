@@ -3,8 +3,7 @@
 
 #include "raytracer/geometry/triangle_mesh.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -70,5 +69,4 @@ Real TriangleMesh::slackFrom(Real farthestOrigin) const {
     return 64 * roundoff * std::max(farthestOrigin, largest_);
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

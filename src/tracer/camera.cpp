@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -47,5 +46,4 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     eye_ = {static_cast<Real>(eye[0]), static_cast<Real>(eye[1]), static_cast<Real>(eye[2])};
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -2,8 +2,7 @@
 
 #include "pixel_colors.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -111,5 +110,4 @@ RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, in
     return recorder.take();
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

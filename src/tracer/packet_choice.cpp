@@ -1,7 +1,6 @@
 #include "raytracer/tracer/packet_tracer.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -25,5 +24,4 @@ const PacketKernel* packetKernel(InstructionSet set) {
     return kernelAmong<RAYTRACER_INSTRUCTION_SETS>(set);
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 
 #include "raytracer/tracer/sample_grid.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -117,5 +116,4 @@ void pixelColors(const Scene& scene, std::span<const PixelPlace> pixels, std::sp
     }
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

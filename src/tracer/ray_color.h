@@ -9,8 +9,7 @@
 
 #include "raytracer/tracer/scene.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // tell(observer, lane), where there are observers.
 template <class T, class Tell>
@@ -163,5 +162,4 @@ ColorT<T> Scene::refractedColor(const ShadingPointT<T>& point, LaneBits active, 
                   ColorT<T>(T(0)));
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -1,7 +1,6 @@
 #include "ray_tree_observer.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 void RayTreeObserver::enter(const Ray&, const RayPath& path) {
     if (open_.empty()) max_recursion_ = path.max_recursion;
@@ -27,5 +26,4 @@ void RayTreeObserver::moveTo(RayTrees& trees) {
     rays_.clear();
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 #include "raytracer/tracer/ray_tree.h"
 #include "raytracer/tracer/scene.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 class RayTreeObserver final : public Observer {
   public:
@@ -26,5 +25,4 @@ class RayTreeObserver final : public Observer {
     int max_recursion_ = 0;
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -8,8 +8,7 @@
 #include "ray_tree_observer.h"
 #include "raytracer/util/parallel.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -139,5 +138,4 @@ RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
     return counts;
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -5,8 +5,7 @@
 #include "raytracer/tracer/scene.h"
 #include "raytracer/util/progress.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // As Renderer has them (renderer.h).
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
@@ -16,5 +15,4 @@ RenderCounts renderPixels(const Scene& scene, const RenderOptions& options,
 RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
                            std::span<const PixelPlace> pixels, RayTrees& trees);
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

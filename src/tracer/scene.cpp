@@ -5,8 +5,7 @@
 #include "ray_color.h"
 #include "raytracer/tracer/cutoff.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 Color Scene::rayColor(const Ray& ray, const RayPath& path, const RenderContext& context) const {
     return rayColor(ray, allLanesOf<Real>, path, context);
@@ -74,5 +73,4 @@ std::vector<Color> Scene::brightestColors(int max_recursion) const {
     return brightest;
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

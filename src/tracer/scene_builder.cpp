@@ -9,8 +9,7 @@
 #include "raytracer/bvh/spatial_order.h"
 #include "raytracer/tracer/packet_tracer.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -121,5 +120,4 @@ std::unique_ptr<const Scene> buildScene(const SceneDescription& description, con
     return scene;
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -5,8 +5,7 @@
 
 #include "render.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -44,5 +43,4 @@ std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& description, 
     return std::make_unique<SceneRenderer>(description, options);
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

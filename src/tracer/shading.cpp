@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
@@ -34,5 +33,4 @@ Color lookUpBilinear(const Texture& texture, const Vec2& texCoord) {
     return glm::mix(upper, lower, y - top);
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

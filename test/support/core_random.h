@@ -10,8 +10,7 @@
 
 #include "core_support.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 namespace test {
 
 // Steele, Lea and Flood 2014 (SplitMix).
@@ -247,5 +246,4 @@ class WideInverse {
 };
 
 }  // namespace test
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -5,8 +5,7 @@
 #include "core_random.h"
 #include "raytracer/tracer/shading.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 namespace test {
 
 struct Reintersections {
@@ -139,5 +138,4 @@ class Reintersection {
 };
 
 }  // namespace test
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -9,8 +9,7 @@
 
 #include "raytracer/geometry/shapes.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 namespace test {
 
 using Kind = ShapeType;
@@ -107,5 +106,4 @@ inline std::vector<Pose> poses() {
 }
 
 }  // namespace test
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 
 #include "core_random.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 namespace test {
 
 // Star-shaped about `center` and neither convex nor concave: an icosahedron with its vertices at 0.7 to 1.3.
@@ -76,5 +75,4 @@ class WatertightTest {
 };
 
 }  // namespace test
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

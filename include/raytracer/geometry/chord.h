@@ -3,8 +3,7 @@
 
 #include "raytracer/numerics/numerics.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // The part of a line inside a convex solid, in t of the ray. A face is a number of T, so that it is chosen as
 // the t are.
@@ -97,5 +96,4 @@ struct UnitBall {
     static Chord<Real> ofAnySize(const Vec3& origin, const Vec3& direction);
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -3,8 +3,7 @@
 
 #include "raytracer/geometry/solid.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // x^2 + y^2 - w^2 = 0 with w = 1 - z, the height below the apex: A t^2 + 2 B t + C = 0.
 template <class T>
@@ -102,5 +101,4 @@ struct Cone : Solid<Cone> {
     }
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -3,8 +3,7 @@
 
 #include "raytracer/geometry/solid.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 struct Cube : Solid<Cube> {
     static constexpr ShapeType type = ShapeType::Cube;
@@ -44,5 +43,4 @@ struct Cube : Solid<Cube> {
     }
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 #include "raytracer/bvh/bvh.h"
 #include "raytracer/geometry/hit_query.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // What a tree is searched with: a ray, or the beam of several. slackFrom gives BvhRay::slack for rays that
 // start no farther than this from zero along any axis.
@@ -47,5 +46,4 @@ void meetAlone(const RayT<T>& ray, HitQueryT<T>& query, Intersect intersect) {
     });
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

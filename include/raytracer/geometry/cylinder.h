@@ -3,8 +3,7 @@
 
 #include "raytracer/geometry/solid.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 struct Cylinder : Solid<Cylinder> {
     static constexpr ShapeType type = ShapeType::Cylinder;
@@ -54,5 +53,4 @@ struct Cylinder : Solid<Cylinder> {
     }
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -6,8 +6,7 @@
 
 #include "raytracer/geometry/shape.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // Whether a's shape stands first in the scene file, or within one shape a's primitive first.
 bool isListedBefore(const Hit& a, const Hit& b);
@@ -185,5 +184,4 @@ class HitQueryT {
 };
 using HitQuery = HitQueryT<Real>;
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

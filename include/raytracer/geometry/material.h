@@ -4,8 +4,7 @@
 #include "raytracer/numerics/types.h"
 #include "raytracer/pictures/texture.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 struct Material {
     Color color_ambient{0}, color_diffuse{1}, color_specular{1};
@@ -23,5 +22,4 @@ struct Light {
     Color color{1}, color_ambient{1};
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 #include "raytracer/geometry/culling.h"
 #include "raytracer/geometry/triangle_mesh.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 struct Mesh {
     static constexpr ShapeType type = ShapeType::Mesh;
@@ -147,5 +146,4 @@ struct Mesh {
     }
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -3,8 +3,7 @@
 
 #include "raytracer/geometry/solid.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 struct Plane : Equation<Plane> {
     static constexpr ShapeType type = ShapeType::Plane;
@@ -44,5 +43,4 @@ struct Plane : Equation<Plane> {
     }
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 #include "raytracer/numerics/numerics.h"
 #include "raytracer/numerics/primitive.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 class Shape;
 
@@ -51,5 +50,4 @@ RayT<T> filled(const RayT<T>& ray, LaneBits used) {
              filled(departure.positionError, used)}};
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -13,8 +13,7 @@
 #include "raytracer/geometry/transform.h"
 #include "raytracer/scene/scene_description.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 class TriangleMesh;
 template <class T>
@@ -135,5 +134,4 @@ class Shape {
     ShapeType type_;
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -7,8 +7,7 @@
 #include "raytracer/bvh/build_options.h"
 #include "raytracer/geometry/shapes.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 class ShapeTree {
   public:
@@ -63,5 +62,4 @@ void ShapeTree::meetBoxed(const RayT<T>& ray, HitQueryT<T>& query) const {
     }
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

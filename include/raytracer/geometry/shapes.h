@@ -8,8 +8,7 @@
 #include "raytracer/geometry/plane.h"
 #include "raytracer/geometry/sphere.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 template <class... Kinds>
 struct KindList {};
@@ -51,5 +50,4 @@ bool Shape::areCoherent(const RayT<T>& ray, LaneBits lanes) const {
     return visit(type_, [&](auto kind) { return kind.areCoherent(*this, ray, lanes); });
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -9,8 +9,7 @@
 #include "raytracer/geometry/chord.h"
 #include "raytracer/geometry/hit_query.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // A point of a surface and the normal there, which is not of unit length.
 template <class T>
@@ -123,5 +122,4 @@ Vec3T<T> withinCircle(const Vec3T<T>& p, bool body) {
     return any(onto) ? select(onto, ontoUnit(offCenter(p)), p) : p;
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -3,8 +3,7 @@
 
 #include "raytracer/geometry/solid.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 struct Sphere : Solid<Sphere> {
     static constexpr ShapeType type = ShapeType::Sphere;
@@ -36,5 +35,4 @@ struct Sphere : Solid<Sphere> {
     }
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 #include "raytracer/geometry/ray.h"
 #include "raytracer/scene/affine.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // A ray in object space, with the t of the ray in the world. Where the transform's scale is 1e-200 its
 // direction's square overflows: who squares it looks at that (isSafeSquare).
@@ -77,5 +76,4 @@ class Transform {
     Mat3 linear_{1};
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -11,8 +11,7 @@
 #include "raytracer/geometry/transform.h"
 #include "raytracer/scene/mesh_file.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // Which object axis is which for the watertight test: z has the largest component of the direction; x and y
 // are in the order that keeps the winding.
@@ -148,5 +147,4 @@ std::array<Vec3T<T>, 3> TriangleMesh::corners(const Primitive<T>& triangle) cons
     return result;
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -40,8 +40,7 @@
 #include "raytracer/numerics/packet_size.h"
 #include "raytracer/numerics/types.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // u: the largest relative error of one correctly rounded operation.
 inline constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
@@ -228,5 +227,4 @@ inline Real differenceOfProducts(Real a, Real b, Real c, Real d) {
     return std::fma(a, b, -ab) - std::fma(c, d, -cd);
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -5,8 +5,7 @@
 
 #include "raytracer/numerics/numerics.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // For each ray a number of a face or triangle.
 template <class T>
@@ -26,5 +25,4 @@ inline std::uint32_t faceOf(std::uint32_t primitive) {
     return primitive;
 }  // of rays that all meet the same face
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

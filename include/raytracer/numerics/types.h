@@ -21,8 +21,7 @@
 #define RAYTRACER_REAL double
 #endif
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 using Real = RAYTRACER_REAL;
 
@@ -37,5 +36,4 @@ using Vec3 = Vec3T<Real>;
 using Mat3 = glm::mat<3, 3, Real, glm::defaultp>;  // columns
 using Color = Vec3;                                // linear RGB, not clamped
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

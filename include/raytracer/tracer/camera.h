@@ -5,8 +5,7 @@
 #include "raytracer/scene/scene_description.h"
 #include "raytracer/tracer/scene_frame.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // The assignment's camera: frame v = up, w = -look, u = v x w, taken as given. Positions are in the scene's
 // frame; the film is measured in units of a power of two and directions are scaled by one, so that no
@@ -41,5 +40,4 @@ class Camera {
     int directionExponent_ = 0;
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

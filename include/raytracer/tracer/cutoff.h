@@ -3,8 +3,7 @@
 
 #include "raytracer/numerics/numerics.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // An upper bound on how much a ray changes any channel of its pixel: its weight in the pixel times an upper
 // bound on its colour.
@@ -12,5 +11,4 @@ inline double throughputBound(const Color& weight, const Color& brightest) {
     return static_cast<double>(maxComponent(abs(weight) * brightest));
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

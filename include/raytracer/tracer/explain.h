@@ -3,11 +3,9 @@
 
 #include "raytracer/tracer/scene.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // In the scene file's units, whatever frame the scene computes in.
 RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, int x, int y);
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

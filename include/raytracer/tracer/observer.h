@@ -4,8 +4,7 @@
 #include "raytracer/tracer/explanation.h"
 #include "raytracer/tracer/shading.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 struct RayPath;
 
@@ -28,5 +27,4 @@ class Observer {
     virtual void leave(const Color& color) = 0;
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

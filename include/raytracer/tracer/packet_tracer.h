@@ -5,8 +5,7 @@
 #include "raytracer/numerics/packet_size.h"
 #include "raytracer/tracer/scene.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // A few points of the picture, in pixels, (0, 0) at the top left; and what is seen there.
 struct PointPacket {
@@ -38,5 +37,4 @@ const PacketKernel& packetKernel();
 // Null where it, or Real, has no packets.
 const PacketKernel* packetKernel(InstructionSet set);
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -9,8 +9,7 @@
 #include "raytracer/tracer/observer.h"
 #include "raytracer/tracer/render_options.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // What is known of a ray beside its colour's formula: what its colour is multiplied by on the way to the
 // pixel, and how often it may still be reflected or refracted.
@@ -97,5 +96,4 @@ struct Scene {
                    const RenderContext& context) const;
 };
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

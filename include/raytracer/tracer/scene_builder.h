@@ -4,12 +4,10 @@
 #include "raytracer/scene/scene_description.h"
 #include "raytracer/tracer/scene.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // Composes the transforms in long double, chooses the scene's frame, and rounds to Real once, at the end.
 std::unique_ptr<const Scene> buildScene(const SceneDescription& description,
                                         const BuildOptions& options = {});
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -4,8 +4,7 @@
 
 #include "raytracer/geometry/shape.h"
 
-namespace raytracer {
-inline namespace RAYTRACER_PRECISION_NAMESPACE {
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 template <class T>
 using ColorT = Vec3T<T>;
@@ -124,5 +123,4 @@ Truth<T> refractedDirection(const ShadingPointT<T>& point, Vec3T<T>& direction) 
     return passes;
 }
 
-}  // namespace RAYTRACER_PRECISION_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE
