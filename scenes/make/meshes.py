@@ -29,23 +29,47 @@ def save(name, comment, positions, texcoords, faces, digits=4):
     print(f"{path.name}: {triangles} triangles, {path.stat().st_size / 1024:.0f} KiB")
 
 
+def quads(columns, rows):
+    """Corners (i, j) of the quads of a grid, anticlockwise for i to the right and j up."""
+    for i in range(columns):
+        for j in range(rows):
+            yield (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
+
+
+def ridged(x, z, seed, octaves=5):
+    """Noise with sharp crests, from 0 to 1: where waves of random directions cross their zero, a crest."""
+    random = np.random.default_rng(seed)
+    total, weight, frequency = 0., .5, 1.
+    for _ in range(octaves):
+        waves = 0.
+        for _ in range(3):
+            angle, phase = random.random(2) * 2 * np.pi
+            waves = waves + np.sin(frequency * (x * np.cos(angle) + z * np.sin(angle)) * 7 + phase)
+        total = total + weight * (1 - np.minimum(1, np.abs(waves) / 1.6))
+        weight, frequency = weight * .48, frequency * 2.03
+    return total
+
+
 def mountains():
-    """A low-poly range in x from -1 to 1, z from -.25 (far) to .25 (near), a saddle left of the middle; closed below."""
+    """A range in x from -1 to 1, z from -.25 (far) to .25 (near), a saddle left of the middle; its feet lie below y = 0."""
     random = np.random.default_rng(12)
-    columns, rows = 64, 14
+    columns, rows = 150, 20
     x = np.linspace(-1, 1, columns + 1)
     z = np.linspace(-.25, .25, rows + 1)
-    height = np.zeros((rows + 1, columns + 1))
-    peaks = [(-.86, .0, .30, .17), (-.62, .03, .21, .13), (-.05, -.02, .20, .12), (.13, .02, .31, .13),
-             (.33, -.04, .24, .12), (.52, .04, .34, .15), (.74, -.03, .25, .14), (.93, .02, .30, .13), (-.40, -.06, .09, .12)]
+    xx = x[None, :] + (random.random((rows + 1, columns + 1)) - .5) * .008
+    zz = z[:, None] + (random.random((rows + 1, columns + 1)) - .5) * .015
+    peaks = [(-.86, .0, .27, .19), (-.62, .03, .19, .13), (-.05, -.02, .20, .13), (.13, .02, .27, .15),
+             (.33, -.04, .20, .13), (.52, .04, .32, .17), (.74, -.03, .22, .15), (.93, .02, .28, .14), (-.40, -.06, .07, .12)]
+    height = np.zeros_like(xx)
     for px, pz, tall, wide in peaks:
-        d = np.hypot((x[None, :] - px) / wide, (z[:, None] - pz) / .17)
-        height = np.maximum(height, tall * np.clip(1 - d, 0, None) ** 1.15)
-    envelope = np.clip(1 - (np.abs(z) / .25) ** 3, 0, 1)[:, None]
-    height = (height + .05 * random.random(height.shape) + .035 * np.sin(9 * x)[None, :] ** 2) * envelope
-    xx = np.broadcast_to(x, height.shape) + (random.random(height.shape) - .5) * .018
-    zz = np.broadcast_to(z[:, None], height.shape) + (random.random(height.shape) - .5) * .02
-    positions = np.stack([xx, height - .01, zz], axis=-1).reshape(-1, 3)
+        d = np.hypot((xx - px) / wide, (zz - pz) / .21)
+        height = np.maximum(height, tall * np.clip(1 - d, 0, None) ** 1.1)
+    crests = ridged(xx, zz * 1.6, 3)
+    height = height * (.62 + .55 * crests) + .055 * crests ** 2 + .01
+    shore = .25 - .05 * ridged(xx * 1.3, xx * 0, 8, 3)  # how near the water's edge comes
+    foot = np.clip((shore - np.abs(zz)) / .16, -1, 1)
+    height = np.where(foot > 0, height * (1 - (1 - foot) ** 2), .3 * foot) - .004
+    positions = np.stack([xx, height, zz], axis=-1).reshape(-1, 3)
     texcoords, faces = [], []
     for j in range(rows):
         for i in range(columns):
@@ -54,18 +78,99 @@ def mountains():
             split = [(0, 1, 2), (0, 2, 3)] if (i + j) % 2 else [(0, 1, 3), (1, 2, 3)]
             for triangle in split:
                 p = [corners[k] for k in triangle]
+                if max(positions[q][1] for q in p) < -.01:
+                    continue  # under water
                 # one colour to a facet: all its corners look up the same texel
                 at = np.mean([positions[q][1] for q in p]) / .36
                 texcoords.append((random.random(), min(.995, max(.005, at))))
                 faces.append([(q, len(texcoords) - 1) for q in p])
-    save("mountains", "a low-poly mountain range", positions, texcoords, faces)
+    used = sorted({q for face in faces for q, _ in face})
+    index = {q: i for i, q in enumerate(used)}
+    faces = [[(index[q], t) for q, t in face] for face in faces]
+    save("mountains", "a mountain range", positions[used], texcoords, faces)
 
 
-def quads(columns, rows):
-    """Corners (i, j) of the quads of a grid, anticlockwise for i to the right and j up."""
-    for i in range(columns):
-        for j in range(rows):
-            yield (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
+def sheet(at, columns, rows, positions, texcoords, faces, turned=False):
+    """Adds the quads of a surface at(s, t), s and t from 0 to 1; a quad of no area becomes a triangle or nothing."""
+    first, seen = len(texcoords), {}
+    index = []
+    for i in range(columns + 1):
+        for j in range(rows + 1):
+            p = tuple(np.round(at(i / columns, j / rows), 4))
+            if p not in seen:
+                seen[p] = len(positions)
+                positions.append(p)
+            index.append(seen[p])
+            texcoords.append((i / columns, j / rows))
+    for corners in quads(columns, rows):
+        face = []
+        for i, j in corners:
+            k = i * (rows + 1) + j
+            if index[k] not in [q for q, _ in face]:
+                face.append((index[k], first + k))
+        if len(face) > 2:
+            faces.append(face[::-1] if turned else face)
+
+
+def hull():
+    """A small sailing boat's hull with its deck, from stern (x = -1) to bow (x = 1), the water at y = 0."""
+    def half(x):  # of the beam
+        return .27 * np.clip(1 - ((x + .25) / (1.25 if x > -.25 else 1.5)) ** 2, 0, 1) ** .75
+
+    def side(sign):
+        def at(s, t):
+            x = -1 + 2 * s
+            gunwale = .17 + .15 * s ** 2.5 + .05 * (1 - s) ** 2
+            y = -.12 + (gunwale + .12) * t
+            return x + .22 * t * s ** 3 - .10 * t * (1 - s) ** 3, y, sign * half(x) * (.45 + .55 * t ** .6)
+        return at
+
+    def deck(s, t):
+        port, starboard = np.array(side(-1)(s, .8)), np.array(side(1)(s, .8))
+        return port + (starboard - port) * t
+
+    def stern(s, t):
+        port, starboard = np.array(side(-1)(0, t)), np.array(side(1)(0, t))
+        return port + (starboard - port) * s
+
+    positions, texcoords, faces = [], [], []
+    sheet(side(1), 28, 7, positions, texcoords, faces)
+    sheet(side(-1), 28, 7, positions, texcoords, faces, True)
+    sheet(deck, 28, 2, positions, texcoords, faces, True)
+    sheet(stern, 2, 7, positions, texcoords, faces, False)
+    save("hull", "a sailing boat's hull", positions, texcoords, faces)
+
+
+def sails():
+    """Mainsail and jib for the hull, whose mast stands at x = .15; thin, filled by a wind from z < 0; v is the height."""
+    def main(s, t):
+        leech = .08 * np.sin(np.pi * t ** .8)
+        return .13 - s * (.98 * (1 - t) + leech), .42 + 1.75 * t + .03 * s, .20 * np.sin(np.pi * s ** .8) * (1 - t) ** .6
+
+    def jib(s, t):
+        luff = np.array((1.0 - .83 * t, .33 + 1.55 * t, 0))
+        leech = np.array((.25 - .08 * t, .40 + 1.48 * t, .10 * (1 - t)))
+        return luff + (leech - luff) * s + np.array((0, 0, .13 * np.sin(np.pi * s) * (1 - t) ** .6))
+
+    positions, texcoords, faces = [], [], []
+    sheet(main, 8, 14, positions, texcoords, faces, True)
+    sheet(jib, 6, 12, positions, texcoords, faces, True)
+    save("sails", "mainsail and jib", positions, texcoords, faces)
+
+
+def shade():
+    """A lamp's shade, a bell open below: its rim of radius 1 at z = 0, a knob on top at z = 1."""
+    profile = [(1, 0), (.97, .07), (.86, .16), (.66, .29), (.44, .46), (.27, .64), (.16, .78), (.10, .86),
+               (.13, .90), (.13, .95), (.08, .99), (0, 1)]
+    steps = len(profile) - 1
+
+    def at(s, t):
+        r, z = profile[round(t * steps)]
+        return r * np.cos(2 * np.pi * s), r * np.sin(2 * np.pi * s), z
+
+    positions, texcoords, faces = [], [], []
+    sheet(at, 48, steps, positions, texcoords, faces)
+    save("shade", "a lamp shade", positions, texcoords, faces)
 
 
 def torus():
@@ -113,7 +218,7 @@ def shell():
     save("shell", "a sea snail's shell", positions, texcoords, faces)
 
 
-MAKERS = [mountains, torus, shell]
+MAKERS = [mountains, hull, sails, shade, torus, shell]
 
 if __name__ == "__main__":
     OUT.mkdir(exist_ok=True)

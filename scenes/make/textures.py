@@ -81,42 +81,62 @@ def save(name, pixels, colours=None):
 
 # ---------------------------------------------------------------- the dusk of lantern_lake
 
-SUN = np.array([-.30, .070, -1.])
+# As in lantern_lake.json: the lights that the sky is lit by, the sun's behind the ball that is seen, and the moon's.
+# Their colours add up to 1, so that the sky is as drawn.
+SUN_AT, SUN_COLOR = np.array([-170.9, 17.6, -555.4]), np.array([.92, .91, .87])
+MOON_AT, MOON_COLOR = np.array([60., 130., 60.]), np.array([.08, .09, .13])
+SKY_DIFFUSE = 1.6  # the slab's color_diffuse
+SUN = np.array([-.303, .029, -1.])  # where the ball of the sun is seen
 SUN = SUN / np.linalg.norm(SUN)
 
 
 def dusk(direction, detail):
-    """The evening sky in a direction (unit vectors, y up): low sun, bands of cloud, first stars."""
+    """The evening sky in a direction (unit vectors, y up): the glow around a low sun, bands of cloud."""
     x, y, z = direction[..., 0], direction[..., 1], direction[..., 2]
     up = np.degrees(np.arcsin(np.clip(y, -1, 1)))
     towards = np.degrees(np.arccos(np.clip(direction @ SUN, -1, 1)))
-    sky = ramp(up, [(-5, "#f58a4a"), (0, "#fca45c"), (4, "#f9855a"), (9, "#d9606b"), (16, "#94487a"),
-                    (26, "#4e3a78"), (40, "#26295c"), (90, "#0c1233")])
-    away = ramp(up, [(-5, "#6a4a7a"), (0, "#7a5582"), (6, "#6b4a80"), (16, "#443a73"), (30, "#26295c"), (90, "#0c1233")])
-    sky = mix(sky, away, smooth(15, 95, towards))
-    sky = sky + (colour("#ffb060") * .55) * np.exp(-(towards / 7.5) ** 1.3)[..., None]
+    sky = ramp(up, [(-5, "#f58a4a"), (0, "#fba257"), (3.5, "#f98a55"), (8, "#dc6468"), (14, "#9a4a7b"),
+                    (22, "#5a3c7c"), (34, "#2b2a63"), (90, "#0c1233")])
+    away = ramp(up, [(-5, "#6a4a7a"), (0, "#b8607f"), (6, "#8a4f86"), (14, "#54407c"), (28, "#26295c"), (90, "#0c1233")])
+    sky = mix(sky, away, smooth(12, 85, towards))
+    sky = sky + (colour("#ff8a50") * .42) * np.exp(-(towards / 7.5) ** 1.3)[..., None]
+    sky = sky + (colour("#ffa068") * .45) * np.exp(-(np.maximum(0, towards - 1.8) / 2.2))[..., None]
     if detail:
         azimuth = np.degrees(np.arctan2(x, -z))
-        band = fractal(azimuth / 14 + .02 * up, up / 1.9 + .35 * np.sin(azimuth / 17), 71, 5)
-        cloud = smooth(.52, .72, band) * smooth(1.5, 5, up) * (1 - smooth(17, 27, up))
-        lit = ramp(towards, [(0, "#fff0c0"), (10, "#ffc486"), (22, "#f2837a"), (40, "#a35a8c"), (60, "#5e4a86")])
-        sky = mix(sky, lit, .75 * cloud)
-        sky = mix(sky, colour("#fff6d8") + 0 * sky, smooth(2.35, 2.05, towards))
-    return np.clip(sky, 0, 1)
+        bent = up + .5 * np.sin(azimuth / 15) + .35 * np.sin(azimuth / 6.1 + 1)
+        wide = fractal(azimuth / 15 + .12 * bent + 3, bent / 3.4, 71, 3)
+        fine = fractal(azimuth / 3.2 + .3 * bent, bent / .62, 91, 4)
+        band = .64 * wide + .36 * fine
+        cloud = smooth(.48, .68, band) * smooth(2.2, 6, up) * (1 - smooth(16, 23, up)) * (1 - smooth(36, 41, np.abs(azimuth)))
+        lit = ramp(towards, [(0, "#ffe3b0"), (8, "#ffb886"), (18, "#ff9490"), (32, "#e2749f"), (50, "#9a62a8")])
+        dark = ramp(towards, [(0, "#f08a58"), (12, "#c2586a"), (30, "#6d4079"), (50, "#40336c")])
+        lower = fractal(azimuth / 15 + .12 * (bent - .45) + 3, (bent - .45) / 3.4, 71, 3) * .64 + .36 * fine
+        face = smooth(-.025, .035, lower - wide * .64 - .36 * fine)  # bright below, where the sun shines from
+        sky = mix(sky, dark + (lit - dark) * (1 - face)[..., None], .72 * cloud)
+    return np.clip(sky, 0, 1.5)
 
 
 def sky_dusk():
-    """On a slab 1 unit away: x from -1.2 to 1.2, y from -.05 to .75."""
-    width, height = 960, 320
+    """On a slab 1 unit away: x from -.9 to .9, y from -.02 to .52; brighter where the lights meet it less squarely."""
+    width, height = 1640, 492
     u, v = grid(width, height)
-    d = np.stack([-1.2 + 2.4 * u, -.05 + .8 * v, -np.ones_like(u)], axis=-1)
+    d = np.stack([-.9 + 1.8 * u, -.02 + .54 * v, -np.ones_like(u)], axis=-1)
     pixels = dusk(d / np.linalg.norm(d, axis=-1, keepdims=True), True)
     random = np.random.default_rng(5)
-    for _ in range(230):
-        sx, sy = random.integers(width), int(random.random() ** 1.6 * height * .72)
-        bright = (.25 + .75 * random.random() ** 3) * (1 - sy / (height * .75))
-        pixels[sy, sx] = np.maximum(pixels[sy, sx], pixels[sy, sx] + bright * np.array([.9, .92, 1.]))
-    save("sky_dusk", pixels)
+    x, y = np.meshgrid(np.arange(-4, 5), np.arange(-4, 5))
+    for _ in range(320):  # stars: round, most of them faint, more and brighter towards the top
+        sx, sy = 5 + random.random() * (width - 10), 5 + random.random() ** 1.7 * height * .6
+        bright, size = random.random() ** 3, .62 + .35 * random.random() ** 4
+        i, j = round(sx), round(sy)
+        spot = np.exp(-((x + i - sx) ** 2 + (y + j - sy) ** 2) / (2 * size ** 2))
+        fade = (.16 + .84 * bright) * max(0, 1 - sy / (height * .62)) ** .8
+        tint = colour("#dfe6ff") if random.random() < .75 else colour("#ffe6cc")
+        pixels[j - 4:j + 5, i - 4:i + 5] += fade * spot[..., None] * tint
+    lit = 0.
+    for at, light in ((SUN_AT, SUN_COLOR), (MOON_AT, MOON_COLOR)):
+        to = at - d * 199999
+        lit = lit + (to[..., 2] / np.linalg.norm(to, axis=-1))[..., None] * light
+    save("sky_dusk", pixels / lit / SKY_DIFFUSE)
 
 
 def dome_dusk():
