@@ -266,6 +266,68 @@ def mosaic():
     save("mosaic", np.where(grout[..., None], colour("#5c5a55"), pixels), 48)
 
 
+def rosette():
+    """A round floor of glazed tiles, for the cap of a cylinder: rings of stars, petals and diamonds around a sun."""
+    u, v = grid(768, 768)
+    x, y = u * 2 - 1, v * 2 - 1
+    r, turn = np.hypot(x, y), np.arctan2(y, x) / (2 * np.pi)
+    ink, cream, teal, blue = colour("#18284a"), colour("#f3e6c8"), colour("#1f8a8c"), colour("#2a57a5")
+    amber, brick, rose = colour("#eda63a"), colour("#b9472f"), colour("#d98a80")
+    pixels = np.broadcast_to(cream, u.shape + (3,)).copy()
+
+    def paint(where, c):
+        pixels[where] = c
+
+    def ring(low, high, count, half=0):
+        """Along a ring of tiles: where it is, across and along in its tile from -1 to 1, and the tile's number."""
+        t = turn * count + half
+        return (r >= low) & (r < high), (t % 1 - .5) * 2, (r - low) / (high - low) * 2 - 1, np.floor(t) % count
+
+    def band(low, high, c):
+        paint((r >= low) & (r < high), c)
+
+    inside, a, b, k = ring(0, .13, 16)
+    paint(inside, brick)
+    paint(inside & (r < .05 + .07 * (1 - np.abs(a))), amber)
+    inside, a, b, k = ring(.14, .27, 16)
+    paint(inside, blue)
+    paint(inside & (np.abs(a) + np.abs(b) < .95), cream)
+    paint(inside & (np.abs(a) + np.abs(b) < .5), amber)
+    band(.27, .29, ink)
+    inside, a, b, k = ring(.30, .46, 16, .5)
+    paint(inside, teal)
+    paint(inside & (a ** 2 + ((b + 1) / 2) ** 2 * 1.0 < .8), cream)           # petals
+    paint(inside & (a ** 2 + ((b + 1) / 2) ** 2 * 1.3 < .5), rose)
+    paint(inside & (a ** 2 + ((b + 1) / 2) ** 2 * 1.6 < .22), brick)
+    band(.46, .48, ink)
+    inside, a, b, k = ring(.49, .64, 32)
+    paint(inside, np.array(cream))
+    paint(inside & (k % 2 == 0), blue)
+    star = np.maximum(np.abs(a), np.abs(b)) < .62
+    star |= np.abs(a) + np.abs(b) < .88
+    paint(inside & star & (k % 2 == 0), cream)
+    paint(inside & star & (k % 2 == 1), brick)
+    paint(inside & (np.hypot(a, b) < .32), amber)
+    band(.64, .66, ink)
+    inside, a, b, k = ring(.67, .80, 48)
+    paint(inside, teal)
+    paint(inside & (np.abs(a) < (1 - b) / 2), cream)
+    paint(inside & (np.abs(a) < (1 - b) / 2 - .35), amber)
+    inside, a, b, k = ring(.81, .94, 48)
+    paint(inside, brick)
+    paint(inside & (np.abs(a) + np.abs(b) < .9), rose)
+    paint(inside & (np.abs(a) + np.abs(b) < .45), ink)
+    band(.95, 1.5, ink)
+    save("rosette", pixels, 16)
+
+
+def sky_studio():
+    """A backdrop by height, for the inside of a sphere whose pole z points up: a glow low down, night above."""
+    u, v = grid(2, 1024)
+    save("sky_studio", ramp((v - .5) * 180, [(-90, "#4a2a55"), (-50, "#b5607a"), (-30, "#f2a981"), (-22, "#ee9478"), (-12, "#b8658a"),
+                                             (-2, "#6b4a96"), (8, "#3b3f8a"), (25, "#3a64b0"), (50, "#5f9fd6"), (90, "#2a4f9a")]))
+
+
 def glaze():
     """Around a torus: tiles of blue glaze with a flower in each; repeats 12 by 4."""
     u, v = grid(384, 128)
@@ -313,7 +375,7 @@ def dots():
     save("dots", pixels, 64)
 
 
-MAKERS = [sky_dusk, dome_dusk, ridge, planks, checker, stripes, sand, globe, crate, label, spiral, mosaic, glaze, shell, sky_day, dots]
+MAKERS = [sky_dusk, dome_dusk, ridge, planks, checker, stripes, sand, globe, crate, label, spiral, mosaic, rosette, glaze, shell, sky_day, sky_studio, dots]
 
 if __name__ == "__main__":
     OUT.mkdir(exist_ok=True)
