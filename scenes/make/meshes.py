@@ -36,6 +36,38 @@ def quads(columns, rows):
             yield (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
 
 
+def mountains():
+    """A low-poly range in x from -1 to 1, z from -.25 (far) to .25 (near), a saddle left of the middle; closed below."""
+    random = np.random.default_rng(12)
+    columns, rows = 64, 14
+    x = np.linspace(-1, 1, columns + 1)
+    z = np.linspace(-.25, .25, rows + 1)
+    height = np.zeros((rows + 1, columns + 1))
+    peaks = [(-.86, .0, .30, .17), (-.62, .03, .21, .13), (-.05, -.02, .20, .12), (.13, .02, .31, .13),
+             (.33, -.04, .24, .12), (.52, .04, .34, .15), (.74, -.03, .25, .14), (.93, .02, .30, .13), (-.40, -.06, .09, .12)]
+    for px, pz, tall, wide in peaks:
+        d = np.hypot((x[None, :] - px) / wide, (z[:, None] - pz) / .17)
+        height = np.maximum(height, tall * np.clip(1 - d, 0, None) ** 1.15)
+    envelope = np.clip(1 - (np.abs(z) / .25) ** 3, 0, 1)[:, None]
+    height = (height + .05 * random.random(height.shape) + .035 * np.sin(9 * x)[None, :] ** 2) * envelope
+    xx = np.broadcast_to(x, height.shape) + (random.random(height.shape) - .5) * .018
+    zz = np.broadcast_to(z[:, None], height.shape) + (random.random(height.shape) - .5) * .02
+    positions = np.stack([xx, height - .01, zz], axis=-1).reshape(-1, 3)
+    texcoords, faces = [], []
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            corners = [a, a + columns + 1, a + columns + 2, a + 1]
+            split = [(0, 1, 2), (0, 2, 3)] if (i + j) % 2 else [(0, 1, 3), (1, 2, 3)]
+            for triangle in split:
+                p = [corners[k] for k in triangle]
+                # one colour to a facet: all its corners look up the same texel
+                at = np.mean([positions[q][1] for q in p]) / .36
+                texcoords.append((random.random(), min(.995, max(.005, at))))
+                faces.append([(q, len(texcoords) - 1) for q in p])
+    save("mountains", "a low-poly mountain range", positions, texcoords, faces)
+
+
 def ridged(x, z, seed, octaves=5):
     """Noise with sharp crests, from 0 to 1: where waves of random directions cross their zero, a crest."""
     random = np.random.default_rng(seed)
@@ -50,7 +82,7 @@ def ridged(x, z, seed, octaves=5):
     return total
 
 
-def mountains():
+def sierra():
     """A range in x from -1 to 1, z from -.25 (far) to .25 (near), a saddle left of the middle; its feet lie below y = 0."""
     random = np.random.default_rng(12)
     columns, rows = 150, 20
@@ -87,7 +119,7 @@ def mountains():
     used = sorted({q for face in faces for q, _ in face})
     index = {q: i for i, q in enumerate(used)}
     faces = [[(index[q], t) for q, t in face] for face in faces]
-    save("mountains", "a mountain range", positions[used], texcoords, faces)
+    save("sierra", "a mountain range above a lake", positions[used], texcoords, faces)
 
 
 def sheet(at, columns, rows, positions, texcoords, faces, turned=False):
@@ -218,7 +250,42 @@ def shell():
     save("shell", "a sea snail's shell", positions, texcoords, faces)
 
 
-MAKERS = [mountains, hull, sails, shade, torus, shell]
+def starfish():
+    """Five arms, lying on z = 0, an arm's tip 1 from the middle; u around, v from the middle to the edge."""
+    def at(s, t):
+        arm = (.5 + .5 * np.cos(5 * 2 * np.pi * s)) ** 1.5
+        reach = .30 + .70 * arm
+        curl = 2 * np.pi * s + .16 * t * t * arm * np.sin(2 * np.pi * s + 1)
+        knobs = .016 * np.cos(22 * t) * arm ** 6 * (t > .12)
+        height = (.24 - .12 * t * arm) * (1 - t ** 2.5) ** .5 * (.75 + .25 * arm) + knobs * (1 - t)
+        return reach * t * np.cos(curl), reach * t * np.sin(curl), height
+
+    positions, texcoords, faces = [], [], []
+    sheet(at, 120, 12, positions, texcoords, faces, True)
+    save("starfish", "a starfish", positions, texcoords, faces)
+
+
+def scallop():
+    """A fan of ribs in y > 0, hinged at the origin, bulging to z > 0; u across the ribs, v from the hinge to the rim."""
+    def at(s, t):
+        across = (s - .5) * np.radians(150)
+        rib = np.cos(2 * np.pi * 13 * s)
+        reach = t * (1 - .10 * np.sin(across) ** 2 + .012 * rib)
+        bulge = .34 * np.sin(np.pi * np.clip(.06 + .94 * t, 0, 1) ** .75) ** .8 * np.cos(across * .95) + .022 * rib * t
+        return reach * np.sin(across), reach * np.cos(across), bulge
+
+    def ears(s, t):
+        return (s - .5) * .62, .20 * t - .03, .04 + .05 * t * (1 - abs(2 * s - 1))
+
+    positions, texcoords, faces = [], [], []
+    sheet(at, 104, 16, positions, texcoords, faces, True)
+    texcoords_before = len(texcoords)
+    sheet(ears, 8, 2, positions, texcoords, faces)
+    texcoords[texcoords_before:] = [(u, .1) for u, _ in texcoords[texcoords_before:]]
+    save("scallop", "a scallop's shell", positions, texcoords, faces)
+
+
+MAKERS = [mountains, sierra, hull, sails, shade, torus, shell, starfish, scallop]
 
 if __name__ == "__main__":
     OUT.mkdir(exist_ok=True)
