@@ -224,7 +224,7 @@ def torus():
 
 def shell():
     """A sea snail: a tube around a conical spiral, axis z up, about 1 unit tall; u along the spiral, v around the tube."""
-    steps, tube, turns = 150, 22, 5.2
+    steps, tube, turns = 220, 30, 5.2
     positions, texcoords, faces = [], [], []
     for i in range(steps + 1):
         t = i / steps
@@ -254,10 +254,10 @@ def starfish():
     """Five arms, lying on z = 0, an arm's tip 1 from the middle; u around, v from the middle to the edge."""
     def at(s, t):
         arm = (.5 + .5 * np.cos(5 * 2 * np.pi * s)) ** 1.5
-        reach = .30 + .70 * arm
+        reach = .34 + .66 * arm
         curl = 2 * np.pi * s + .16 * t * t * arm * np.sin(2 * np.pi * s + 1)
         knobs = .016 * np.cos(22 * t) * arm ** 6 * (t > .12)
-        height = (.24 - .12 * t * arm) * (1 - t ** 2.5) ** .5 * (.75 + .25 * arm) + knobs * (1 - t)
+        height = (.17 - .06 * t * arm) * (1 - t ** 2.5) ** .5 * (1 - .25 * (1 - arm) * min(1, 2 * t)) + knobs * (1 - t)
         return reach * t * np.cos(curl), reach * t * np.sin(curl), height
 
     positions, texcoords, faces = [], [], []

@@ -188,7 +188,7 @@ def stripes():
 
 def sand():
     """Ripples and grains; tiles both ways."""
-    u, v = grid(128, 128)
+    u, v = grid(320, 320)
     ripple = .5 + .5 * np.sin(2 * np.pi * (6 * v + 1.1 * fractal(u * 4, v * 4, 41, 2, (4, 4))))
     grain = np.random.default_rng(43).random(u.shape)
     save("sand", ramp(.62 * ripple + .38 * grain, [(0, "#b99b6b"), (.5, "#dcc294"), (1, "#f7e7c4")]), 24)
@@ -360,6 +360,51 @@ def sky_day():
                                           (90, "#2a62ab")]))
 
 
+def clouds():
+    """A fair day's sky above the sea, heaps of cloud along the horizon, for an upright slab 2.8 times as wide as high."""
+    u, v = grid(810, 288)
+    x, y = u * 4.5, v * 1.6
+    sky = ramp(y, [(0, "#e9f1ee"), (.12, "#cfe6ef"), (.45, "#8cc4ea"), (1, "#4f95d6"), (1.6, "#2f6fb8")])
+    base = .15 + .10 * noise(x * .9 + 5, 0 * x, 501)
+
+    def density(x, y):
+        heap = fractal(x * 1.15 + 3.3, 0 * y, 521, 2)  # where the clouds stand
+        above = y - base
+        puff = fractal(x * 2.6 + 2, y * 3.4, 511, 5)
+        return puff + 1.25 * (heap - .50) - 1.15 * np.maximum(0, above - .04) ** .8 - .10 - 5 * np.maximum(0, .02 - above)
+
+    cover = density(x, y)
+    thick = smooth(.20, .34, cover)
+    lit = density(x - .04, y + .05)  # less cloud towards the sun: brighter
+    body = ramp(smooth(-.14, .16, cover - lit) * .75 + .25 * smooth(0, .25, y - base),
+                [(0, "#b4c2d3"), (.35, "#dfe3e8"), (.7, "#fdf6ea"), (1, "#fffdf6")])
+    veil = smooth(.5, .8, fractal(x * 1.3 + .8 * y, y * 7, 531, 5)) * smooth(.45, .8, y)
+    sky = mix(sky, colour("#f2f6fa") + 0 * sky, .45 * veil)
+    save("clouds", mix(sky, body, .95 * thick), 128)
+
+
+def skin():
+    """Of a starfish (u around, five arms; v from the middle to the edge): pale knobs in rows."""
+    u, v = grid(320, 64)
+    arm = (u * 5 + .5) % 1 - .5
+    base = ramp(v + .25 * (fractal(u * 40, v * 8, 541, 3) - .5), [(0, "#c4452a"), (.5, "#e06a34"), (1, "#f2a35e")])
+    dots = np.zeros(u.shape, bool)
+    for row, gap in ((0, .09), (.10, .11), (-.10, .11), (.21, .13), (-.21, .13)):
+        along = (v / gap + abs(row) * 5) % 1 - .5
+        dots |= np.hypot((arm - row) / (.032 + .02 * v), along * gap / .035) < 1
+    save("skin", np.where((dots & (v > .04))[..., None], colour("#ffe9c4"), base), 32)
+
+
+def fan():
+    """Of a scallop (u across its 13 ribs, v from the hinge to the rim): bands of growth, a paler groove between the ribs."""
+    u, v = grid(416, 128)
+    rib = .5 + .5 * np.cos(2 * np.pi * 13 * u)
+    wave = v + .03 * (fractal(u * 26, v * 3, 551, 3) - .5) + .012 * rib
+    pixels = ramp(wave, [(0, "#fff0dc"), (.25, "#f7c9a4"), (.40, "#e98b6c"), (.47, "#f6c3a2"), (.60, "#d9655a"), (.68, "#f3b39c"),
+                         (.80, "#b9415a"), (.87, "#eaa09a"), (.96, "#8f2f52"), (1, "#f6dcd0")])
+    save("fan", mix(pixels, colour("#fff3e4") + 0 * pixels, .5 * (1 - rib) ** 2), 48)
+
+
 def dots():
     """Rows of dots on yellow, small at the poles and large at the waist, for a sphere."""
     u, v = grid(512, 256)
@@ -375,7 +420,7 @@ def dots():
     save("dots", pixels, 64)
 
 
-MAKERS = [sky_dusk, dome_dusk, ridge, planks, checker, stripes, sand, globe, crate, label, spiral, mosaic, rosette, glaze, shell, sky_day, sky_studio, dots]
+MAKERS = [sky_dusk, dome_dusk, ridge, planks, checker, stripes, sand, globe, crate, label, spiral, mosaic, rosette, glaze, shell, sky_day, sky_studio, clouds, skin, fan, dots]
 
 if __name__ == "__main__":
     OUT.mkdir(exist_ok=True)
