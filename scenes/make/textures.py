@@ -83,9 +83,10 @@ def save(name, pixels, colours=None):
 
 # As in lantern_lake.json: the lights that the sky is lit by, the sun's behind the ball that is seen, and the moon's.
 # Their colours add up to 1, so that the sky is as drawn.
-SUN_AT, SUN_COLOR = np.array([-170.9, 17.6, -555.4]), np.array([.92, .91, .87])
+SUN_AT, SUN_COLOR = np.array([-95.1, 10.9, -305.4]), np.array([.92, .91, .87])
 MOON_AT, MOON_COLOR = np.array([60., 130., 60.]), np.array([.08, .09, .13])
 SKY_DIFFUSE = 1.6  # the slab's color_diffuse
+DOME_AMBIENT = np.array([.045, .07, .195])  # what no shadow takes from the sky around
 SUN = np.array([-.303, .029, -1.])  # where the ball of the sun is seen
 SUN = SUN / np.linalg.norm(SUN)
 
@@ -134,7 +135,7 @@ def sky_dusk():
         pixels[j - 4:j + 5, i - 4:i + 5] += fade * spot[..., None] * tint
     lit = 0.
     for at, light in ((SUN_AT, SUN_COLOR), (MOON_AT, MOON_COLOR)):
-        to = at - d * 199999
+        to = at - d * 19999
         lit = lit + (to[..., 2] / np.linalg.norm(to, axis=-1))[..., None] * light
     save("sky_dusk", pixels / lit / SKY_DIFFUSE)
 
@@ -145,7 +146,7 @@ def dome_dusk():
     polar = np.pi * (1 - v)
     around = 2 * np.pi * u
     d = np.stack([np.sin(polar) * np.cos(around), np.cos(polar), -np.sin(polar) * np.sin(around)], axis=-1)
-    save("dome_dusk", dusk(d, False))
+    save("dome_dusk", dusk(d, False) - DOME_AMBIENT)
 
 
 def ridge():
