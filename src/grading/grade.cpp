@@ -126,7 +126,7 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
     return plan;
 }
 
-CaseRenderer programRenderer(std::string command, double timeoutSeconds) {
+CaseRenderer programRenderer(const std::string& command, double timeoutSeconds) {
     return [=](const GradeCase& test, int longEdge, const std::string& out) {
         const std::string log = out + ".log";
         const ProcessEnd end =

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "../support/core_random.h"
+#include "../support/slowness.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -81,7 +82,7 @@ void check(Kind kind) {
     const Extents varied = isFloat ? Extents{2, 2, 1} : Extents{4, 4, 6},
                   wild = isFloat ? Extents{8, 2, 8} : Extents{90, 6, 90};
     for (const Extents& extents : {varied, wild}) {
-        std::vector<long double> shares = sharesOfBound(kind, roundMesh(), extents, 500000);
+        std::vector<long double> shares = sharesOfBound(kind, roundMesh(), extents, 500000 / slowness);
         const auto percentile99 = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() * 99 / 100);
         std::nth_element(shares.begin(), percentile99, shares.end());
         const long double most = *std::max_element(percentile99, shares.end());

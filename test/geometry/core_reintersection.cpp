@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "../support/core_reintersection.h"
+#include "../support/slowness.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -12,7 +13,8 @@ namespace {
 // Of float, as much as its digits cover: a place 10^4 radii away is known to a thousandth of a radius.
 constexpr bool isFloat = std::numeric_limits<Real>::digits < 32;
 constexpr Extents extents = isFloat ? Extents{2, 2, 2} : Extents{4, 4, 8};
-constexpr std::uint64_t count = std::numeric_limits<Real>::digits == 53 ? 1000000 : 100000;
+constexpr std::uint64_t count =
+    std::numeric_limits<Real>::digits == 53 ? 1000000 / slowness : 100000 / slowness;
 
 void check(const Reintersections& result) {
     CHECK(result.missed * 5 < result.points);

@@ -3,19 +3,15 @@
 #include <catch2/catch.hpp>
 
 #include "../support/core_watertight.h"
+#include "../support/slowness.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
 
 namespace {
 
-// Ten million in double, but fewer where they would take minutes.
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t many = 10000000;
-#else
-constexpr std::uint64_t many = 200000;
-#endif
-constexpr std::uint64_t few = 200000;
+// The many are for double, where a release takes ten seconds for them.
+constexpr std::uint64_t many = 10000000 / slowness, few = 200000 / slowness;
 constexpr bool isDouble = std::numeric_limits<Real>::digits == 53;
 
 void check(const Crossings& result) {
@@ -58,7 +54,7 @@ TEST_CASE("watertight: exactly through the vertices and edges of a cube of trian
 TEST_CASE("watertight: by a sliver") {
     Random random(7);
     int wrong = 0;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < 100000 / slowness; ++i) {
         // Rounded to Real so that a mesh, which has double, holds what the test means.
         const auto rounded = [](const glm::dvec3& v) { return glm::dvec3(Vec3(v)); };
         const glm::dvec3 way(random.between(0.5, 1), random.between(0.5, 1), 0), side(-way.y, way.x, 0);

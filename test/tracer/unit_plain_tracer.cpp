@@ -5,18 +5,13 @@
 #include <catch2/catch.hpp>
 
 #include "../support/described.h"
+#include "../support/slowness.h"
 #include "plain_tracer.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
 
 namespace {
-
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
-constexpr int slowness = 1;
-#else
-constexpr int slowness = 16;  // a sanitizer or no optimiser: so many times fewer pixels
-#endif
 
 // What two right tracers may differ by: 3 pixels of 250,000 by more than 1, where a ray is tangent to a
 // surface or bounces between curved ones until the last bits of double show.

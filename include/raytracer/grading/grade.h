@@ -51,7 +51,7 @@ struct Rendered {
 using CaseRenderer = std::function<Rendered(const GradeCase& test, int longEdge, const std::string& out)>;
 
 // Runs `command scene.json out.png longEdge`.
-CaseRenderer programRenderer(std::string command, double timeoutSeconds);
+CaseRenderer programRenderer(const std::string& command, double timeoutSeconds);
 
 struct GradeResult {
     GradeCase test;
