@@ -3,8 +3,9 @@
 //   K_R I_R + K_T I_T + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L)
 //
 // T is Real for one ray, Lanes for a packet of them: each lane's colour has the bits that its ray has alone.
-// The rays of a packet go on together for as long as they meet the same face of the same shape. scene.cpp
-// compiles this for Real; packet_tracer.cpp for Lanes, and takes what is not a template from there.
+// The rays of a packet go on together while at least three of them meet the same face of the same shape from
+// the same side (of a mesh, any triangle); the others go on alone. scene.cpp compiles this for Real and has
+// what is not a template; packet_tracer.cpp compiles it for Lanes.
 #pragma once
 
 #include "raytracer/tracer/scene.h"
@@ -102,8 +103,8 @@ ColorT<T> Scene::lightColor(const ShadingPointT<T>& point, LaneBits active,
     return color;
 }
 
-// S_L: only the closest hit before the light counts; where no shape is refractive, any will do, but for who
-// asks which.
+// S_L, from the closest hit before the light. Where no shape is refractive any hit gives 0, so the search
+// stops at the first one found, unless an observer asks which shape it is.
 template <class T>
 ColorT<T> Scene::shadow(const ShadingPointT<T>& point, const Vec3T<T>& toLight, const Light& light,
                         LaneBits active, const RenderContext& context) const {

@@ -1,9 +1,12 @@
 // What shapes with an equation have in common; and more of that, the convex solids.
 //
-// A type of shape has: `type`; `faces`, the names of its faces in the order of the assignment; `support`, how
-// far it reaches in a direction; `onSurface`, the point of its surface at a computed hit; `texCoord`. A solid
-// has besides: `chord`, the part of a line inside it; `offset`, a signed measure of a point's distance from
-// its surface, negative inside, at most the Euclidean distance. All in object space.
+// Every type of shape has what shapes.h and shape.cpp call: `type`, `isBall`, `faceName`, `support` (how far
+// it reaches in a direction), `meet`, `touches`, `areCoherent`, `surface`. `Equation` gives `isBall`,
+// `faceName`, `areCoherent` and `surface` to a type with `faces` (their names in the order of the
+// assignment), `onSurface` (the point of its surface at a computed hit) and `texCoord`. `Solid` gives `meet`
+// and `touches`, too, to a convex type with `chord` (the part of a line inside it) and `offset` (a signed
+// measure of a point's distance from its surface, negative inside, at most the Euclidean distance). All in
+// object space.
 #pragma once
 
 #include "raytracer/geometry/chord.h"

@@ -1,4 +1,5 @@
-// Rounding errors and the arithmetic that is built to survive them. The only file that owns a tolerance.
+// Rounding errors and the arithmetic that is built to survive them. The only file with
+// a tolerance that a picture depends on.
 //
 // Every bound here is relative: a multiple of the unit roundoff of Real and of the magnitudes that went into
 // a result. None is a length, so none prefers a unit of length.
