@@ -160,8 +160,9 @@ std::string tradeoffSvg(std::span<const SceneTradeoff> scenes) {
         accuracy_page::colors + "\n" + accuracy_page::chart +
         "</style><rect width='100%' height='100%' fill='var(--card)'/>\n";
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        svg += formatted("<g transform='translate(%g %g)'>", width * static_cast<double>(i % columns),
-                         (height + title) * static_cast<double>(i / columns) + title);
+        const std::size_t column = i % columns, row = i / columns;
+        svg += formatted("<g transform='translate(%g %g)'>", width * static_cast<double>(column),
+                         (height + title) * static_cast<double>(row) + title);
         svg += formatted("<text class='title' x='%g' y='2'>", left) + escaped(scenes[i].name) + "</text>\n" +
                chartBody(scenes[i]) + "</g>\n";
     }

@@ -16,7 +16,7 @@
 
 #include "raytracer/util/error.h"
 
-extern char** environ;
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
 namespace raytracer {
 
@@ -79,6 +79,7 @@ class InterruptsWait {
 
 pid_t spawn(const std::vector<std::string>& words, const std::string& output, const sigset_t& signalMask) {
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
     posix_spawn_file_actions_t files;
