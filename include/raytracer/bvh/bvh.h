@@ -167,8 +167,8 @@ class BvhCursor {
     BvhCursor(const Bvh& bvh, const BvhBeam& beam);
 
     // Whether the tree can be used; if not, every primitive counts. A ray's numbers may be out of all
-    // proportion; a beam's rays may also part along some axis, or spread so wide that they would be followed
-    // sooner one at a time.
+    // proportion; a beam's rays may also part along some axis, or spread so wide that they are faster one
+    // at a time.
     bool usable() const { return usable_; }
 
     // Moves on to the next primitives that might be hit at t <= limit; false when there are none.
