@@ -33,8 +33,8 @@ instruction_tolerance = 0.02
 # Name: (options, RAYTRACER_SIMD or None).
 sets = {
     "defaults": ([], None),
-    "samples": (["--samples", "3"], None),
-    "adaptive": (["--samples", "4", "--adaptive", "0.1"], None),
+    "samples": (["--samples", "9"], None),
+    "adaptive": (["--adaptive", "0.02"], None),
     "deep": (["--max-recursion", "10", "--cutoff", "0.02"], None),
     "float": (["--precision", "float"], None),
     "extended": (["--precision", "extended"], None),
@@ -43,9 +43,9 @@ sets = {
     "normals": (["--pass", "normals"], None),
     "terms": (["--only", "ambient,diffuse,shadows,reflections"], None),
     "opaque": (["--opaque"], None),
-    "bilinear": (["--texture-filter", "bilinear", "--samples", "2"], None),
+    "bilinear": (["--texture-filter", "bilinear", "--samples", "4"], None),
     "1 thread": (["--threads", "1"], None),
-    "3 threads": (["--threads", "3", "--samples", "2"], None),
+    "3 threads": (["--threads", "3", "--samples", "4"], None),
     "crop": (["--crop", "31,7,79,30"], None),
     "scalar": ([], "scalar"),
     "sse2": ([], "sse2"),

@@ -19,13 +19,13 @@ picture() {  # NAME PIXELS options...
     "$raytracer" "scenes/$name.json" "scenes/gallery/$name.png" "$pixels" --quiet --strict --texture-filter bilinear "$@"
 }
 
-picture lantern_lake 1200 --samples 6 --max-recursion 8 --cutoff 0.002
-picture nested_glass 400 --samples 4 --max-recursion 12 --cutoff 0.002
-picture mesh 400 --samples 4
-picture orthographic_test1 400 --samples 4 --max-recursion 6 --cutoff 0.002
-picture orthographic_test2 400 --samples 4 --max-recursion 6 --cutoff 0.002
-picture mirror_corridor 400 --samples 4 --max-recursion 24 --cutoff 0.002
-picture refraction_inside 400 --samples 4 --max-recursion 8 --cutoff 0.002
-picture extreme_scale 400 --samples 4 --max-recursion 8 --cutoff 0.002
-picture stress_test 400 --samples 4 --max-recursion 8 --cutoff 0.002
-picture texture 400 --samples 4 --max-recursion 8 --cutoff 0.002
+picture lantern_lake 1200 --samples 36 --max-recursion 8 --cutoff 0.002
+picture nested_glass 400 --samples 16 --max-recursion 12 --cutoff 0.002
+picture mesh 400 --samples 16
+picture orthographic_test1 400 --samples 16 --max-recursion 6 --cutoff 0.002
+picture orthographic_test2 400 --samples 16 --max-recursion 6 --cutoff 0.002
+picture mirror_corridor 400 --samples 16 --max-recursion 24 --cutoff 0.002
+picture refraction_inside 400 --samples 16 --max-recursion 8 --cutoff 0.002
+picture extreme_scale 400 --samples 16 --max-recursion 8 --cutoff 0.002
+picture stress_test 400 --samples 16 --max-recursion 8 --cutoff 0.002
+picture texture 400 --samples 16 --max-recursion 8 --cutoff 0.002

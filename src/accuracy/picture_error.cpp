@@ -54,35 +54,4 @@ PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const gl
     return error;
 }
 
-std::vector<double> squaredErrors(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
-                                  std::span<const glm::dvec3> otherTruth) {
-    std::vector<double> errors;
-    errors.reserve(colors.size());
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        const glm::dvec3 color = shown(colors[i]);
-        errors.push_back(glm::dot(color - shown(truth[i]), color - shown(otherTruth[i])) / 3);
-    }
-    return errors;
-}
-
-MeanSquare meanOf(std::span<const double> squaredErrors) {
-    double sum = 0, sumOfSquares = 0;
-    for (const double pixel : squaredErrors) {
-        sum += pixel;
-        sumOfSquares += pixel * pixel;
-    }
-    return meanOf(sum, sumOfSquares, squaredErrors.size());
-}
-
-MeanSquare meanOf(double sum, double sumOfSquares, std::size_t pixels) {
-    const auto count = static_cast<double>(std::max<std::size_t>(1, pixels));
-    const double mean = sum / count;
-    return {mean, std::max(0.0, sumOfSquares / count - mean * mean) / count};
-}
-
-ErrorEstimate rootOf(const MeanSquare& square) {
-    if (square.mean <= 0) return {0, std::pow(square.variance, 0.25)};  // not distinguishable from 0
-    return {std::sqrt(square.mean), std::sqrt(square.variance / square.mean) / 2};
-}
-
 }  // namespace raytracer

@@ -35,7 +35,7 @@ std::string commandLine(const Setting& setting) {
         if (!isUsual) text += std::string(text.empty() ? "" : " ") + option + " " + value;
     };
     add(setting.precision == usual.precision, "--precision", precisionName(setting.precision));
-    add(setting.samples == usual.samples, "--samples", std::to_string(setting.samples));
+    add(setting.samples == usualSamples(setting.adaptive), "--samples", std::to_string(setting.samples));
     add(setting.adaptive == usual.adaptive, "--adaptive", shortNumber(setting.adaptive));
     add(setting.max_recursion == usual.max_recursion, "--max-recursion",
         std::to_string(setting.max_recursion));

@@ -1,8 +1,7 @@
 // The converged picture that errors are measured against.
-#include <algorithm>
-#include <cmath>
-
 #include "raytracer/accuracy/tradeoff.h"
+
+#include "picture_points.h"
 
 namespace raytracer {
 
@@ -17,19 +16,32 @@ constexpr double glassCutoff = 1e-5, tooManyRays = 4;
 // smallest error that the grid reaches, which is 0.5 % of that error, since squares add up.
 constexpr double deepEnough = 1e-4;
 
+// What some points cost and show, at a depth.
+struct Look {
+    std::vector<glm::dvec3> colors;
+    double rays = 0;
+};
+
+Look lookAt(const Renderer& renderer, const RenderOptions& options, const Setting& depth) {
+    const std::vector<glm::dvec2> points = picturePoints(options.size, 2000, 3);
+    Look look{std::vector<glm::dvec3>(points.size())};
+    look.rays = rayCount(renderer.renderPoints(withSetting(options, depth), points, look.colors));
+    return look;
+}
+
 // One sample a pixel, converged in depth.
 Setting deepSetting(const Renderer& renderer, const RenderOptions& options) {
-    Pilot pilot(renderer, options, scatteredPixels(options.crop, 2000, 3));
     const auto at = [](int depth, double cutoff) {
         return Setting{.max_recursion = depth, .cutoff = cutoff};
     };
+    const auto look = [&](int depth, double cutoff) { return lookAt(renderer, options, at(depth, cutoff)); };
     int deep = 4;
-    while (deep < 64 && pilot.error(at(deep, glassCutoff), at(2 * deep, glassCutoff)).rmse > deepEnough)
+    while (deep < 64 &&
+           pictureError(look(deep, glassCutoff).colors, look(2 * deep, glassCutoff).colors).rmse > deepEnough)
         deep *= 2;
     // The cheapest depth first: twice the depth at most squares the number of rays.
     for (int depth = 4; depth <= deep; depth *= 2)
-        if (pilot.rays(at(depth, 0)) > tooManyRays * pilot.rays(at(depth, glassCutoff)))
-            return at(deep, glassCutoff);
+        if (look(depth, 0).rays > tooManyRays * look(depth, glassCutoff).rays) return at(deep, glassCutoff);
     return at(deep, 0);
 }
 
@@ -45,15 +57,17 @@ std::vector<glm::dvec3> colorsOf(const Renderer& renderer, const RenderOptions& 
 
 Reference makeReference(const Renderer& renderer, const RenderOptions& options, int samples) {
     Reference reference;
-    reference.setting = deepSetting(renderer, options);
-    reference.setting.samples = 2 * samples;
-    reference.half = reference.setting;
-    reference.half.samples = static_cast<int>(std::lround(2 * samples / std::sqrt(2.0)));
+    reference.setting = reference.half = deepSetting(renderer, options);
+    reference.setting.samples = 4 * samples;
+    reference.half.samples = 2 * samples;
+    RenderOptions whole = withSetting(options, reference.setting),
+                  half = withSetting(options, reference.half);
+    whole.sequence = 1;
+    half.sequence = 2;
     RenderCounts counts;
-    reference.colors = colorsOf(renderer, withSetting(options, reference.setting), &counts);
+    reference.colors = colorsOf(renderer, whole, &counts);
     reference.cutoffBound = counts.cutoffBound;
-    reference.doublingError =
-        pictureError(colorsOf(renderer, withSetting(options, reference.half)), reference.colors).rmse;
+    reference.doublingError = pictureError(colorsOf(renderer, half), reference.colors).rmse;
     return reference;
 }
 

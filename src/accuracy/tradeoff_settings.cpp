@@ -3,25 +3,30 @@
 
 #include "raytracer/accuracy/tradeoff.h"
 
+#include "depth.h"
+#include "picture_points.h"
+
 namespace raytracer {
 
 namespace {
 
 // The depths on the front of rays and truncation error, each with at most half the error of the one before,
 // and the depths that people commonly choose.
-std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
-    std::vector<double> cutoffs{0};
+std::vector<DepthChoice> depthsToTry(const Renderer& renderer, const RenderOptions& options,
+                                     const Reference& reference) {
+    std::vector<double> cutoffs{reference.setting.cutoff};
     cutoffs.insert(cutoffs.end(), std::begin(gridCutoffs), std::end(gridCutoffs));
     Setting deepest = reference.setting;
     deepest.samples = 1;
-    const auto measure = [&](int depth, double cutoff) -> DepthChoice {
-        const Setting setting{.max_recursion = depth, .cutoff = cutoff};
-        return {depth, cutoff, pilot.rays(setting), pilot.error(setting, deepest).rmse};
-    };
+    Depths depths(renderer, options, picturePoints(options.size, 2500, 5), deepest);
     std::vector<DepthChoice> chosen;
-    for (const DepthChoice& choice : depthFront(measure, deepest.max_recursion, cutoffs, 1e-4))
+    for (const DepthChoice& choice : depths.front(cutoffs, 1e-4))
         if (chosen.empty() || choice.error < 0.5 * chosen.back().error) chosen.push_back(choice);
-    for (const int depth : {1, 2, 3, 6}) chosen.push_back(measure(depth, 0));
+    for (const int depth : {1, 2, 3, 6}) {
+        if (depth > deepest.max_recursion) break;
+        chosen.push_back(depths.measured(depth, cutoffs.front()));
+        chosen.back().cutoff = 0;
+    }
     std::ranges::stable_sort(chosen, {}, &DepthChoice::rays);
     // The default stays: everything is compared with it.
     const auto same = [](const DepthChoice& a, const DepthChoice& b) {
@@ -35,24 +40,18 @@ std::vector<DepthChoice> depthsToTry(Pilot& pilot, const Reference& reference) {
 
 std::vector<Setting> settingsToTry(const Renderer& renderer, const RenderOptions& options,
                                    const Reference& reference, bool hasTextures, int samples) {
-    Pilot pilot(renderer, options, scatteredPixels(options.crop, 2500, 5));
-    const std::vector<DepthChoice> depths = depthsToTry(pilot, reference);
-    const DepthChoice& deep = *std::ranges::min_element(depths, {}, &DepthChoice::error);
+    const std::vector<DepthChoice> depths = depthsToTry(renderer, options, reference);
     std::vector<Setting> settings;
-    for (const int n : gridSamples) {
-        if (n > samples) break;
-        const Setting half{.samples = n, .max_recursion = deep.max_recursion, .cutoff = deep.cutoff};
-        Setting twice = half;
-        twice.samples = 2 * n;
-        const double between = pilot.error(half, twice).rmse;
+    const auto add = [&](int n, double adaptive) {
         for (const DepthChoice& depth : depths) {
-            if (n > 1 && depth.error > 3 * between) continue;  // more samples would hardly reduce the error
-            for (const double adaptive : gridAdaptive)
-                if (adaptive == 0 || n > 2)
-                    settings.push_back({n, adaptive, depth.max_recursion, depth.cutoff});
-            if (hasTextures) settings.push_back({n, 0, depth.max_recursion, depth.cutoff, true});
+            settings.push_back({n, adaptive, depth.max_recursion, depth.cutoff});
+            if (hasTextures && adaptive == 0)
+                settings.push_back({n, 0, depth.max_recursion, depth.cutoff, true});
         }
-    }
+    };
+    for (const int n : gridSamples)
+        if (n <= samples) add(n, 0);
+    for (const double adaptive : gridAdaptive) add(samples, adaptive);
     return settings;
 }
 

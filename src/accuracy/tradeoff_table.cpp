@@ -55,10 +55,10 @@ std::string describeReference(const SceneTradeoff& scene) {
     const std::string rate =
         scene.sampleRate ? formatted(" The sampling error falls like rays^-%.2f.", *scene.sampleRate) : "";
     return formatted(
-               "%d x %d pixels. Reference: %s; %s. Half of the samples (%d x %d) give an RMSE of %.1e "
-               "against it: its own error is smaller.",
+               "%d x %d pixels. Reference: %s, other ones than the settings'; %s. %d others give an RMSE of "
+               "%.1e against it: its own error is smaller.",
                scene.size.width, scene.size.height, commandLine(reference.setting).c_str(), cutoff.c_str(),
-               reference.half.samples, reference.half.samples, reference.doublingError) +
+               reference.half.samples, reference.doublingError) +
            rate;
 }
 

@@ -22,7 +22,7 @@ Examples:
   raytracer explain scenes/texture.json 10 590 600 --json)";
 
 int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
-    if (arguments.pass != "color" || arguments.samples != 1)
+    if (arguments.pass != "color" || arguments.samples.value_or(1) != 1)
         throw usageError(
             "explain follows the light along the ray through the pixel's centre: no --pass, no --samples");
     SceneDescription scene = arguments.load();

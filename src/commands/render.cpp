@@ -93,12 +93,21 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     json.key("refraction").value(counts.refraction);
     json.endObject();
     json.key("intersection_tests").value(counts.tests);
+    json.key("limited_pixels").value(counts.limited);
     json.key("cutoff_bound").value(counts.cutoffBound);
     printTimes(json, timings, "seconds", &Seconds::wall);
     printTimes(json, timings, "cpu_seconds", &Seconds::cpu);
     json.key("peak_memory_bytes").value(peakMemoryBytes());
     json.endObject();
     std::printf("%s\n", json.text().c_str());
+}
+
+// Where the limit on samples decided more than a few pixels.
+void tellLimited(const RenderCounts& counts, const RenderOptions& options) {
+    const auto limited = static_cast<double>(counts.limited);
+    if (limited <= 0.001 * options.crop.area()) return;
+    std::fprintf(stderr, "--adaptive %s: --samples %d stopped %.3g %% of the pixels before\n",
+                 shortNumber(options.adaptive).c_str(), options.samples, 100 * limited / options.crop.area());
 }
 
 // Before any work is done.
@@ -140,11 +149,9 @@ void renderTo(Picture& picture, Write write) {
     Stopwatch watch;
     Sink sink(picture.options.crop);
     if (const auto target = picture.wanted.targetError)
-        picture.choice =
-            chooseAndTell(picture.renderer, picture.options, *target, sink, picture.arguments.quiet);
+        picture.choice = chooseAndTell(picture.renderer, picture.options, *target);
     picture.timings.choose = watch.lap();
-    const bool isThere = picture.choice && picture.choice->rendered;
-    picture.counts = isThere ? *picture.choice->rendered : renderInto(sink, picture);
+    picture.counts = renderInto(sink, picture);
     picture.timings.render = watch.lap();
     if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
         picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
@@ -165,8 +172,9 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     Picture picture{arguments, wanted, description, *renderer, options, timings};
     if (std::filesystem::path(out).extension() == ".pfm") renderTo<FloatSink>(picture, writePfm);
     else renderTo<ByteSink>(picture, writePng);
+    if (!arguments.quiet) tellLimited(picture.counts, options);
     if (wanted.stats) printStats(picture.counts, timings, options);
-    return picture.choice && !tellOutcome(*picture.choice, *wanted.targetError) ? 1 : 0;
+    return picture.choice && !picture.choice->reached ? 1 : 0;
 }
 
 }  // namespace
@@ -180,8 +188,8 @@ int render(int argc, char** argv) {
     arguments.addLongEdgeTo(line);
     line.number(
         "--target-error", wanted.targetError, above(0),
-        "Choose the cheapest --samples, --adaptive, --max-recursion and --cutoff whose error (RMSE, of 1) "
-        "is at most this; exit status 1 where none is that accurate");
+        "Choose --samples, --adaptive, --max-recursion and --cutoff such that the error (RMSE, of 1) is at "
+        "most this; exit status 1 where none is that accurate");
     line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.footer(footer);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "raytracer/accuracy/setting.h"
 #include "raytracer/explain/scene_advice.h"
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/number.h"
@@ -71,11 +72,13 @@ void RenderArguments::addTo(CommandLine& line) {
 }
 
 void RenderArguments::addSamplingTo(CommandLine& line) {
-    line.number("--samples", samples, {1, 256},
-                "N x N rays a pixel on a regular grid, averaged; 1: through its centre");
+    line.number(
+        "--samples", samples, {1, 65536},
+        "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");
     line.number(
         "--adaptive", adaptive, atLeast(0),
-        "Take all N x N samples only where the corners of the pixel's grid differ by more than this, of 1");
+        "Take more samples in a pixel until its error is estimated to be at most this, of 1, or there "
+        "are --samples; 0.02 makes a nice picture");
     line.number("--cutoff", cutoff, atLeast(0),
                 "Do not cast a ray that changes its pixel by less than this, of 1");
 }
@@ -139,7 +142,7 @@ RenderOptions RenderArguments::prepare(SceneDescription& description) const {
     options.shadows = chosen.shadows;
     options.refraction = chosen.refraction;
     options.threads = threads;
-    options.samples = samples;
+    options.samples = samples.value_or(usualSamples(adaptive));
     options.adaptive = adaptive;
     options.cutoff = cutoff;
     options.bilinear = textureFilter == "bilinear";

@@ -1,6 +1,7 @@
 // The options that say what a picture is: shared by every command that renders.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "arguments.h"
@@ -19,7 +20,7 @@ struct RenderArguments {
     std::string crop;  // x0,y0,x1,y1; empty: the whole picture
     int threads = 0;
     std::string accelerator = "bvh";
-    int samples = 1;
+    std::optional<int> samples;
     double adaptive = 0;
     double cutoff = 0;
     std::string textureFilter = "nearest";

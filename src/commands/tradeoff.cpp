@@ -37,8 +37,8 @@ struct TradeoffArguments {
         line.texts("SCENE", scenes, "Scenes: JSON files");
         line.text("--out", out, "The folder to write to; made where there is none");
         line.number("--size", options.size, {16, 4096}, "Pixels along the longer side of the film");
-        line.number("--samples", options.samples, {2, 16},
-                    "The most samples, N x N; the reference has 2 N x 2 N");
+        line.number("--samples", options.samples, {2, 256},
+                    "The most samples of a pixel; the reference has four times as many");
         line.number("--repeats", options.repeats, {1, 1000},
                     "Timings of each setting near the front; the median counts");
         addThreads(line, options.threads);

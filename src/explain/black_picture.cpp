@@ -146,6 +146,7 @@ std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, co
     if (scene.lights.empty()) return black + "the scene has no lights";
     RenderOptions centres = options;
     centres.samples = 1;
+    centres.adaptive = 0;
     const std::vector<Pixel> pixels = pixelsThatHit(renderer, centres);
     if (pixels.empty()) return black + "no ray through a pixel's centre hits a shape";
     Tally tally;

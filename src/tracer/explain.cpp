@@ -1,6 +1,6 @@
 #include "raytracer/tracer/explain.h"
 
-#include "pixel_colors.h"
+#include "point_stream.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -97,16 +97,14 @@ class Recorder final : public Observer {
 
 RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, int x, int y) {
     Recorder recorder(scene);
-    RenderOptions once = options;
-    once.samples = 1;
-    once.pass = Pass::Color;
+    RenderOptions shaded = options;
+    shaded.pass = Pass::Color;
     const auto brightest = scene.brightestColors(options.max_recursion);
     RenderCounts counts;
-    const RenderContext context{&once, options.cutoff > 0 ? brightest.data() : nullptr, &counts};
-    const PixelPlace pixel{x, y};
-    Observer* const observer = &recorder;
-    Color color;
-    pixelColors(scene, {&pixel, 1}, {&color, 1}, context, {&observer, 1});
+    const RenderContext context{&shaded, options.cutoff > 0 ? brightest.data() : nullptr, &counts};
+    PointPacket centre;
+    centre.add(static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5), &recorder);
+    traceAll(scene, centre, context);
     return recorder.take();
 }
 

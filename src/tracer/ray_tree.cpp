@@ -6,9 +6,9 @@
 
 namespace raytracer {
 
-std::span<const RayTreeNode> RayTrees::of(std::size_t pixel) const {
-    const std::size_t begin = pixel == 0 ? 0 : ends[pixel - 1];
-    return std::span(rays).subspan(begin, ends[pixel] - begin);
+std::span<const RayTreeNode> RayTrees::of(std::size_t point) const {
+    const std::size_t begin = point == 0 ? 0 : ends[point - 1];
+    return std::span(rays).subspan(begin, ends[point] - begin);
 }
 
 // `brightest` grows with the recursion that is left. A ray's throughput bound is at most its parent's, so the
@@ -20,16 +20,6 @@ int leastRecursion(const RayTrees& trees, const RayTreeNode& ray, double cutoff)
         brightest, [&](const auto& color) { return throughputBound(ray.weight, color) < cutoff; });
     return least == brightest.end() ? alwaysTerminated
                                     : ray.depth + static_cast<int>(least - brightest.begin());
-}
-
-PrunedPixel prunedPixel(const RayTrees& trees, std::size_t pixel, int max_recursion, double cutoff) {
-    PrunedPixel result;
-    for (const RayTreeNode& ray : trees.of(pixel)) {
-        if (leastRecursion(trees, ray, cutoff) > max_recursion) continue;
-        result.color += ray.light;
-        result.rays += 1 + ray.shadows;
-    }
-    return result;
 }
 
 }  // namespace raytracer

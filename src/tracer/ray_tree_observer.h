@@ -1,4 +1,4 @@
-// Watches rayColor for a pixel and keeps what each ray brings.
+// Watches rayColor for a point and keeps what each ray brings.
 #pragma once
 
 #include "raytracer/tracer/ray_tree.h"
@@ -16,7 +16,7 @@ class RayTreeObserver final : public Observer {
     void terminate(RayKind, TerminationReason) override {}
     void leave(const Color& color) override;
 
-    // The pixel's tree, to the end of what is there; another pixel comes next.
+    // The point's tree, to the end of what is there; another point comes next.
     void moveTo(RayTrees& trees);
 
   private:

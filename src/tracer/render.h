@@ -1,4 +1,4 @@
-// Pictures of a scene, or some of their pixels, on several threads.
+// Pictures of a scene, or what is seen at some points, on several threads.
 #pragma once
 
 #include "raytracer/tracer/ray_tree.h"
@@ -10,9 +10,9 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 // As Renderer has them (renderer.h).
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
                            ProgressListener* progress);
-RenderCounts renderPixels(const Scene& scene, const RenderOptions& options,
-                          std::span<const PixelPlace> pixels, std::span<glm::dvec3> colors);
+RenderCounts renderPoints(const Scene& scene, const RenderOptions& options,
+                          std::span<const glm::dvec2> points, std::span<glm::dvec3> colors);
 RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
-                           std::span<const PixelPlace> pixels, RayTrees& trees);
+                           std::span<const glm::dvec2> points, RayTrees& trees);
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

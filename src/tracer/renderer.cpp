@@ -56,6 +56,7 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
     reflection += other.reflection;
     refraction += other.refraction;
     tests += other.tests;
+    limited += other.limited;
     cutoffBound = std::max(cutoffBound, other.cutoffBound);
     return *this;
 }

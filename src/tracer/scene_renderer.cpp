@@ -19,14 +19,14 @@ class SceneRenderer final : public Renderer {
         return renderPicture(*scene_, options, sink, progress);
     }
 
-    RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+    RenderCounts renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,
                               std::span<glm::dvec3> colors) const override {
-        return raytracer::renderPixels(*scene_, options, pixels, colors);
+        return raytracer::renderPoints(*scene_, options, points, colors);
     }
 
-    RenderCounts rayTrees(const RenderOptions& options, std::span<const PixelPlace> pixels,
+    RenderCounts rayTrees(const RenderOptions& options, std::span<const glm::dvec2> points,
                           RayTrees& trees) const override {
-        return traceRayTrees(*scene_, options, pixels, trees);
+        return traceRayTrees(*scene_, options, points, trees);
     }
 
     RayExplanation explain(const RenderOptions& options, int x, int y) const override {

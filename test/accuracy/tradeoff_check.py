@@ -32,24 +32,32 @@ def check_defaults(folder):
         assert plain == asked, scene
 
 
-def check_target(folder, scene, size, target, status, why, found=""):
-    """What --target-error says that it picks is what it renders; its exit status says whether that is enough."""
-    picture, done = render(scene, folder / "target.png", size, f"--target-error {target} --stats")
-    assert done.returncode == status, done
-    setting = re.search(r"^--target-error \S+: (the defaults|--[^,]*), (.*)$", done.stderr, re.M)
-    assert setting and why in setting[2], done.stderr
-    assert "rays a pixel, found with" in done.stderr and "the error is about" in done.stderr, done.stderr
-    assert ("not reached" in done.stderr) == (status == 1), done.stderr
-    options = "" if setting[1] == "the defaults" else setting[1]
-    assert found in done.stderr, done.stderr
-    same, plain = render(scene, folder / "same.png", size, options + " --stats")
+def check_target(folder, scene, size, target):
+    """What --target-error says that it chooses is what it renders, also under --crop."""
+    picture, done = render(scene, folder / "target.png", size, f"--target-error {target}")
+    assert done.returncode == 0, done
+    setting = re.fullmatch(r"--target-error \S+: (--.*)\n", done.stderr)
+    assert setting, done.stderr
+    same, _ = render(scene, folder / "same.png", size, setting[1])
     assert picture == same, setting[1]
-    assert json.loads(done.stdout)["rays"] == json.loads(plain.stdout)["rays"], setting[1]
+    _, done = render(scene, folder / "crop.png", size, f"--target-error {target} --crop 3,4,9,11")
+    assert setting[0] == done.stderr, done.stderr
+
+
+def check_limit(folder):
+    """--adaptive alone has a limit, and says where it stopped many pixels."""
+    alone, done = render("scenes/texture.json", folder / "alone.png", 40, "--adaptive 0.05")
+    limited, _ = render("scenes/texture.json", folder / "limited.png", 40, "--adaptive 0.05 --samples 256")
+    assert alone == limited and done.stderr == "", done
+    done = run("scenes/texture.json", folder / "o.png", 40, "--adaptive", 0.01, "--samples", 8, "--stats")
+    stopped = json.loads(done.stdout)["limited_pixels"]
+    told = f"--adaptive 0.01: --samples 8 stopped {100 * stopped / 40 ** 2:.3g} % of the pixels before\n"
+    assert stopped > 100 and done.stderr.endswith(told), done
 
 
 def check_report(folder):
     """tradeoff writes a table, a chart and a page that tell of every setting."""
-    done = run("tradeoff", "scenes/cone_cube.json", "--size", 16, "--samples", 2, "--repeats", 1, "--out", folder / "report",
+    done = run("tradeoff", "scenes/cone_cube.json", "--size", 16, "--samples", 4, "--repeats", 1, "--out", folder / "report",
                "--quiet")
     assert done.returncode == 0, done
     rows = list(csv.DictReader((folder / "report/tradeoff.csv").open(newline="")))
@@ -70,9 +78,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         check_defaults(folder)
-        check_target(folder, "scenes/spheres_cylinder.json", 16, 0.1, 0, "the cheapest of those that reach 0.1")
-        check_target(folder, "scenes/spheres_cylinder.json", 16, 1e-9, 1, "nothing reaches 1e-09")
-        check_target(folder, "scenes/cone_cube.json", 160, 0.02, 0, "the cheapest", "to find out, the picture was rendered")
+        check_target(folder, "scenes/spheres_cylinder.json", 16, 0.1)
+        check_target(folder, "scenes/cone_cube.json", 160, 0.02)
+        check_limit(folder)
         check_report(folder)
 
 

@@ -4,10 +4,12 @@
 
 #include <catch2/catch.hpp>
 #include <glm/common.hpp>
+#include <glm/vec2.hpp>
 
 #include "../support/scene_files.h"
 #include "raytracer/accuracy/picture_error.h"
 #include "raytracer/accuracy/setting.h"
+#include "raytracer/tracer/sample_sequence.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -73,7 +75,7 @@ SceneDescription facingMirrors(double reflect, double ambient) {
 
 TEST_CASE("no pixel is off by more than the bound that a cutoff reports") {
     forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
-        for (const int samples : {1, 2}) {
+        for (const int samples : {1, 4}) {
             const Setting exact{.samples = samples, .max_recursion = 6};
             const Shot whole = shoot(renderer, options, exact);
             CHECK(whole.counts.cutoffBound == 0);
@@ -150,67 +152,133 @@ TEST_CASE("counts are monotone in each knob") {
         checkGrowing(
             {{.max_recursion = 0, .cutoff = 0.1}, {.cutoff = 0.1}, {.max_recursion = 6, .cutoff = 0.1}});
         checkGrowing({{.cutoff = 1}, {.cutoff = 0.1}, {.cutoff = 0.01}, {}});
-        checkGrowing({{}, {.samples = 2}, {.samples = 3}, {.samples = 4}});
-        checkGrowing({{.samples = 4, .adaptive = 1},
-                      {.samples = 4, .adaptive = 0.1},
-                      {.samples = 4, .adaptive = 0.01},
-                      {.samples = 4}});
+        checkGrowing({{}, {.samples = 2}, {.samples = 3}, {.samples = 16}});
+        checkGrowing({{.samples = 16, .adaptive = 0.1}, {.samples = 16, .adaptive = 0.01}, {.samples = 20}});
         checkGrowing({{}, {.bilinear = true}});  // a black texel needs no shadow ray
     });
 }
 
-TEST_CASE("some pixels alone are those of the whole picture") {
-    forEveryScene(smallEdge, [](const Renderer& renderer, RenderOptions options) {
-        const Setting setting{.samples = 3, .adaptive = 0.1, .cutoff = 0.1};
-        const Shot whole = shoot(renderer, options, setting);
-        std::vector<PixelPlace> pixels;
-        for (int y = options.crop.y1 - 1; y >= 0; y -= 3)
-            for (int x = y % 7; x < options.crop.x1; x += 7) pixels.push_back({x, y});
-        for (const int threads : {1, 3}) {
-            options.threads = threads;
-            std::vector<glm::dvec3> colors(pixels.size());
-            renderer.renderPixels(withSetting(options, setting), pixels, colors);
-            const auto width = static_cast<std::size_t>(options.size.width);
-            bool equal = true;
-            for (std::size_t i = 0; i < pixels.size(); ++i)
-                equal = equal && colors[i] == whole.colors[static_cast<std::size_t>(pixels[i].y) * width +
-                                                           static_cast<std::size_t>(pixels[i].x)];
-            CHECK(equal);
+// The colours of a crop, from those of the whole picture.
+std::vector<glm::dvec3> cropped(const std::vector<glm::dvec3>& colors, const ImageSize& size,
+                                const PixelRectangle& crop) {
+    std::vector<glm::dvec3> part;
+    for (int y = crop.y0; y < crop.y1; ++y)
+        for (int x = crop.x0; x < crop.x1; ++x)
+            part.push_back(colors[static_cast<std::size_t>(y * size.width + x)]);
+    return part;
+}
+
+TEST_CASE("a crop is what the whole picture has there, whatever the knobs and the threads") {
+    forEveryScene(80, [](const Renderer& renderer, RenderOptions options) {
+        for (const Setting& setting : {Setting{.samples = 16, .adaptive = 0.05, .cutoff = 0.1},
+                                       Setting{.samples = 3, .max_recursion = 2}}) {
+            INFO(commandLine(setting));
+            const Shot whole = shoot(renderer, options, setting);
+            const int width = options.size.width, height = options.size.height;
+            for (const PixelRectangle& crop : {PixelRectangle{0, 0, 1, 1},
+                                               {width / 2, height / 2, width / 2 + 1, height / 2 + 1},
+                                               {1, height / 3, width - 3, height},
+                                               {width / 3, 0, width / 3 + 2, height - 1}}) {
+                RenderOptions part = options;
+                part.crop = crop;
+                part.threads = 1 + crop.x0 % 3;
+                CHECK(shoot(renderer, part, setting).colors == cropped(whole.colors, options.size, crop));
+            }
         }
     });
 }
 
-// The mean over n x n of its pixels for each pixel of a picture; over the four at a pixel's corners alone.
-std::vector<glm::dvec3> shrunk(const std::vector<glm::dvec3>& colors, const ImageSize& size, int n,
-                               bool onlyCorners) {
-    const auto isOuter = [&](int k) { return k == 0 || k == n - 1; };
-    std::vector<glm::dvec3> means;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            glm::dvec3 sum(0);
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i)
-                    if (!onlyCorners || (isOuter(i) && isOuter(j)))
-                        sum += colors[(static_cast<std::size_t>(n) * y + j) * n * size.width + n * x + i];
-            means.push_back(sum / (onlyCorners ? 4.0 : n * n));
-        }
-    return means;
+// Each pixel's samples, at the points of the sequence.
+std::vector<std::vector<glm::dvec3>> samplesOf(const Renderer& renderer, const RenderOptions& options,
+                                               std::uint32_t samples) {
+    std::vector<glm::dvec2> points;
+    const SampleSequence sequence;
+    for (int y = 0; y < options.size.height; ++y)
+        for (int x = 0; x < options.size.width; ++x)
+            for (std::uint32_t i = 0; i < samples; ++i) points.push_back(glm::dvec2(x, y) + sequence[i]);
+    std::vector<glm::dvec3> colors(points.size());
+    renderer.renderPoints(options, points, colors);
+    std::vector<std::vector<glm::dvec3>> pixels;
+    for (std::size_t i = 0; i < colors.size(); i += samples)
+        pixels.emplace_back(&colors[i], &colors[i] + samples);
+    return pixels;
 }
 
-TEST_CASE("a pixel's samples are the pixels of a picture so many times as large") {
+glm::dvec3 meanOf(const std::vector<glm::dvec3>& colors, std::size_t count) {
+    glm::dvec3 sum(0);
+    for (std::size_t i = 0; i < count; ++i) sum += colors[i];
+    return sum / static_cast<double>(count);
+}
+
+TEST_CASE("a pixel is the mean of the colours at the points of the sequence") {
     forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
-        constexpr int n = 3;
-        RenderOptions large = options;
-        large.size = {n * options.size.width, n * options.size.height};
-        large.crop = {0, 0, large.size.width, large.size.height};
-        const std::vector<glm::dvec3> colors = shoot(renderer, large, {}).colors;
-        for (const double adaptive : {0.0, 1.0}) {  // 1: the corners stand for all
-            const auto sampled = shoot(renderer, options, {.samples = n, .adaptive = adaptive}).colors;
-            const auto means = shrunk(colors, options.size, n, adaptive == 1);
-            std::size_t off = 0;
-            for (std::size_t i = 0; i < means.size(); ++i) off += squaredError(sampled[i], means[i]) > 1e-16;
-            CHECK(off <= means.size() / 500);  // where a point is rounded to the other side of an edge
+        const auto samples = samplesOf(renderer, options, 6);
+        for (const int n : {1, 2, 6}) {
+            const Shot shot = shoot(renderer, options, {.samples = n});
+            std::vector<glm::dvec3> means;
+            for (const auto& pixel : samples) means.push_back(meanOf(pixel, static_cast<std::size_t>(n)));
+            CHECK(shot.colors == means);
         }
+    });
+}
+
+// The rule of `adaptive`, plainly: the samples that pixel (x, y) takes, and whether the limit stops it.
+std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& samples, const ImageSize& size,
+                                  int x, int y, int limit, double adaptive) {
+    const auto of = [&](int column, int row) -> const auto& {
+        return samples[static_cast<std::size_t>(row * size.width + column)];
+    };
+    glm::dvec3 low(1), high(0);
+    for (int row = std::max(0, y - 1); row <= std::min(size.height - 1, y + 1); ++row)
+        for (int column = std::max(0, x - 1); column <= std::min(size.width - 1, x + 1); ++column) {
+            low = glm::min(low, glm::clamp(of(column, row)[0], 0.0, 1.0));
+            high = glm::max(high, glm::clamp(of(column, row)[0], 0.0, 1.0));
+        }
+    const double contrast = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    for (int n = 1;; n = std::min(limit, n == 1 ? 4 : 2 * n)) {
+        double variance = 0;
+        for (int channel = 0; channel < 3; ++channel) {
+            double mean = 0;
+            for (int i = 0; i < n; ++i) mean += std::clamp(of(x, y)[i][channel], 0.0, 1.0) / n;
+            for (int i = 0; i < n; ++i)
+                variance +=
+                    std::pow(std::clamp(of(x, y)[i][channel], 0.0, 1.0) - mean, 2) / 3 / std::max(1, n - 1);
+        }
+        const double error = std::max(std::sqrt(variance) / std::pow(n, 0.75), contrast / (4 * n));
+        if (error <= adaptive || n == limit) return {n, error > adaptive};
+    }
+}
+
+TEST_CASE("an adaptive pixel stops by the rule, and it is counted where the limit stops it") {
+    forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
+        const auto samples = samplesOf(renderer, options, 20);
+        for (const double adaptive : {0.1, 0.02}) {
+            const Shot shot = shoot(renderer, options, {.samples = 20, .adaptive = adaptive});
+            std::vector<glm::dvec3> means;
+            std::size_t limited = 0;
+            for (int y = 0; y < options.size.height; ++y)
+                for (int x = 0; x < options.size.width; ++x) {
+                    const auto [n, isLimited] = samplesTaken(samples, options.size, x, y, 20, adaptive);
+                    means.push_back(meanOf(samples[means.size()], static_cast<std::size_t>(n)));
+                    limited += isLimited;
+                }
+            CHECK(shot.colors == means);
+            CHECK(shot.counts.limited == limited);
+        }
+    });
+}
+
+TEST_CASE("the error of a picture is at most what its pixels' errors are estimated to be") {
+    forEveryScene(100, [](const Renderer& renderer, const RenderOptions& options) {
+        const Setting deep{.samples = 1024, .max_recursion = 3, .cutoff = 0.01};
+        Setting setting = deep, fine = deep;
+        setting.adaptive = 0.01;
+        fine.adaptive = 0.0025;
+        RenderOptions others = options;
+        others.sequence = 1;
+        const double error =
+            pictureError(shoot(renderer, options, setting).colors, shoot(renderer, others, fine).colors).rmse;
+        CHECK(error <= 0.01);
     });
 }
 
@@ -222,4 +290,5 @@ TEST_CASE("the knobs' defaults are a render's own") {
     CHECK(set.max_recursion == usual.max_recursion);
     CHECK(set.cutoff == usual.cutoff);
     CHECK(set.bilinear == usual.bilinear);
+    CHECK(set.sequence == usual.sequence);
 }

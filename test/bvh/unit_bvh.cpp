@@ -138,7 +138,7 @@ TEST_CASE("packets are the same whatever the samples, the depth and the terms") 
         const int edge = 10;  // minutes else
 #endif
         RenderOptions several = wholePicture(scene, edge), deep = several, plain = several;
-        several.samples = 3, several.adaptive = 0.02, several.bilinear = true;
+        several.samples = 16, several.adaptive = 0.02, several.bilinear = true;
         deep.max_recursion = 8, deep.cutoff = 0.01;
         plain.shadows = plain.refraction = false;
         plain.crop = {1, 1, plain.size.width * 2 / 3, std::max(2, plain.size.height / 2)};

@@ -39,26 +39,4 @@ PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const gl
 // Of one pixel: the mean over the channels of the squared difference.
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
 
-// Of each pixel, against two independent unbiased estimates of the truth. The product of the differences from
-// both is an unbiased estimate of the squared error, however noisy the two are. It may be negative. With the
-// truth known exactly, give it twice.
-std::vector<double> squaredErrors(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth,
-                                  std::span<const glm::dvec3> otherTruth);
-
-// The mean of the squared errors of randomly sampled pixels, and the variance of that mean.
-struct MeanSquare {
-    double mean = 0, variance = 0;
-};
-
-MeanSquare meanOf(std::span<const double> squaredErrors);
-// The same from the sum of the squared errors and the sum of the squares of these.
-MeanSquare meanOf(double sum, double sumOfSquares, std::size_t pixels);
-
-// Of a picture, estimated from a sample of its pixels.
-struct ErrorEstimate {
-    double rmse = 0, standardError = 0;
-};
-
-ErrorEstimate rootOf(const MeanSquare& square);
-
 }  // namespace raytracer

@@ -9,6 +9,9 @@
 
 namespace raytracer {
 
+// The most samples of a pixel if `adaptive` is given and `samples` is not.
+inline constexpr int usualSamples(double adaptive) { return adaptive > 0 ? 256 : 1; }
+
 // The default is the command line's.
 struct Setting {
     int samples = 1;
@@ -24,7 +27,7 @@ struct Setting {
 // `options` with those of the setting.
 RenderOptions withSetting(RenderOptions options, const Setting& setting);
 
-// The setting as options of the command line: "--samples 4 --cutoff 0.1"; "the defaults" for Setting{}.
+// The setting as options of the command line: "--samples 16 --cutoff 0.1"; "the defaults" for Setting{}.
 std::string commandLine(const Setting& setting);
 
 // A number to three significant digits: "0.1", "3e-05".
@@ -35,12 +38,11 @@ const char* precisionName(Precision precision);
 // Rays of every kind: the cost of a render, whatever the machine and its load.
 double rayCount(const RenderCounts& counts);
 
-// The values of each option that `tradeoff` measures; `--target-error` chooses among these and some between
-// them. Samples: the number of rays grows by at most a factor of 4, later of about 2. Depth: up to where 0.9
-// per bounce leaves 1/12. Adaptive and cutoff: in steps of half a power of ten, from a part of the error of
-// few samples to one that only many samples resolve.
-inline constexpr int gridSamples[] = {1, 2, 3, 4, 6, 8, 12, 16};
-inline constexpr double gridAdaptive[] = {0, 0.03, 0.1, 0.3};
+// The values of each option that `tradeoff` measures. Depth: up to where 0.9 per bounce leaves 1/12. Adaptive
+// and cutoff: in steps of half a power of ten, from a part of the error of few samples to one that only many
+// samples resolve.
+inline constexpr int gridSamples[] = {1, 4, 16, 64, 256};
+inline constexpr double gridAdaptive[] = {0.1, 0.03, 0.01, 0.003, 0.001};
 inline constexpr int gridDepths[] = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24};
 inline constexpr double gridCutoffs[] = {0.01, 0.03, 0.1, 0.3, 1};
 

@@ -10,16 +10,18 @@
 #include <string>
 #include <vector>
 
-#include "raytracer/accuracy/pilot.h"
+#include "raytracer/accuracy/picture_error.h"
+#include "raytracer/accuracy/setting.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/scene/scene_description.h"
+#include "raytracer/tracer/renderer.h"
 
 namespace raytracer {
 
 struct TradeoffOptions {
-    int size = 160;   // pixels of the long edge
-    int samples = 8;  // largest number of samples of a setting, along an axis
-    int repeats = 3;  // timings of each setting near the front
+    int size = 160;    // pixels of the long edge
+    int samples = 64;  // most samples of a pixel
+    int repeats = 3;   // timings of each setting near the front
     int threads = 0;
     Precision referencePrecision = Precision::Extended;
     std::function<void(const std::string&)> report;  // gets the current step, in words; may be empty
@@ -39,7 +41,7 @@ struct Trial {
 struct Reference {
     Setting setting;
     double cutoffBound = 0;    // upper bound on any pixel's error from the reference's own cutoff
-    Setting half;              // half of the samples
+    Setting half;              // half of the samples, and other ones
     double doublingError = 0;  // RMSE of `half` against the reference: larger than the reference's own error
     std::vector<glm::dvec3> colors;
 };

@@ -1,5 +1,5 @@
-// The ray trees behind some pixels' centres, with each ray's contribution: they give the pixels of every
-// smaller max_recursion and larger cutoff without another ray.
+// The ray trees behind some points of the picture, with each ray's contribution: they give the colours of
+// every smaller max_recursion and larger cutoff without another ray.
 #pragma once
 
 #include <cstdint>
@@ -12,33 +12,24 @@
 namespace raytracer {
 
 struct RayTreeNode {
-    glm::dvec3 light{0};        // the pixel's light from the lamps at this ray's hit, weight included
-    glm::dvec3 weight{1};       // throughput: what the ray's colour is multiplied by in the pixel
+    glm::dvec3 light{0};        // the point's light from the lamps at this ray's hit, weight included
+    glm::dvec3 weight{1};       // throughput: what the ray's colour is multiplied by in the point's
     std::uint16_t depth = 0;    // reflections and refractions before this ray
     std::uint16_t shadows = 0;  // shadow rays from its hit
 };
 
-// The trees of several pixels, traced with one max_recursion and one cutoff.
+// The trees of several points, traced with one max_recursion and one cutoff.
 struct RayTrees {
-    std::vector<RayTreeNode> rays;      // pixel by pixel, each tree's root first
-    std::vector<std::size_t> ends;      // per pixel: the end of its tree in `rays`
+    std::vector<RayTreeNode> rays;      // point by point, each tree's root first
+    std::vector<std::size_t> ends;      // per point: the end of its tree in `rays`
     std::vector<glm::dvec3> brightest;  // upper bounds on a ray's colour, by the max_recursion it has left
 
-    std::size_t pixelCount() const { return ends.size(); }
-    std::span<const RayTreeNode> of(std::size_t pixel) const;
+    std::size_t count() const { return ends.size(); }
+    std::span<const RayTreeNode> of(std::size_t point) const;
 };
 
 // The smallest max_recursion at which a ray is traced with this cutoff; alwaysTerminated if there is none.
 int leastRecursion(const RayTrees& trees, const RayTreeNode& ray, double cutoff);
 inline constexpr int alwaysTerminated = std::numeric_limits<int>::max();
-
-struct PrunedPixel {
-    glm::dvec3 color{0};  // linear, unclamped
-    double rays = 0;      // of every kind
-};
-
-// The pixel as rendered with this max_recursion (at most the trees') and cutoff (at least the trees'), up to
-// rounding.
-PrunedPixel prunedPixel(const RayTrees& trees, std::size_t pixel, int max_recursion, double cutoff);
 
 }  // namespace raytracer

@@ -33,18 +33,21 @@ struct RenderOptions {
     int threads = 0;                         // 0: one for each processor
 
     // The knobs that trade speed for accuracy.
-    int samples = 1;  // samples x samples rays a pixel on a regular grid, box-filtered; 1: its centre
-    double adaptive =
-        0;  // > 0: all samples only where the corners of the pixel's own grid differ by more than this
+    int samples = 1;      // of a pixel, at the first points of the sequence, box-filtered; 1: its centre
+    double adaptive = 0;  // > 0: a pixel takes `samples` at most, and stops when its error is estimated (in
+                          // pixel_estimate.h) to be at most this
     double cutoff =
         0;  // a reflected or refracted ray that can change its sample by less than this is not cast
-    bool bilinear = false;  // textures: the four nearest texels, weighted, instead of the nearest one
+    bool bilinear = false;       // textures: the four nearest texels, weighted, instead of the nearest one
+    std::uint32_t sequence = 0;  // of the samples; another one is for measuring the error of this one
 };
 
 // Rays cast and intersection tests made (of shapes and triangles, not of boxes).
 struct RenderCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t tests = 0;
+    std::uint64_t limited =
+        0;  // pixels that `samples` stopped while their estimated error was above `adaptive`
     // The most that rays not cast for RenderOptions::cutoff can have changed any one pixel, of the samples
     // taken: which ones `adaptive` takes it does not know.
     double cutoffBound = 0;

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include <glm/vec2.hpp>
+
 #include "raytracer/bvh/build_options.h"
 #include "raytracer/scene/scene_description.h"
 #include "raytracer/tracer/explanation.h"
@@ -22,13 +24,13 @@ class Renderer {
     virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
                                 ProgressListener* progress = nullptr) const = 0;
 
-    // The same colours for some pixels only, which may be any of the whole picture: colors[i] is pixels[i]'s.
-    virtual RenderCounts renderPixels(const RenderOptions& options, std::span<const PixelPlace> pixels,
+    // The colours of samples at some points of the picture, in pixels, (0, 0) at its top left: colors[i] is
+    // that of points[i]. Neighbours in the list are faster if they are neighbours in the picture.
+    virtual RenderCounts renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,
                                       std::span<glm::dvec3> colors) const = 0;
 
-    // The rays behind the centres of some pixels, those of pixels[i] as RayTrees::of(i): when
-    // options.samples is 1 and options.pass is Color, the ones that renderPixels follows.
-    virtual RenderCounts rayTrees(const RenderOptions& options, std::span<const PixelPlace> pixels,
+    // The rays of such samples, those of points[i] as RayTrees::of(i); of Pass::Color.
+    virtual RenderCounts rayTrees(const RenderOptions& options, std::span<const glm::dvec2> points,
                                   RayTrees& trees) const = 0;
 
     // The rays behind the centre of pixel (x, y) of the whole picture: the very ones that render follows for

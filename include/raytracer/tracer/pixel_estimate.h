@@ -1,0 +1,72 @@
+// A pixel's colour by its samples so far, and the error that this is estimated to have: when to stop.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace raytracer {
+
+// How many samples a pixel has taken when it may stop: 1, 4, 8, 16 ... up to the limit.
+inline int nextLevel(int samples, int limit) { return std::min(limit, samples == 1 ? 4 : 2 * samples); }
+
+class PixelEstimate {
+  public:
+    // Linear, unclamped.
+    void add(const glm::dvec3& color) {
+        const glm::dvec3 shown = glm::clamp(color, 0.0, 1.0);
+        if (count_++ == 0) first_ = shown;
+        sum_ += color;
+        difference_ += shown - first_;
+        squares_ += glm::dot(shown - first_, shown - first_);
+    }
+
+    glm::dvec3 color() const { return sum_ / static_cast<double>(count_); }
+    const glm::dvec3& first() const { return first_; }  // as shown
+    int samples() const { return count_; }
+
+    // An estimate of the colour's error, of 1. The samples' own standard deviation says how it falls with n
+    // of them: as n^-3/4, since they are spread evenly (edges; Mitchell 1996). But n samples that agree may
+    // still miss about 1/n of the pixel, which may differ by as much as its neighbourhood does. `contrast` is
+    // that of the 3 x 3 centres around it.
+    double error(double contrast) const {
+        const auto n = static_cast<double>(count_);
+        return std::max(deviation() / std::sqrt(n * std::sqrt(n)), contrast / (4 * n));
+    }
+
+  private:
+    // The root of the mean of the channels' variances.
+    double deviation() const {
+        const auto n = static_cast<double>(count_);
+        const double squares = squares_ - glm::dot(difference_, difference_) / n;
+        return std::sqrt(std::max(0.0, squares) / (3 * std::max(1.0, n - 1)));
+    }
+
+    glm::dvec3 sum_{0}, first_{0}, difference_{0};  // the last one: from the first sample, as shown
+    double squares_ = 0;
+    int count_ = 0;
+};
+
+// How far colours are apart, as a picture shows them, in the channel in which that is most.
+class Contrast {
+  public:
+    void add(const glm::dvec3& color) {
+        const glm::dvec3 shown = glm::clamp(color, 0.0, 1.0);
+        low_ = glm::min(low_, shown);
+        high_ = glm::max(high_, shown);
+    }
+
+    // At least one colour was added.
+    double value() const {
+        const glm::dvec3 spread = high_ - low_;
+        return std::max({spread.x, spread.y, spread.z});
+    }
+
+  private:
+    glm::dvec3 low_{1}, high_{0};
+};
+
+}  // namespace raytracer

@@ -1,0 +1,147 @@
+#include "tile.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "point_stream.h"
+#include "raytracer/tracer/packet_order.h"
+#include "raytracer/tracer/pixel_estimate.h"
+#include "raytracer/tracer/sample_sequence.h"
+
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
+
+namespace {
+
+// With a ring of their neighbours, as far as the picture goes.
+PixelRectangle withRing(const PixelRectangle& tile, const ImageSize& size) {
+    return {std::max(tile.x0 - 1, 0), std::max(tile.y0 - 1, 0), std::min(tile.x1 + 1, size.width),
+            std::min(tile.y1 + 1, size.height)};
+}
+
+class Tile {
+  public:
+    Tile(const Scene& scene, const PixelRectangle& tile, const RenderContext& context)
+        : scene_(scene),
+          context_(context),
+          options_(*context.options),
+          sequence_(options_.sequence),
+          tile_(tile),
+          sampled_(options_.adaptive > 0 ? withRing(tile, options_.size) : tile),
+          pixels_(static_cast<std::size_t>(sampled_.area())) {
+        forEachInPacketOrder(tile_, [&](int x, int y) { active_.push_back({x, y}); });
+    }
+
+    void render(PixelSink& sink) {
+        std::vector<PixelPlace> first;
+        forEachInPacketOrder(sampled_, [&](int x, int y) { first.push_back({x, y}); });
+        sample(first, 0, 1);
+        for (int taken = 1; leaveThoseDone(taken); taken = sampleMore(taken)) {
+        }
+        write(sink);
+    }
+
+  private:
+    struct Pixel {
+        PixelEstimate estimate;
+        double truncationBound = 0;  // the sum of its samples'
+    };
+
+    // Whether any pixel goes on.
+    bool leaveThoseDone(int taken) {
+        if (options_.adaptive > 0)
+            std::erase_if(active_, [&](const PixelPlace& place) {
+                return of(place).estimate.error(contrastAround(place)) <= options_.adaptive;
+            });
+        if (taken < options_.samples) return !active_.empty();
+        if (options_.adaptive > 0) context_.counts->limited += active_.size();
+        return false;
+    }
+
+    int sampleMore(int taken) {
+        const int next = options_.adaptive > 0 ? nextLevel(taken, options_.samples) : options_.samples;
+        sample(active_, taken, next);
+        return next;
+    }
+
+    // A pixel's samples share packets, since they are nearer to each other than pixels are.
+    void sample(std::span<const PixelPlace> places, int begin, int end) {
+        std::vector<glm::dvec2> offsets;
+        for (int i = begin; i < end; ++i) offsets.push_back(sequence_[static_cast<std::uint32_t>(i)]);
+        PointStream stream(scene_, context_,
+                           [&](std::size_t owner, const glm::dvec3& color, const SampleTrace& trace) {
+                               Pixel& pixel = pixels_[owner];
+                               pixel.estimate.add(color);
+                               pixel.truncationBound += trace.truncationBound;
+                           });
+        for (const PixelPlace& place : places)
+            for (const glm::dvec2& offset : offsets)
+                stream.add(indexOf(place), glm::dvec2(place.x, place.y) + offset);
+        stream.finish();
+    }
+
+    double contrastAround(const PixelPlace& place) const {
+        Contrast contrast;
+        for (int y = std::max(place.y - 1, sampled_.y0); y < std::min(place.y + 2, sampled_.y1); ++y)
+            for (int x = std::max(place.x - 1, sampled_.x0); x < std::min(place.x + 2, sampled_.x1); ++x)
+                contrast.add(of({x, y}).estimate.first());
+        return contrast.value();
+    }
+
+    void write(PixelSink& sink) const {
+        std::vector<glm::dvec3> row(static_cast<std::size_t>(tile_.width()));
+        double& bound = context_.counts->cutoffBound;
+        for (int y = tile_.y0; y < tile_.y1; ++y) {
+            for (int x = tile_.x0; x < tile_.x1; ++x) {
+                const Pixel& pixel = of({x, y});
+                row[static_cast<std::size_t>(x - tile_.x0)] = pixel.estimate.color();
+                bound = std::max(bound, pixel.truncationBound / pixel.estimate.samples());
+            }
+            sink.write(tile_.x0, y, row);
+        }
+    }
+
+    std::size_t indexOf(const PixelPlace& place) const {
+        return static_cast<std::size_t>((place.y - sampled_.y0) * sampled_.width() + place.x - sampled_.x0);
+    }
+    const Pixel& of(const PixelPlace& place) const { return pixels_[indexOf(place)]; }
+
+    const Scene& scene_;
+    const RenderContext& context_;
+    const RenderOptions& options_;
+    SampleSequence sequence_;
+    PixelRectangle tile_, sampled_;
+    std::vector<Pixel> pixels_;       // of sampled_
+    std::vector<PixelPlace> active_;  // of tile_: those that take more samples
+};
+
+// As Tile does for one sample a pixel; a sixth of the instructions.
+void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
+                   PixelSink& sink) {
+    const auto width = static_cast<std::size_t>(tile.width());
+    std::vector<glm::dvec3> colors(width * static_cast<std::size_t>(tile.height()));
+    double& bound = context.counts->cutoffBound;
+    PointStream stream(scene, context, [&](std::size_t i, const glm::dvec3& color, const SampleTrace& trace) {
+        colors[i] = color;
+        bound = std::max(bound, trace.truncationBound);
+    });
+    const glm::dvec2 centre = SampleSequence(context.options->sequence)[0];
+    forEachInPacketOrder(tile, [&](int x, int y) {
+        stream.add(static_cast<std::size_t>(y - tile.y0) * width + static_cast<std::size_t>(x - tile.x0),
+                   glm::dvec2(x, y) + centre);
+    });
+    stream.finish();
+    for (int y = tile.y0; y < tile.y1; ++y)
+        sink.write(tile.x0, y,
+                   std::span(colors).subspan(static_cast<std::size_t>(y - tile.y0) * width, width));
+}
+
+}  // namespace
+
+void renderTile(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
+                PixelSink& sink) {
+    const RenderOptions& options = *context.options;
+    if (options.samples == 1 && options.adaptive == 0) return renderCentres(scene, tile, context, sink);
+    Tile(scene, tile, context).render(sink);
+}
+
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -1,0 +1,12 @@
+// A tile of a picture: its pixels' colours, means of the colours seen at points of them.
+#pragma once
+
+#include "raytracer/tracer/scene.h"
+
+namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
+
+// Each pixel's colour is its own, wherever the tile lies.
+void renderTile(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
+                PixelSink& sink);
+
+}  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -1,0 +1,87 @@
+// A pixel's samples: where they lie, and when it has enough.
+#include <array>
+#include <set>
+#include <utility>
+
+#include <catch2/catch.hpp>
+
+#include "raytracer/tracer/pixel_estimate.h"
+#include "raytracer/tracer/sample_sequence.h"
+
+using namespace raytracer;
+
+namespace {
+
+// Points i 2^k to (i + 1) 2^k - 1 in a grid of 2^j x 2^(k - j) cells: how many cells have one.
+std::size_t cellsTaken(const SampleSequence& sequence, std::uint32_t i, int k, int j) {
+    std::set<std::pair<int, int>> cells;
+    for (std::uint32_t n = i << k; n < (i + 1) << k; ++n) {
+        const glm::dvec2 point = sequence[n];
+        cells.emplace(static_cast<int>(point.x * (1 << j)), static_cast<int>(point.y * (1 << (k - j))));
+    }
+    return cells.size();
+}
+
+}  // namespace
+
+TEST_CASE("the samples of a pixel begin with its centre, exactly") {
+    CHECK(SampleSequence()[0] == glm::dvec2(0.5));
+    CHECK(SampleSequence(1)[0] != glm::dvec2(0.5));
+}
+
+TEST_CASE("the samples of a pixel are spread evenly: one in each cell of every grid of so many cells") {
+    for (const std::uint32_t number : {0U, 1U, 7U}) {
+        const SampleSequence sequence(number);
+        for (int k = 0; k <= 8; ++k)
+            for (int j = 0; j <= k; ++j)
+                for (const std::uint32_t i : {0U, 1U, 5U, 200U})
+                    CHECK(cellsTaken(sequence, i, k, j) == std::size_t{1} << k);
+    }
+}
+
+TEST_CASE("the samples of a pixel are the same everywhere: multiples of 2^-24 below 1") {
+    const SampleSequence sequence;
+    for (std::uint32_t i = 0; i < 65536; ++i)
+        for (const double offset : {sequence[i].x, sequence[i].y}) {
+            const double places = offset * 0x1p24;
+            if (offset < 0 || offset >= 1 || places != std::floor(places)) FAIL(i << ": " << offset);
+        }
+    // Written down, so that no change of the sequence, and of every picture, goes unnoticed.
+    const std::array<std::pair<int, int>, 4> second = {
+        {{2548314, 2183619}, {13735339, 7125163}, {7018567, 13750369}, {11091077, 609742}}};
+    for (std::uint32_t i = 0; i < 4; ++i)
+        CHECK(glm::dvec2(second[i].first, second[i].second) * 0x1p-24 == sequence[i + 1]);
+}
+
+TEST_CASE("a pixel may stop at 1, 4, 8, 16 ... samples and at the limit") {
+    CHECK(nextLevel(1, 256) == 4);
+    CHECK(nextLevel(4, 256) == 8);
+    CHECK(nextLevel(8, 256) == 16);
+    CHECK(nextLevel(64, 100) == 100);
+    CHECK(nextLevel(1, 3) == 3);
+}
+
+TEST_CASE("a pixel's error: by the contrast around it, and by what its samples say") {
+    PixelEstimate pixel;
+    pixel.add({0.5, 0.5, 0.5});
+    CHECK(pixel.error(0.2) == 0.2 / 4);
+    for (int i = 0; i < 3; ++i) pixel.add({0.5, 0.5, 0.5});
+    CHECK(pixel.error(0) == 0);
+    CHECK(pixel.error(0.2) == 0.2 / 16);
+
+    PixelEstimate mixed;
+    for (const double red : {0.0, 0.0, 5.0, 5.0}) mixed.add({red, 0, 0});  // 5 is shown as 1
+    CHECK(mixed.color() == glm::dvec3(2.5, 0, 0));
+    const double deviation = std::sqrt((4 * 0.25) / 3 / 3);  // of four samples, in one channel of three
+    CHECK(mixed.error(0) == Approx(deviation / std::pow(4, 0.75)));
+    CHECK(mixed.error(1) == Approx(deviation / std::pow(4, 0.75)));
+    CHECK(mixed.error(4) == 0.25);
+}
+
+TEST_CASE("contrast is that of colours as shown, in the worst channel") {
+    Contrast contrast;
+    contrast.add({0.25, -3, 5});
+    CHECK(contrast.value() == 0);
+    contrast.add({0.5, 0.75, 1});
+    CHECK(contrast.value() == 0.75);
+}
