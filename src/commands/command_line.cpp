@@ -45,7 +45,7 @@ std::string inWords(const Range& range) {
 }
 
 template <class Number>
-Number numberOf(const char* name, const std::string& text, const Range& range) {
+Number numberIn(const char* name, const std::string& text, const Range& range) {
     const std::optional<Number> number = raytracer::numberOf<Number>(text);
     const double value = number ? static_cast<double>(*number) : range.least - 1;
     if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
@@ -122,14 +122,14 @@ template <class Number>
 void CommandLine::number(const char* name, Number& value, const Range& range, const std::string& help) {
     add(name, placeholderOf<Number> + ("=" + formatted("%.6g", static_cast<double>(value))),
         helpWithRange(help, range),
-        [=, &value](const std::string& text) { value = numberOf<Number>(name, text, range); });
+        [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); });
 }
 
 template <class Number>
 void CommandLine::number(const char* name, std::optional<Number>& value, const Range& range,
                          const std::string& help) {
     add(name, placeholderOf<Number>, helpWithRange(help, range),
-        [=, &value](const std::string& text) { value = numberOf<Number>(name, text, range); });
+        [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); });
 }
 
 template void CommandLine::number(const char*, int&, const Range&, const std::string&);

@@ -12,7 +12,7 @@ namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* footer = R"(What the numbers mean:
+constexpr const char* compareFooter = R"(What the numbers mean:
   score    the course autograder's: each pixel is compared with the 3 x 3 pixels
            around it in the other picture, so an edge may be off by one pixel;
            100 - 1000 * mean / 255
@@ -48,7 +48,7 @@ struct CompareArguments {
                   "Write the difference as a picture: black where equal, 64 + 8 d where off by d");
         line.flag("--json", json, "Print the numbers as JSON");
         addThresholds(line, thresholds);
-        line.footer(footer);
+        line.footer(compareFooter);
     }
 };
 

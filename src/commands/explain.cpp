@@ -11,7 +11,7 @@ namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* footer = R"(Prints the ray tree of a pixel, in the symbols of the assignment:
+constexpr const char* explainFooter = R"(Prints the ray tree of a pixel, in the symbols of the assignment:
   K_R I_R + K_T I_T
     + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L)
 Options that change the picture change the explanation too.
@@ -50,7 +50,7 @@ int explain(int argc, char** argv) {
     line.number("Y", y, {}, "The pixel's row; 0 is the top one");
     arguments.addLongEdgeTo(line);
     line.flag("--json", json, "Print the rays as JSON");
-    line.footer(footer);
+    line.footer(explainFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
     return explainPixel(arguments, x, y, json);
 }

@@ -17,7 +17,7 @@ namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* footer =
+constexpr const char* gradeFooter =
     R"(Renders and compares every X.json in DIR that has a picture X.png or
 X-STAGE.png. The stages:
   raycasting, normals, ambient, diffuse, specular, ambient_diffuse_specular,
@@ -55,7 +55,7 @@ struct GradeArguments {
         line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
         line.number("--timeout", timeout, above(0), "Seconds after which the program is stopped");
         addThresholds(line, thresholds);
-        line.footer(footer);
+        line.footer(gradeFooter);
     }
 
     static std::vector<std::string> stageNames() {

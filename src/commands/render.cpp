@@ -20,7 +20,7 @@ namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* footer = R"(The other commands:
+constexpr const char* renderFooter = R"(The other commands:
   raytracer compare|grade|explain|tradeoff --help
 
 Examples:
@@ -192,7 +192,7 @@ int render(int argc, char** argv) {
         "most this; exit status 1 where none is that accurate");
     line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
-    line.footer(footer);
+    line.footer(renderFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
     return renderPicture(arguments, wanted);
 }

@@ -13,7 +13,7 @@ namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* footer =
+constexpr const char* tradeoffFooter =
     R"(Renders each scene with many settings of --samples, --adaptive,
 --max-recursion, --cutoff and --texture-filter, and in each precision. Compares
 every picture with a converged one. Says which settings are worth their time:
@@ -43,7 +43,7 @@ struct TradeoffArguments {
                     "Timings of each setting near the front; the median counts");
         addThreads(line, options.threads);
         line.flag("--quiet", quiet, "No progress on stderr");
-        line.footer(footer);
+        line.footer(tradeoffFooter);
     }
 };
 

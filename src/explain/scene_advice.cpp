@@ -1,6 +1,5 @@
-// In long double: the products of up to four numbers of the file neither overflow nor underflow, whatever the
-// unit of length.
-#define RAYTRACER_PRECISION_extended
+// In long double (CMakeLists.txt): the products of up to four numbers of the file neither overflow nor
+// underflow, whatever the unit of length.
 #include "raytracer/explain/scene_advice.h"
 
 #include <algorithm>

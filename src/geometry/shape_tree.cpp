@@ -7,7 +7,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 namespace {
 
 // So many boxed shapes are as fast in a list (Notes.txt).
-constexpr std::size_t listLimit = 3;
+constexpr std::size_t mostListedShapes = 3;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const BuildOptions& options)
         boxes.push_back(box);
         conditioning = std::max(conditioning, shapes[i].transform().conditioning());
     }
-    if (options.accelerator == Accelerator::None || boxes.size() <= listLimit) {
+    if (options.accelerator == Accelerator::None || boxes.size() <= mostListedShapes) {
         boxed_.clear();
         list_.clear();
         for (const Shape& shape : shapes) list_.push_back(&shape);

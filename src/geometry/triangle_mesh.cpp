@@ -8,7 +8,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 namespace {
 
 // So many triangles are as fast without a tree (Notes.txt).
-constexpr std::uint32_t listLimit = 8;
+constexpr std::uint32_t mostListedTriangles = 8;
 
 }  // namespace
 
@@ -45,7 +45,7 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOpti
       largest_(maxComponent(Vec3(glm::max(glm::abs(data_->low), glm::abs(data_->high))))) {
     if constexpr (!std::is_same_v<Real, double>)
         positions_.assign(data_->positions.begin(), data_->positions.end());
-    if (options.accelerator == Accelerator::Bvh && triangleCount() > listLimit)
+    if (options.accelerator == Accelerator::Bvh && triangleCount() > mostListedTriangles)
         bvh_ = Bvh::ofTriangles(*data_, options);
 }
 

@@ -12,11 +12,11 @@
 namespace raytracer {
 namespace {
 
-using Real = long double;
-using Rows = Real[3][3];
+using Extended = long double;
+using Rows = Extended[3][3];
 
 struct SineCosine {
-    Real sine, cosine;
+    Extended sine, cosine;
 };
 
 // Quarter turns are exact. Any other angle is converted to radians in double, as the course framework's
@@ -25,23 +25,23 @@ struct SineCosine {
 SineCosine sineCosine(double degrees) {
     int quarters = 0;
     if (std::remquo(degrees, 90.0, &quarters) == 0) {
-        constexpr Real sines[] = {0, 1, 0, -1};
+        constexpr Extended sines[] = {0, 1, 0, -1};
         return {sines[quarters & 3], sines[(quarters + 1) & 3]};
     }
-    const Real radians = glm::radians(degrees);
+    const Extended radians = glm::radians(degrees);
     return {std::sin(radians), std::cos(radians)};
 }
 
 // The square of every double is within the exponent range of long double.
-void normalise(const glm::dvec3& vector, Real (&unit)[3]) {
+void normalise(const glm::dvec3& vector, Extended (&unit)[3]) {
     for (int i = 0; i < 3; ++i) unit[i] = vector[i];
-    const Real length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
-    for (Real& component : unit) component /= length;
+    const Extended length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
+    for (Extended& component : unit) component /= length;
 }
 
 // Rodrigues' formula: R = cos I + sin [a]x + (1 - cos) a aT.
 void rotationMatrix(const TransformDescription::Rotation& rotation, Rows& matrix) {
-    Real a[3];
+    Extended a[3];
     normalise(rotation.axis, a);
     const auto [sine, cosine] = sineCosine(rotation.degrees);
     for (int row = 0; row < 3; ++row)
@@ -56,8 +56,8 @@ void rotationMatrix(const TransformDescription::Rotation& rotation, Rows& matrix
 
 // left := left * right
 void multiply(Rows& left, const Rows& right) {
-    for (Real(&row)[3] : left) {
-        const Real old[3] = {row[0], row[1], row[2]};
+    for (Extended(&row)[3] : left) {
+        const Extended old[3] = {row[0], row[1], row[2]};
         for (int column = 0; column < 3; ++column)
             row[column] = old[0] * right[0][column] + old[1] * right[1][column] + old[2] * right[2][column];
     }
@@ -73,15 +73,15 @@ void appendMatrix(Affine& affine, const glm::dmat4& matrix) {
 }
 
 // The power of two that brings the largest of the three into [1/2, 1); 1 if all are zero.
-Real balance(Real a, Real b, Real c) {
+Extended balance(Extended a, Extended b, Extended c) {
     int exponent = 0;
     std::frexp(std::max({std::abs(a), std::abs(b), std::abs(c)}), &exponent);
-    return std::ldexp(Real(1), -exponent);
+    return std::ldexp(Extended(1), -exponent);
 }
 
 // B = diag(row) A diag(column), where the largest entry of every row and column is near 1.
 struct Balanced {
-    Real entry[3][3], row[3], column[3];
+    Extended entry[3][3], row[3], column[3];
 };
 
 Balanced balanced(const Rows& a) {
@@ -92,7 +92,7 @@ Balanced balanced(const Rows& a) {
     }
     for (int j = 0; j < 3; ++j) {
         b.column[j] = balance(b.entry[0][j], b.entry[1][j], b.entry[2][j]);
-        for (Real(&row)[3] : b.entry) row[j] *= b.column[j];
+        for (Extended(&row)[3] : b.entry) row[j] *= b.column[j];
     }
     return b;
 }
@@ -103,10 +103,10 @@ struct Elimination {
     Rows& left;
     Rows right = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     int pivotColumn[3] = {0, 1, 2};  // of each finished row, then the columns without a pivot
-    Real largestPivot = 0;
+    Extended largestPivot = 0;
 
     void choosePivot(int step);
-    bool isRoundingError(Real pivot) const;
+    bool isRoundingError(Extended pivot) const;
     void eliminate(int step);
 };
 
@@ -124,21 +124,21 @@ void Elimination::choosePivot(int step) {
 // Higham, Theorem 9.3: the backward error of eliminating a 3 x 3 matrix is at most gamma_3 |L||U|, and full
 // pivoting keeps |L||U| below 3 * 2.25 times the largest entry. A factor of 2 is for the roundings in
 // compose().
-bool Elimination::isRoundingError(Real pivot) const {
-    constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
-    return std::abs(pivot) <= 2 * 3 * 3 * Real(2.25) * unitRoundoff * largestPivot;
+bool Elimination::isRoundingError(Extended pivot) const {
+    constexpr Extended unitRoundoff = std::numeric_limits<Extended>::epsilon() / 2;
+    return std::abs(pivot) <= 2 * 3 * 3 * Extended(2.25) * unitRoundoff * largestPivot;
 }
 
 void Elimination::eliminate(int step) {
     const int column = pivotColumn[step];
-    const Real pivot = left[step][column];
+    const Extended pivot = left[step][column];
     for (int j = 0; j < 3; ++j) {
         left[step][j] /= pivot;
         right[step][j] /= pivot;
     }
     for (int row = 0; row < 3; ++row) {
         if (row == step) continue;
-        const Real factor = left[row][column];
+        const Extended factor = left[row][column];
         for (int j = 0; j < 3; ++j) {
             left[row][j] -= factor * left[step][j];
             right[row][j] -= factor * right[step][j];
@@ -162,7 +162,7 @@ Affine compose(const TransformDescription& transform) {
         for (int i = 0; i < 3; ++i) affine.translation[i] = (*transform.translate)[i];
     if (transform.rotate) rotationMatrix(*transform.rotate, affine.linear);
     if (transform.scale)
-        for (Real(&row)[3] : affine.linear)
+        for (Extended(&row)[3] : affine.linear)
             for (int column = 0; column < 3; ++column) row[column] *= (*transform.scale)[column];
     if (transform.matrix) appendMatrix(affine, *transform.matrix);
     return affine;
@@ -177,7 +177,7 @@ std::optional<Matrix3> inverseLinear(const Affine& affine) {
     Elimination elimination{b.entry};
     for (int step = 0; step < 3; ++step) {
         elimination.choosePivot(step);
-        const Real pivot = b.entry[step][elimination.pivotColumn[step]];
+        const Extended pivot = b.entry[step][elimination.pivotColumn[step]];
         if (step == 0) elimination.largestPivot = std::abs(pivot);
         if (elimination.isRoundingError(pivot)) return std::nullopt;
         elimination.eliminate(step);

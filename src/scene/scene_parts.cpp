@@ -39,8 +39,8 @@ glm::dvec3 direction(JsonView value) {
 
 // The product of two doubles neither overflows nor underflows in long double.
 bool areParallel(const glm::dvec3& a, const glm::dvec3& b) {
-    using Real = long double;
-    const auto minor = [&](int i, int j) { return Real(a[i]) * Real(b[j]) - Real(a[j]) * Real(b[i]); };
+    using Wide = long double;
+    const auto minor = [&](int i, int j) { return Wide(a[i]) * Wide(b[j]) - Wide(a[j]) * Wide(b[i]); };
     return minor(0, 1) == 0 && minor(1, 2) == 0 && minor(2, 0) == 0;
 }
 

@@ -41,7 +41,7 @@ double largestDifference(const std::vector<glm::dvec3>& a, const std::vector<glm
 
 // Calls test(renderer, options) for every scene in scenes/, `longEdge` pixels large.
 template <class Test>
-void forEveryScene(int longEdge, Test test) {
+void withEveryRenderer(int longEdge, Test test) {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
         const SceneDescription scene = loadScene(file, true).description;
@@ -74,7 +74,7 @@ SceneDescription facingMirrors(double reflect, double ambient) {
 }  // namespace
 
 TEST_CASE("no pixel is off by more than the bound that a cutoff reports") {
-    forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
+    withEveryRenderer(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
         for (const int samples : {1, 4}) {
             const Setting exact{.samples = samples, .max_recursion = 6};
             const Shot whole = shoot(renderer, options, exact);
@@ -91,7 +91,7 @@ TEST_CASE("no pixel is off by more than the bound that a cutoff reports") {
 }
 
 TEST_CASE("a cutoff that no ray falls below changes nothing") {
-    forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
+    withEveryRenderer(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
         const Shot whole = shoot(renderer, options, {}), cut = shoot(renderer, options, {.cutoff = 1e-30});
         CHECK(largestDifference(cut.colors, whole.colors) == 0);
         CHECK(cut.rays() == whole.rays());
@@ -135,7 +135,7 @@ TEST_CASE("the mirror corridor, 64 deep, with a cutoff costs what its visible bo
 }
 
 TEST_CASE("counts are monotone in each knob") {
-    forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
+    withEveryRenderer(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
         const auto checkGrowing = [&](const std::vector<Setting>& settings) {
             Shot before;
             for (const Setting& setting : settings) {
@@ -169,7 +169,7 @@ std::vector<glm::dvec3> cropped(const std::vector<glm::dvec3>& colors, const Ima
 }
 
 TEST_CASE("a crop is what the whole picture has there, whatever the knobs and the threads") {
-    forEveryScene(80, [](const Renderer& renderer, RenderOptions options) {
+    withEveryRenderer(80, [](const Renderer& renderer, RenderOptions options) {
         for (const Setting& setting : {Setting{.samples = 16, .adaptive = 0.05, .cutoff = 0.1},
                                        Setting{.samples = 3, .max_recursion = 2}}) {
             INFO(commandLine(setting));
@@ -211,7 +211,7 @@ glm::dvec3 meanOf(const std::vector<glm::dvec3>& colors, std::size_t count) {
 }
 
 TEST_CASE("a pixel is the mean of the colours at the points of the sequence") {
-    forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
+    withEveryRenderer(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
         const auto samples = samplesOf(renderer, options, 6);
         for (const int n : {1, 2, 6}) {
             const Shot shot = shoot(renderer, options, {.samples = n});
@@ -250,7 +250,7 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
 }
 
 TEST_CASE("an adaptive pixel stops by the rule, and it is counted where the limit stops it") {
-    forEveryScene(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
+    withEveryRenderer(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
         const auto samples = samplesOf(renderer, options, 20);
         for (const double adaptive : {0.1, 0.02}) {
             const Shot shot = shoot(renderer, options, {.samples = 20, .adaptive = adaptive});
@@ -269,7 +269,7 @@ TEST_CASE("an adaptive pixel stops by the rule, and it is counted where the limi
 }
 
 TEST_CASE("the error of a picture is at most what its pixels' errors are estimated to be") {
-    forEveryScene(100, [](const Renderer& renderer, const RenderOptions& options) {
+    withEveryRenderer(100, [](const Renderer& renderer, const RenderOptions& options) {
         const Setting deep{.samples = 1024, .max_recursion = 3, .cutoff = 0.01};
         Setting setting = deep, fine = deep;
         setting.adaptive = 0.01;

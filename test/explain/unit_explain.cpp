@@ -53,8 +53,8 @@ bool addsUp(const RayExplanation& ray, const SceneDescription& scene) {
 }
 
 // Camera at the origin, looking along -z; one light; shapes are added.
-struct TestScene : SceneDescription {
-    TestScene() {
+struct ExplainedScene : SceneDescription {
+    ExplainedScene() {
         materials.resize(1);
         materials[0].name = "red";
         materials[0].color_ambient = {0.25, 0, 0};
@@ -64,8 +64,8 @@ struct TestScene : SceneDescription {
         lights.push_back({{0, 3, 0}, glm::dvec3(1), {1, 0.5, 0.5}});
     }
 
-    TestScene& add(const std::string& name, Type type, const glm::dvec3& translate, const glm::dvec3& scale,
-                   std::size_t material = 0) {
+    ExplainedScene& add(const std::string& name, Type type, const glm::dvec3& translate,
+                        const glm::dvec3& scale, std::size_t material = 0) {
         shapes.push_back({type, transforms.size(), material, nullptr});
         transforms.push_back({name, translate, {}, scale, {}});
         return *this;
@@ -183,7 +183,7 @@ TEST_CASE("an explanation is the same in any unit of length") {
 }
 
 TEST_CASE("the ray, the place and the normal are in the file's own units") {
-    TestScene scene;
+    ExplainedScene scene;
     scene.camera.eye = {1, 2, 3};
     scene.camera.focal_length = 2;
     scene.add("ball", Type::Sphere, {1, 2, -7}, glm::dvec3(2));
@@ -197,7 +197,7 @@ TEST_CASE("the ray, the place and the normal are in the file's own units") {
 }
 
 TEST_CASE("a shadow, and by whom") {
-    TestScene scene;
+    ExplainedScene scene;
     const std::size_t glass = scene.glass(1);
     scene.lights.push_back({{0, -3, 0}, glm::dvec3(1), glm::dvec3(0)});
     scene.lights.push_back({{3, 0, 0}, glm::dvec3(1), glm::dvec3(0)});
@@ -224,7 +224,7 @@ TEST_CASE("a shadow, and by whom") {
 }
 
 TEST_CASE("total internal reflection, from inside, and the end of the recursion") {
-    TestScene scene;
+    ExplainedScene scene;
     scene.add("block", Type::Cube, {0, 0, -3}, glm::dvec3(1), scene.glass(1.5));
     SECTION("straight through: in from outside, out from inside") {
         const RayExplanation ray = scene.explainCentre();
@@ -272,7 +272,7 @@ TEST_CASE("the names of faces") {
     const glm::dvec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const char* names[] = {"x = 1", "x = -1", "y = 1", "y = -1", "z = 1", "z = -1"};
     for (std::size_t face = 0; face < 6; ++face) {  // seen from that side
-        TestScene scene;
+        ExplainedScene scene;
         const glm::dvec3 side = (face % 2 ? -1.0 : 1.0) * axes[face / 2];
         scene.camera.eye = 5.0 * side;
         scene.camera.look = -side;
@@ -283,7 +283,7 @@ TEST_CASE("the names of faces") {
 }
 
 TEST_CASE("the text, in whole") {
-    TestScene scene;
+    ExplainedScene scene;
     const std::size_t mirror = scene.addMaterial("mirror"), glass = scene.glass(2);
     scene.materials[mirror].reflective = true;
     scene.materials[mirror].color_reflect = glm::dvec3(0.5);

@@ -78,7 +78,7 @@ Colors colorsOf(const ByteImage& image) {
     return colors;
 }
 
-constexpr int edge = 64;
+constexpr int posedEdge = 64;
 
 }  // namespace
 
@@ -97,10 +97,10 @@ TEST_CASE("coincidence: a cylinder on a plane") {
                     if (!planeFirst) plane();
                     maker.light({0, 0, 20});
                     lookFrom(maker.scene, {0, 0, 10 * side}, {0, 0, -side}, {0, 1, 0}, 0.7);
-                    const Colors colors = colorsOf(bytesOf(posed(maker.scene, pose), edge, precision));
+                    const Colors colors = colorsOf(bytesOf(posed(maker.scene, pose), posedEdge, precision));
                     INFO(pose.name << (planeFirst ? ", plane first" : ", cylinder first")
                                    << (side > 0 ? ", from above" : ", from below"));
-                    CHECK((side > 0 || !planeFirst ? colors.green : colors.red) == edge * edge);
+                    CHECK((side > 0 || !planeFirst ? colors.green : colors.red) == posedEdge * posedEdge);
                 }
 }
 
@@ -117,10 +117,10 @@ TEST_CASE("coincidence: a cylinder on a plane, from aslant below") {
             if (!planeFirst) plane();
             maker.light({0, 0, 20});
             lookFrom(maker.scene, {0, -6, -8}, {0, 0.6, 0.8}, {0, 0.8, -0.6}, 2);
-            const ByteImage image = bytesOf(posed(maker.scene, pose), edge);
+            const ByteImage image = bytesOf(posed(maker.scene, pose), posedEdge);
             const Colors colors = colorsOf(image);
             INFO(pose.name << (planeFirst ? ", plane first" : ", cylinder first"));
-            CHECK(colors.red + colors.green == edge * edge);
+            CHECK(colors.red + colors.green == posedEdge * posedEdge);
             // The base is a disc seen at 0.8 of its height: pi * 16 * 16 * 0.8 pixels.
             if (planeFirst) CHECK(colors.green == 0);
             if (!planeFirst) CHECK(std::abs(colors.green - 643) < 20);
@@ -142,9 +142,9 @@ TEST_CASE("coincidence: faces that decimal numbers put together") {
                 if (!planeFirst) plane();
                 maker.light({0, 0, 20});
                 lookFrom(maker.scene, {0, 0, 10}, {0, 0, -1}, {0, 1, 0}, 0.09);
-                const Colors colors = colorsOf(bytesOf(posed(maker.scene, pose), edge, precision));
+                const Colors colors = colorsOf(bytesOf(posed(maker.scene, pose), posedEdge, precision));
                 INFO(pose.name << (planeFirst ? ", plane first" : ", cube first"));
-                CHECK((planeFirst ? colors.red : colors.green) == edge * edge);
+                CHECK((planeFirst ? colors.red : colors.green) == posedEdge * posedEdge);
             }
 }
 
@@ -161,9 +161,9 @@ TEST_CASE("coincidence: two cubes that share a face, from inside one") {
             maker.shape(Type::Cube, insideFirst ? there : here);
             maker.light({0, 0, 20});
             lookFrom(maker.scene, {0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 0.25);
-            const Colors colors = colorsOf(bytesOf(posed(maker.scene, pose), edge));
+            const Colors colors = colorsOf(bytesOf(posed(maker.scene, pose), posedEdge));
             INFO(pose.name << (insideFirst ? ", the camera's first" : ", the other one first"));
-            CHECK((insideFirst ? colors.red : colors.green) == edge * edge);
+            CHECK((insideFirst ? colors.red : colors.green) == posedEdge * posedEdge);
         }
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("coincidence: glass that touches water") {
             maker.shape(Type::Plane, {"", glm::dvec3(0, 0, -1), {}, {}, {}});
             maker.light({0, 0, 20});
             lookFrom(maker.scene, {0, 0, 10}, {0, 0, -1}, {0, 1, 0}, 0.25);
-            const ByteImage image = bytesOf(posed(maker.scene, pose), edge);
+            const ByteImage image = bytesOf(posed(maker.scene, pose), posedEdge);
             const double through = glassColor * waterColor * (glassFirst ? glassColor : waterColor);
             const int expected = static_cast<int>(std::lround(255 * through));
             bool all = true;
@@ -220,14 +220,14 @@ TEST_CASE("coincidence: shapes and their doubles, turned about the axis") {
             maker.shape(type, {"", {}, {}, glm::dvec3(0.3), {}});
             maker.light({3, -2, 4});
             lookFrom(maker.scene, {0, -6, 8}, {0, 0.6, -0.8}, {0, 0.8, 0.6}, 0.5);
-            const ByteImage alone = bytesOf(posed(maker.scene, pose), edge);
+            const ByteImage alone = bytesOf(posed(maker.scene, pose), posedEdge);
             maker.material(blue);
             maker.shape(type, {"",
                                {},
                                TransformDescription::Rotation{type == Type::Cube ? 90. : 29., {0, 0, 1}},
                                glm::dvec3(0.3),
                                {}});
-            const ByteImage both = bytesOf(posed(maker.scene, pose), edge);
+            const ByteImage both = bytesOf(posed(maker.scene, pose), posedEdge);
             INFO(static_cast<int>(type) << ", " << pose.name);
             CHECK(differingPixels(alone, both, 1) <= 1);  // a silhouette's pixel may meet only one of the two
         }
