@@ -1,87 +1,122 @@
 #include "depth.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "picture_points.h"
 
 namespace raytracer {
 
-Depths::Depths(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-               const Setting& deepest)
-    : deepest_(deepest.max_recursion) {
-    spent_ = rayCount(renderer.rayTrees(withSetting(options, deepest), points, trees_));
-    for (std::size_t point = 0; point < points.size(); ++point) {
-        const std::span<const RayTreeNode> rays = trees_.of(point);
-        if (rays.size() > 1) deep_.push_back(point);
-        else ofOneRay_ += 1 + rays[0].shadows;
+namespace {
+
+constexpr double mostRays = 100;  // of a tree; where it has more, twice the recursion could square them
+constexpr double growth = 1.2;    // samples grow as error^-1.2
+constexpr double nearly = 1.02;   // in rays
+
+std::vector<double> cutoffsFor(double target) {
+    std::vector<double> cutoffs{rounded(target / 4)};
+    while (cutoffs.back() < 0.25) cutoffs.push_back(rounded(4 * cutoffs.back()));
+    return cutoffs;
+}
+
+// As deep as ray trees can be.
+Setting deepest(const Renderer& renderer, const RenderOptions& options, double target,
+                std::span<const glm::dvec2> few, RenderCounts& spent) {
+    Setting setting{.max_recursion = 4, .cutoff = cutoffsFor(target).front(), .bilinear = options.bilinear};
+    for (; setting.max_recursion < 64; setting.max_recursion *= 2) {
+        Depths depths(setting, {});
+        depths.add(renderer, options, few);
+        spent += depths.counts();
+        if (rayCount(depths.counts()) > mostRays * depths.points()) break;
+    }
+    return setting;
+}
+
+// What a depth leaves of the target decides how many samples the picture takes. Of the depths that cost
+// nearly the same, the most accurate.
+DepthChoice cheapest(std::span<const DepthChoice> depths, double target) {
+    const auto cost = [&](const DepthChoice& depth) {
+        const double left = target * target - depth.atMost();
+        return left > 0 ? depth.rays * std::pow(left, -growth / 2) : std::numeric_limits<double>::infinity();
+    };
+    const double enough = nearly * cost(*std::ranges::min_element(depths, {}, cost));
+    return *std::ranges::min_element(depths, {}, [&](const DepthChoice& depth) {
+        return cost(depth) <= enough ? depth.atMost() : std::numeric_limits<double>::infinity();
+    });
+}
+
+}  // namespace
+
+Depths::Depths(const Setting& deepest, std::vector<double> cutoffs)
+    : deepest_(deepest),
+      cutoffs_(std::move(cutoffs)),
+      sums_(cutoffs_.size(), std::vector<Sums>(static_cast<std::size_t>(deepest.max_recursion) + 1)) {}
+
+void Depths::add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points) {
+    constexpr std::size_t together = 512;  // trees: some MB of memory
+    for (std::size_t begin = 0; begin < points.size(); begin += together) {
+        const auto some = points.subspan(begin, std::min(together, points.size() - begin));
+        RayTrees trees;
+        counts_ += renderer.rayTrees(withSetting(options, deepest_), some, trees);
+        for (std::size_t point = 0; point < some.size(); ++point)
+            for (std::size_t i = 0; i < cutoffs_.size(); ++i) measure(trees, point, cutoffs_[i], sums_[i]);
+    }
+    points_ += static_cast<double>(points.size());
+}
+
+// One pass over a tree measures every max_recursion.
+void Depths::measure(const RayTrees& trees, std::size_t point, double cutoff, std::span<Sums> sums) {
+    if (const auto rays = trees.of(point); rays.size() == 1) {  // the same at every depth
+        sums[0].rays += 1 + rays[0].shadows;
+        return;
+    }
+    std::vector<glm::dvec3> light(sums.size(), glm::dvec3(0));  // that comes from this max_recursion on
+    glm::dvec3 deepest(0);
+    for (const RayTreeNode& ray : trees.of(point)) {
+        deepest += ray.light;
+        const int least = leastRecursion(trees, ray, cutoff);
+        if (least > deepest_.max_recursion) continue;
+        light[static_cast<std::size_t>(least)] += ray.light;
+        sums[static_cast<std::size_t>(least)].rays += 1 + ray.shadows;
+    }
+    glm::dvec3 color(0);
+    for (std::size_t depth = 0; depth < sums.size(); ++depth) {
+        color += light[depth];
+        const double error = squaredError(color, deepest);
+        sums[depth].squares += error;
+        sums[depth].fourths += error * error;
     }
 }
 
-const DepthChoice& Depths::measured(int max_recursion, double cutoff) {
-    std::vector<DepthChoice>& choices = measured_[cutoff];
-    if (choices.empty()) choices = measure(cutoff);
-    return choices[static_cast<std::size_t>(max_recursion)];
+DepthChoice Depths::measured(int max_recursion, double cutoff) const {
+    const auto& sums =
+        sums_[static_cast<std::size_t>(std::ranges::find(cutoffs_, cutoff) - cutoffs_.begin())];
+    const Sums& depth = sums[static_cast<std::size_t>(max_recursion)];
+    double rays = 0;
+    for (int i = 0; i <= max_recursion; ++i) rays += sums[static_cast<std::size_t>(i)].rays;
+    const double square = depth.squares / points_;
+    return {max_recursion, cutoff, rays / points_, square,
+            std::sqrt(std::max(0.0, depth.fourths / points_ - square * square) / points_)};
 }
 
-// One pass over the rays measures every max_recursion.
-std::vector<DepthChoice> Depths::measure(double cutoff) const {
-    const auto depths = static_cast<std::size_t>(deepest_) + 1;
-    std::vector<double> rays(depths, 0);  // that are traced from this max_recursion on
-    rays[0] = ofOneRay_;
-    // Sums of squared errors: of points that change with a larger max_recursion, and of points that do not.
-    std::vector<double> changing(depths, 0), converged(depths, 0);
-    std::vector<glm::dvec3> color(depths);
-    for (const std::size_t point : deep_) {
-        glm::dvec3 terminated(0);
-        std::size_t top = 0;
-        color[0] = glm::dvec3(0);
-        for (const RayTreeNode& ray : trees_.of(point)) {
-            const int least = leastRecursion(trees_, ray, cutoff);
-            if (least > deepest_) {
-                terminated += ray.light;
-                continue;
-            }
-            const auto depth = static_cast<std::size_t>(least);
-            while (top < depth) color[++top] = glm::dvec3(0);
-            color[depth] += ray.light;
-            rays[depth] += 1 + ray.shadows;
-        }
-        for (std::size_t depth = 1; depth <= top; ++depth) color[depth] += color[depth - 1];
-        const glm::dvec3 deepest = color[top] + terminated;
-        for (std::size_t depth = 0; depth <= top; ++depth) {
-            const double error = squaredError(color[depth], deepest);
-            (depth < top ? changing : converged)[depth] += error;
-        }
-    }
+std::vector<DepthChoice> Depths::all() const {
     std::vector<DepthChoice> choices;
-    const auto count = static_cast<double>(trees_.count());
-    double whole = 0, traced = 0;
-    for (std::size_t depth = 0; depth < depths; ++depth) {
-        whole += converged[depth];
-        traced += rays[depth];
-        const double sum = changing[depth] + whole;
-        choices.push_back({static_cast<int>(depth), cutoff, traced / count, std::sqrt(sum / count)});
-    }
+    for (const double cutoff : cutoffs_)
+        for (int depth = 0; depth <= deepest_.max_recursion; ++depth)
+            choices.push_back(measured(depth, cutoff));
     return choices;
 }
 
-std::vector<DepthChoice> Depths::front(std::span<const double> cutoffs, double enough) {
-    std::vector<DepthChoice> choices;
-    // Per cutoff the error at the depth before; 0 if that was deep enough, or deeper than it helps. 2 is more
-    // than any error.
-    std::vector<double> before(cutoffs.size(), 2);
-    for (const int depth : gridDepths) {
-        if (depth > deepest_) break;
-        for (std::size_t i = 0; i < cutoffs.size(); ++i) {
-            if (before[i] == 0 || (depth == 0 && i > 0)) continue;
-            choices.push_back(measured(depth, cutoffs[i]));
-            const double error = choices.back().error;
-            before[i] = error <= enough || (depth > 1 && error > 0.99 * before[i]) ? 0 : error;
-        }
-    }
-    std::vector<CostAndError> points;
-    for (const DepthChoice& choice : choices) points.push_back({choice.rays, choice.error});
-    std::vector<DepthChoice> front;
-    for (const std::size_t i : paretoFront(points)) front.push_back(choices[i]);
-    return front;
+DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target,
+                        std::size_t count, RenderCounts& spent) {
+    const std::vector<glm::dvec2> points = picturePoints(options.size, count, 3);
+    Depths depths(
+        deepest(renderer, options, target, std::span(points).first(std::min<std::size_t>(count, 250)), spent),
+        cutoffsFor(target));
+    depths.add(renderer, options, points);
+    spent += depths.counts();
+    return cheapest(depths.all(), target);
 }
 
 }  // namespace raytracer

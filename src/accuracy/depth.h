@@ -1,8 +1,8 @@
-// How deep the recursion goes: the ray trees of a few points, traced once, give the cost and the truncation
-// error of every max_recursion and cutoff.
+// How deep the recursion goes: ray trees of points all over the picture, each traced once, give the cost and
+// the truncation error of every max_recursion and cutoff.
 #pragma once
 
-#include <map>
+#include <vector>
 
 #include "raytracer/accuracy/picture_error.h"
 #include "raytracer/accuracy/setting.h"
@@ -13,34 +13,45 @@ namespace raytracer {
 struct DepthChoice {
     int max_recursion = 0;
     double cutoff = 0;
-    double rays = 0;   // of a sample
-    double error = 0;  // the truncation error: RMSE of the points against the deepest
+    double rays = 0;           // of a sample
+    double squaredError = 0;   // the truncation error: mean square over the samples, against the deepest
+    double standardError = 0;  // of squaredError
+
+    // Surely: it is taken from a skew sample.
+    double atMost() const { return squaredError + 2.5 * standardError; }
 };
 
 class Depths {
   public:
-    // Traces the points with the depth of a setting.
-    Depths(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-           const Setting& deepest);
+    // Every max_recursion up to the deepest's, with each cutoff of at least the deepest's.
+    Depths(const Setting& deepest, std::vector<double> cutoffs);
 
-    // At most that max_recursion, at least that cutoff.
-    const DepthChoice& measured(int max_recursion, double cutoff);
+    // Traces more points with the depth of the deepest.
+    void add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points);
 
-    // The Pareto front of cost and error among the grid's depths, with each of these cutoffs, up to an error
-    // of at most `enough`; the cheapest first.
-    std::vector<DepthChoice> front(std::span<const double> cutoffs, double enough);
+    DepthChoice measured(int max_recursion, double cutoff) const;
+    std::vector<DepthChoice> all() const;
 
-    double raysSpent() const { return spent_; }
+    // Rays of every kind, until now.
+    const RenderCounts& counts() const { return counts_; }
+    double points() const { return points_; }
 
   private:
-    std::vector<DepthChoice> measure(double cutoff) const;
+    struct Sums {
+        double rays = 0, squares = 0, fourths = 0;  // of squared errors: their sum, and that of their squares
+    };
+    void measure(const RayTrees& trees, std::size_t point, double cutoff, std::span<Sums> sums);
 
-    int deepest_;
-    RayTrees trees_;
-    double spent_ = 0;               // rays
-    double ofOneRay_ = 0;            // rays of the points whose tree is one ray: the same at every depth
-    std::vector<std::size_t> deep_;  // the other points
-    std::map<double, std::vector<DepthChoice>> measured_;  // by cutoff, then by max_recursion
+    Setting deepest_;
+    std::vector<double> cutoffs_;
+    std::vector<std::vector<Sums>> sums_;  // by cutoff, then by max_recursion
+    RenderCounts counts_;
+    double points_ = 0;
 };
+
+// The depth that makes a picture with a target error cheapest, by `count` points all over the picture.
+// `spent` gets the rays that this took.
+DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target,
+                        std::size_t count, RenderCounts& spent);
 
 }  // namespace raytracer

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
@@ -18,6 +19,8 @@ RenderOptions withSetting(RenderOptions options, const Setting& setting) {
 }
 
 std::string shortNumber(double value) { return formatted("%.3g", value); }
+
+double rounded(double value) { return numberOf<double>(shortNumber(value)).value(); }
 
 const char* precisionName(Precision precision) {
     switch (precision) {

@@ -1,27 +1,238 @@
+// Each pixel stops by its own estimate (pixel_estimate.h), so that the picture's error is a slowly changing
+// part of one number, --adaptive. Some pixels, more where the contrast is large, are taken to their end with
+// it, and the truth at them is estimated twice from other samples: the product of the differences from both
+// is their squared error, without bias. The depth is chosen before that, from ray trees of points all over
+// the picture.
 #include "raytracer/accuracy/target_error.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "depth.h"
 #include "picture_points.h"
+#include "raytracer/tracer/pixel_estimate.h"
 
 namespace raytracer {
 
-// A pixel's own estimate is mostly two to nine times its error (bench/README.md): `adaptive` is a promise.
+namespace {
+
+// Pixels looked at: as many as find what lies in few of them, 0.05 off. As many again while these do not tell
+// whether the target is reached, and while all their samples are few to the picture's.
+double firstPixels(double target) { return std::clamp(std::pow(0.05 / target, 2), 500.0, 2500.0); }
+constexpr double lookPart = 0.15;
+// Pixels are drawn by the error that they may have, a third of them evenly: then none counts more than three
+// times (Hesterberg 1995).
+constexpr double evenPart = 0.5;  // to the others
+// Points whose ray trees are traced: about 2 % of the picture's samples.
+std::size_t treesTraced(double area, double target) {
+    return static_cast<std::size_t>(std::clamp(0.0005 * area / target, 1000.0, 100000.0));
+}
+// The mean squared error plus so many standard errors must reach the target: it is taken from a skew sample,
+// and the first `adaptive` that seems to reach it is chosen.
+constexpr double margin = 3;
+// The first `adaptive` that is tried, as a multiple of the target: errors are 0.1 to 1.1 of it, and where it
+// is larger, those of single pixels are too. Each next one is smaller by a twelfth; so 4 % of the error are
+// lost.
+constexpr double coarsest = 4, finer = 1 / 1.09;
+constexpr int mostSamples = 4096;      // leave an error of 0.001 at an edge from black to white
+constexpr double mostFirst = 1 << 24;  // pixels whose first samples are kept: 400 MB
+
+// A pixel that is looked at: its own samples, and twice as many others.
+struct Looked {
+    PixelPlace place;
+    double contrast = 0;
+    double draws = 0;   // how often it was drawn
+    double weight = 0;  // of a draw's squared error in the picture's mean square
+    PixelEstimate own{}, truth[2]{};
+};
+
+double areaOf(const ImageSize& size) { return static_cast<double>(size.width) * size.height; }
+
+class Search {
+  public:
+    Search(const Renderer& renderer, const RenderOptions& options, double target)
+        : renderer_(renderer), options_(options), target_(target), area_(areaOf(options.size)) {
+        // A smaller picture has more error: more of its pixels are edges.
+        while (areaOf(options_.size) > mostFirst)
+            options_.size = {std::max(1, options_.size.width / 2), std::max(1, options_.size.height / 2)};
+        options_.crop = {0, 0, options_.size.width, options_.size.height};
+    }
+
+    TargetChoice choose() {
+        const DepthChoice depth =
+            chooseDepth(renderer_, options_, target_, treesTraced(area_, target_), choice_.counts);
+        options_.max_recursion = depth.max_recursion;
+        options_.cutoff = depth.cutoff;
+        choice_.depthError = std::sqrt(depth.squaredError);
+        takeFirst();
+        sortPixels();
+        drawPixels(firstPixels(target_));
+        choice_.setting = {mostSamples, 0, depth.max_recursion, depth.cutoff, options_.bilinear};
+        const double left = std::max(0.25 * target_ * target_, target_ * target_ - depth.atMost());
+        choice_.reached =
+            chooseAdaptive(left) && squaredError().first + depth.squaredError <= target_ * target_;
+        if (choice_.setting.adaptive >= 0.25) choice_.setting.samples = 1;  // nor would a pixel take more
+        if (choice_.setting.adaptive >= 0.25) choice_.setting.adaptive = 0;
+        if (areaOf(options_.size) < area_) choice_.first = {};
+        return std::move(choice_);
+    }
+
+  private:
+    void takeFirst() {
+        options_.samples = 1;
+        options_.adaptive = 0;
+        ColorSink sink(options_.crop);
+        const RenderCounts counts = renderer_.render(options_, sink);
+        choice_.counts += counts;
+        choice_.first = {std::move(sink).colors(), counts.cutoffBound};
+    }
+
+    double contrastAt(const PixelPlace& place) const {
+        Contrast contrast;
+        const ImageSize& size = options_.size;
+        for (int y = std::max(0, place.y - 1); y < std::min(size.height, place.y + 2); ++y)
+            for (int x = std::max(0, place.x - 1); x < std::min(size.width, place.x + 2); ++x)
+                contrast.add(choice_.first.colors[static_cast<std::size_t>(y) * size.width + x]);
+        return std::max(contrast.value(), leastContrast(size));
+    }
+
+    PixelPlace placeOf(std::uint32_t i) const {
+        const auto width = static_cast<std::uint32_t>(options_.size.width);
+        return {static_cast<int>(i % width), static_cast<int>(i / width)};
+    }
+
+    // The error that a pixel may have.
+    double weightOf(double contrast) const { return std::min(contrast / 4, coarsest * target_); }
+
+    void sortPixels() {
+        for (std::uint32_t i = 0; i < choice_.first.colors.size(); ++i) {
+            pixels_.emplace_back(static_cast<float>(contrastAt(placeOf(i))), i);
+            totalWeight_ += weightOf(static_cast<double>(pixels_.back().first));
+        }
+        std::ranges::sort(pixels_);
+        even_ = evenPart * totalWeight_ / static_cast<double>(pixels_.size());
+        totalWeight_ *= 1 + evenPart;
+    }
+
+    // At equal steps of weight through all pixels in the order of their contrast: of each contrast as many as
+    // it deserves (systematic sampling: Cochran, Sampling Techniques, 8).
+    void drawPixels(double count) {
+        const double step = totalWeight_ / count;
+        double sum = 0, next = SampleSequence()[draws_++].x * step;
+        for (const auto& [contrast, i] : pixels_) {
+            const double weight = weightOf(static_cast<double>(contrast)) + even_;
+            sum += weight;
+            if (sum <= next) continue;
+            const double draws = std::ceil((sum - next) / step);
+            next += draws * step;
+            const double part = totalWeight_ / (weight * static_cast<double>(pixels_.size()));
+            looked_.push_back({placeOf(i), static_cast<double>(contrast), draws, part});
+            looked_.back().own.add(choice_.first.colors[i]);
+        }
+        count_ += count;
+    }
+
+    // From the coarsest on, until the target is reached. False if nothing reaches it.
+    bool chooseAdaptive(double most) {
+        double& adaptive = choice_.setting.adaptive;
+        adaptive = rounded(coarsest * target_);
+        for (;;) {
+            const bool isLast = !takeSamples(adaptive);
+            const auto [square, deviation] = squaredError();
+            choice_.sampleError = std::sqrt(std::max(0.0, square));
+            if (square + margin * deviation <= most) return true;
+            if (square - deviation <= most && mayDrawMore()) drawPixels(count_);
+            else if (isLast) return square <= most;
+            else adaptive = rounded(adaptive * finer);
+        }
+    }
+
+    // Whether twice the look is cheap beside the picture.
+    bool mayDrawMore() const {
+        double look = 0, perPixel = 1;
+        for (const Looked& pixel : looked_) {
+            const int own = pixel.own.samples();
+            perPixel += pixel.draws / count_ * pixel.weight * (own - 1);
+            look += own + 2 * pixel.truth[0].samples();
+        }
+        return 2 * look <= lookPart * perPixel * static_cast<double>(pixels_.size());
+    }
+
+    // Takes the pixels that are looked at to their end. False if all of them have as many samples as they
+    // may.
+    bool takeSamples(double adaptive) {
+        do
+            for (Looked& pixel : looked_) {
+                int samples = pixel.own.samples();
+                if (pixel.own.error(pixel.contrast) > adaptive) samples = nextLevel(samples, mostSamples);
+                request(pixel.place, 0, pixel.own, samples);
+                for (const std::uint32_t other : {0, 1})
+                    request(pixel.place, 1 + other, pixel.truth[other],
+                            std::max(samples, nextLevel(1, mostSamples)));
+            }
+        while (take());
+        return std::ranges::any_of(looked_,
+                                   [](const Looked& pixel) { return pixel.own.samples() < mostSamples; });
+    }
+
+    void request(const PixelPlace& place, std::uint32_t sequence, PixelEstimate& estimate, int samples) {
+        for (int i = estimate.samples(); i < samples; ++i) {
+            points_.push_back(glm::dvec2(place.x, place.y) +
+                              sequences_[sequence][static_cast<std::uint32_t>(i)]);
+            takers_.push_back(&estimate);
+        }
+    }
+
+    // What was requested. False if that was nothing.
+    bool take() {
+        std::vector<glm::dvec3> colors(points_.size());
+        choice_.counts += renderer_.renderPoints(options_, points_, colors);
+        for (std::size_t i = 0; i < colors.size(); ++i) takers_[i]->add(colors[i]);
+        points_.clear();
+        takers_.clear();
+        return !colors.empty();
+    }
+
+    // Of the picture, without bias, and its standard error.
+    std::pair<double, double> squaredError() const {
+        double sum = 0, squares = 0;
+        for (const Looked& pixel : looked_) {
+            const auto difference = [&](int other) {
+                return glm::clamp(pixel.own.color(), 0.0, 1.0) -
+                       glm::clamp(pixel.truth[other].color(), 0.0, 1.0);
+            };
+            const double value = pixel.weight * glm::dot(difference(0), difference(1)) / 3;
+            sum += pixel.draws * value;
+            squares += pixel.draws * value * value;
+        }
+        const double mean = sum / count_;
+        return {mean, std::sqrt(std::max(0.0, squares / count_ - mean * mean) / count_)};
+    }
+
+    const Renderer& renderer_;
+    RenderOptions options_;
+    double target_, area_;
+    TargetChoice choice_;
+    std::vector<std::pair<float, std::uint32_t>> pixels_;  // all: contrast and index, in this order
+    double totalWeight_ = 0, even_ = 0;                    // of all pixels; what each has at least
+    std::vector<Looked> looked_;
+    double count_ = 0;         // draws
+    std::uint32_t draws_ = 0;  // calls of drawPixels
+    const SampleSequence sequences_[3] = {SampleSequence(options_.sequence),
+                                          SampleSequence(options_.sequence + 1),
+                                          SampleSequence(options_.sequence + 2)};
+    std::vector<glm::dvec2> points_;  // requested samples
+    std::vector<PixelEstimate*> takers_;
+};
+
+}  // namespace
+
 TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target) {
-    const double area = static_cast<double>(options.size.width) * options.size.height;
-    const auto count = static_cast<std::size_t>(std::clamp(area / 20, 1000.0, 20000.0));
-    const Setting deepest{.max_recursion = 24, .cutoff = std::min(0.1, target), .bilinear = options.bilinear};
-    Depths depths(renderer, options, picturePoints(options.size, count, 1), deepest);
-    const double cutoffs[] = {deepest.cutoff, 3 * deepest.cutoff, 10 * deepest.cutoff};
-    const std::vector<DepthChoice> front = depths.front(cutoffs, target / 3);
-    const DepthChoice& depth = front.back();
-    TargetChoice choice;
-    choice.setting = {usualSamples(target), target, depth.max_recursion, depth.cutoff, options.bilinear};
-    choice.depthError = depth.error;
-    choice.reached = depth.error <= target;
-    choice.rays = depths.raysSpent();
-    return choice;
+    return Search(renderer, options, target).choose();
 }
 
 }  // namespace raytracer

@@ -16,14 +16,17 @@ std::vector<DepthChoice> depthsToTry(const Renderer& renderer, const RenderOptio
                                      const Reference& reference) {
     std::vector<double> cutoffs{reference.setting.cutoff};
     cutoffs.insert(cutoffs.end(), std::begin(gridCutoffs), std::end(gridCutoffs));
-    Setting deepest = reference.setting;
-    deepest.samples = 1;
-    Depths depths(renderer, options, picturePoints(options.size, 2500, 5), deepest);
+    Depths depths(reference.setting, cutoffs);
+    depths.add(renderer, options, picturePoints(options.size, 2500, 5));
+    const std::vector<DepthChoice> all = depths.all();
+    std::vector<CostAndError> points;
+    for (const DepthChoice& choice : all) points.push_back({choice.rays, choice.squaredError});
     std::vector<DepthChoice> chosen;
-    for (const DepthChoice& choice : depths.front(cutoffs, 1e-4))
-        if (chosen.empty() || choice.error < 0.5 * chosen.back().error) chosen.push_back(choice);
+    for (const std::size_t i : paretoFront(points))
+        if (chosen.empty() || all[i].squaredError < 0.25 * chosen.back().squaredError)
+            chosen.push_back(all[i]);
     for (const int depth : {1, 2, 3, 6}) {
-        if (depth > deepest.max_recursion) break;
+        if (depth > reference.setting.max_recursion) break;
         chosen.push_back(depths.measured(depth, cutoffs.front()));
         chosen.back().cutoff = 0;
     }

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include <sys/resource.h>
@@ -31,6 +33,8 @@ Examples:
   raytracer scenes/cone_cube.json normals.png 600 --pass normals
   # a detail, as in the whole picture
   raytracer scenes/texture.json out.png 2000 --crop 500,500,700,700
+  # the most accurate picture that takes about ten seconds
+  raytracer scenes/texture.json out.png 2000 --target-time 10
   # linear float32, and what it cost
   raytracer scenes/refraction.json out.pfm 600 --stats)";
 
@@ -124,7 +128,8 @@ void requireWritable(const std::filesystem::path& out) {
 struct PictureArguments {
     std::string out;
     bool stats = false;
-    std::optional<double> targetError;
+    std::optional<double> targetError, targetTime;
+    std::string command;  // without --target-time
 };
 
 struct Picture {
@@ -141,7 +146,11 @@ struct Picture {
 RenderCounts renderInto(PixelSink& sink, const Picture& picture) {
     std::optional<ProgressBar> bar;
     if (!picture.arguments.quiet) bar.emplace();
-    return picture.renderer.render(picture.options, sink, bar ? &*bar : nullptr);
+    const bool hasFirst = picture.choice && !picture.choice->first.colors.empty();
+    RenderCounts counts = picture.renderer.render(picture.options, sink, bar ? &*bar : nullptr,
+                                                  hasFirst ? &picture.choice->first : nullptr);
+    if (picture.choice) counts += picture.choice->counts;
+    return counts;
 }
 
 template <class Sink, class Write>
@@ -150,13 +159,30 @@ void renderTo(Picture& picture, Write write) {
     Sink sink(picture.options.crop);
     if (const auto target = picture.wanted.targetError)
         picture.choice = chooseAndTell(picture.renderer, picture.options, *target);
+    if (const auto seconds = picture.wanted.targetTime)
+        picture.counts +=
+            chooseForTimeAndTell(picture.renderer, picture.options,
+                                 *seconds - picture.timings.load.wall - picture.timings.build.wall,
+                                 picture.wanted.command)
+                .counts;
     picture.timings.choose = watch.lap();
-    picture.counts = renderInto(sink, picture);
+    picture.counts += renderInto(sink, picture);
     picture.timings.render = watch.lap();
     if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
         picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
     write(picture.wanted.out, sink.image());
     picture.timings.write = watch.lap();
+}
+
+// A command line without an option and its value.
+std::string without(const std::string& option, std::span<char*> words) {
+    std::string line;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word = words[i];
+        if (word == option) ++i;
+        else if (!word.starts_with(option + "=")) line += (line.empty() ? "" : " ") + word;
+    }
+    return line;
 }
 
 int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted) {
@@ -186,14 +212,21 @@ int render(int argc, char** argv) {
     arguments.addTo(line);
     line.text("IMAGE_OUT", wanted.out, "The picture: .png, or .pfm (linear float32, not clamped)");
     arguments.addLongEdgeTo(line);
-    line.number(
-        "--target-error", wanted.targetError, above(0),
-        "Choose --samples, --adaptive, --max-recursion and --cutoff such that the error (RMSE, of 1) is at "
-        "most this; exit status 1 where none is that accurate");
+    line.number("--target-error", wanted.targetError, above(0),
+                "Choose --samples, --adaptive, --max-recursion and --cutoff such that the error (RMSE, of 1, "
+                "of linear "
+                "colours) against samples and depth without end is at most this; rounding to a PNG's bytes "
+                "adds 0.0011; "
+                "exit status 1 where nothing is that accurate");
+    line.number("--target-time", wanted.targetTime, above(0),
+                "Choose the same options such that all takes about so many seconds on this machine");
     line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});
+    line.exclude("--target-time",
+                 {"--samples", "--adaptive", "--max-recursion", "--cutoff", "--target-error"});
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.footer(renderFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
+    wanted.command = without("--target-time", {argv, static_cast<std::size_t>(argc)});
     return renderPicture(arguments, wanted);
 }
 

@@ -54,11 +54,11 @@ std::size_t batchCount(std::size_t points) { return (points + batchSize - 1) / b
 }  // namespace
 
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
-                           ProgressListener* progress) {
+                           ProgressListener* progress, const FirstSamples* first) {
     const PixelRectangle& crop = options.crop;
     const auto tiles = static_cast<std::size_t>(tileCount(crop.width()) * tileCount(crop.height()));
     return shareOut(scene, options, tiles, progress, [&](std::uint32_t job, const RenderContext& context) {
-        renderTile(scene, tileOf(crop, static_cast<int>(job)), context, sink);
+        renderTile(scene, tileOf(crop, static_cast<int>(job)), context, first, sink);
     });
 }
 

@@ -1,15 +1,14 @@
 // Pictures of a scene, or what is seen at some points, on several threads.
 #pragma once
 
-#include "raytracer/tracer/ray_tree.h"
+#include "raytracer/tracer/renderer.h"
 #include "raytracer/tracer/scene.h"
-#include "raytracer/util/progress.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // As Renderer has them (renderer.h).
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
-                           ProgressListener* progress);
+                           ProgressListener* progress, const FirstSamples* first);
 RenderCounts renderPoints(const Scene& scene, const RenderOptions& options,
                           std::span<const glm::dvec2> points, std::span<glm::dvec3> colors);
 RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,

@@ -14,9 +14,9 @@ class SceneRenderer final : public Renderer {
     SceneRenderer(const SceneDescription& description, const BuildOptions& options)
         : scene_(buildScene(description, options)) {}
 
-    RenderCounts render(const RenderOptions& options, PixelSink& sink,
-                        ProgressListener* progress) const override {
-        return renderPicture(*scene_, options, sink, progress);
+    RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress,
+                        const FirstSamples* first) const override {
+        return renderPicture(*scene_, options, sink, progress, first);
     }
 
     RenderCounts renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,

@@ -31,10 +31,9 @@ class Tile {
         forEachInPacketOrder(tile_, [&](int x, int y) { active_.push_back({x, y}); });
     }
 
-    void render(PixelSink& sink) {
-        std::vector<PixelPlace> first;
-        forEachInPacketOrder(sampled_, [&](int x, int y) { first.push_back({x, y}); });
-        sample(first, 0, 1);
+    void render(const FirstSamples* first, PixelSink& sink) {
+        if (first) takeOver(*first);
+        else sampleFirst();
         for (int taken = 1; leaveThoseDone(taken); taken = sampleMore(taken)) {
         }
         write(sink);
@@ -45,6 +44,20 @@ class Tile {
         PixelEstimate estimate;
         double truncationBound = 0;  // the sum of its samples'
     };
+
+    void sampleFirst() {
+        std::vector<PixelPlace> all;
+        forEachInPacketOrder(sampled_, [&](int x, int y) { all.push_back({x, y}); });
+        sample(all, 0, 1);
+    }
+
+    void takeOver(const FirstSamples& first) {
+        forEachInPacketOrder(sampled_, [&](int x, int y) {
+            Pixel& pixel = pixels_[indexOf({x, y})];
+            pixel.estimate.add(first.colors[static_cast<std::size_t>(y) * options_.size.width + x]);
+            pixel.truncationBound = first.cutoffBound;
+        });
+    }
 
     // Whether any pixel goes on.
     bool leaveThoseDone(int taken) {
@@ -84,7 +97,7 @@ class Tile {
         for (int y = std::max(place.y - 1, sampled_.y0); y < std::min(place.y + 2, sampled_.y1); ++y)
             for (int x = std::max(place.x - 1, sampled_.x0); x < std::min(place.x + 2, sampled_.x1); ++x)
                 contrast.add(of({x, y}).estimate.first());
-        return contrast.value();
+        return std::max(contrast.value(), leastContrast(options_.size));
     }
 
     void write(PixelSink& sink) const {
@@ -138,10 +151,11 @@ void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderC
 }  // namespace
 
 void renderTile(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
-                PixelSink& sink) {
+                const FirstSamples* first, PixelSink& sink) {
     const RenderOptions& options = *context.options;
-    if (options.samples == 1 && options.adaptive == 0) return renderCentres(scene, tile, context, sink);
-    Tile(scene, tile, context).render(sink);
+    if (options.samples == 1 && options.adaptive == 0 && !first)
+        return renderCentres(scene, tile, context, sink);
+    Tile(scene, tile, context).render(first, sink);
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -36,12 +36,23 @@ def check_target(folder, scene, size, target):
     """What --target-error says that it chooses is what it renders, also under --crop."""
     picture, done = render(scene, folder / "target.png", size, f"--target-error {target}")
     assert done.returncode == 0, done
-    setting = re.fullmatch(r"--target-error \S+: (--.*)\n", done.stderr)
+    setting = re.match(r"--target-error \S+: (--.*)\n--target-error \S+: the error is about \S+ between samples and "
+                       r"\S+ of the depth\n$", done.stderr)
     assert setting, done.stderr
     same, _ = render(scene, folder / "same.png", size, setting[1])
     assert picture == same, setting[1]
     _, done = render(scene, folder / "crop.png", size, f"--target-error {target} --crop 3,4,9,11")
     assert setting[0] == done.stderr, done.stderr
+
+
+def check_time(folder, scene):
+    """--target-time tells the command that makes its picture again."""
+    picture, done = render(scene, folder / "time.png", 50, "--target-time 0.1 --texture-filter bilinear")
+    again = re.search(r"^--target-time: the same picture again: (.*)$", done.stderr, re.M)
+    assert done.returncode == 0 and again, done
+    command = [folder / "again.png" if word.endswith("time.png") else word for word in again[1].split()]
+    subprocess.run(command, check=True, timeout=300)
+    assert picture == (folder / "again.png").read_bytes(), again[1]
 
 
 def check_limit(folder):
@@ -80,6 +91,7 @@ def main():
         check_defaults(folder)
         check_target(folder, "scenes/spheres_cylinder.json", 16, 0.1)
         check_target(folder, "scenes/cone_cube.json", 160, 0.02)
+        check_time(folder, "scenes/texture.json")
         check_limit(folder)
         check_report(folder)
 

@@ -188,6 +188,20 @@ TEST_CASE("a crop is what the whole picture has there, whatever the knobs and th
     });
 }
 
+TEST_CASE("first samples that are there already are not cast again, and change nothing") {
+    withEveryRenderer(smallEdge, [](const Renderer& renderer, RenderOptions options) {
+        const Shot first = shoot(renderer, options, {});
+        const FirstSamples known{first.colors, first.counts.cutoffBound};
+        const Setting setting{.samples = 32, .adaptive = 0.05};
+        options.crop = {3, 2, options.size.width - 1, options.size.height};
+        const Shot all = shoot(renderer, options, setting);
+        ColorSink sink(options.crop);
+        const RenderCounts counts = renderer.render(withSetting(options, setting), sink, nullptr, &known);
+        CHECK(sink.colors() == all.colors);
+        CHECK(counts.primary + static_cast<std::uint64_t>(options.crop.area()) <= all.counts.primary);
+    });
+}
+
 // Each pixel's samples, at the points of the sequence.
 std::vector<std::vector<glm::dvec3>> samplesOf(const Renderer& renderer, const RenderOptions& options,
                                                std::uint32_t samples) {
@@ -234,7 +248,8 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
             low = glm::min(low, glm::clamp(of(column, row)[0], 0.0, 1.0));
             high = glm::max(high, glm::clamp(of(column, row)[0], 0.0, 1.0));
         }
-    const double contrast = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    const double contrast = std::max({high.x - low.x, high.y - low.y, high.z - low.z,
+                                      8 / std::sqrt(static_cast<double>(size.width) * size.height)});
     for (int n = 1;; n = std::min(limit, n == 1 ? 4 : 2 * n)) {
         double variance = 0;
         for (int channel = 0; channel < 3; ++channel) {

@@ -50,6 +50,7 @@ NUMBERS = {
         "--cutoff": ("a number not below 0", ["0", "1e300"]),
         "--threads": ("a whole number from 0 to 4096", ["0", "4096"]),
         "--target-error": ("a number above 0", ["1e-300"]),
+        "--target-time": ("a number above 0", ["1e-300"]),
     },
     "compare": {
         "--max-pixels": ("a whole number not below 0", ["0", "18446744073709551615"]),
@@ -126,10 +127,11 @@ def check_other_refusals():
     check_refused([], "SCENE is required")
     check_refused([*render, "--samples", "1", "--samples", "2"], "--samples: At Most 1 required but received 2")
     check_refused(["compare", "a"], "B is required", "raytracer compare")
-    for other in ("--samples", "--adaptive", "--max-recursion", "--cutoff"):
-        done = run(*render, "--target-error", "1", other, "1")
-        check(f"--target-error and {other}", 2, done.returncode)
-        check(f"--target-error and {other}", True, " excludes " in done.stderr and done.stderr.count("\n") == 1)
+    for target in ("--target-error", "--target-time"):
+        for other in ("--samples", "--adaptive", "--max-recursion", "--cutoff"):
+            done = run(*render, target, "1", other, "1")
+            check(f"{target} and {other}", 2, done.returncode)
+            check(f"{target} and {other}", True, " excludes " in done.stderr and done.stderr.count("\n") == 1)
 
 
 def check_crop():

@@ -30,8 +30,9 @@ RenderOptions withSetting(RenderOptions options, const Setting& setting);
 // The setting as options of the command line: "--samples 16 --cutoff 0.1"; "the defaults" for Setting{}.
 std::string commandLine(const Setting& setting);
 
-// A number to three significant digits: "0.1", "3e-05".
+// A number to three significant digits: "0.1", "3e-05"; and that number.
 std::string shortNumber(double value);
+double rounded(double value);
 
 const char* precisionName(Precision precision);
 

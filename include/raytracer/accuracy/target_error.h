@@ -8,13 +8,15 @@ namespace raytracer {
 
 struct TargetChoice {
     Setting setting;
-    bool reached = false;   // whether its error is estimated to be within the target
-    double depthError = 0;  // the truncation error
-    double rays = 0;        // that the look took
+    bool reached = false;  // whether its error is within the target, as far as the look tells
+    double sampleError = 0, depthError = 0;  // estimates of its parts, RMSE; their squares add up
+    RenderCounts counts;                     // of the look
+    FirstSamples first;                      // of the picture, if the look took them: for Renderer::render
 };
 
-// `target` is an RMSE, of 1, in linear light after clamping, against the picture with many more samples and
-// deeper recursion. Depends on the scene, the size and the target, not on the crop, threads or machine.
+// `target` is an RMSE, of 1, in linear light after clamping, before rounding to bytes, against samples and
+// depth without end. The choice is for the whole picture, whatever the crop; it does not depend on threads or
+// machine.
 TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target);
 
 }  // namespace raytracer

@@ -8,10 +8,18 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "raytracer/pictures/pixels.h"
+
 namespace raytracer {
 
 // How many samples a pixel has taken when it may stop: 1, 4, 8, 16 ... up to the limit.
 inline int nextLevel(int samples, int limit) { return std::min(limit, samples == 1 ? 4 : 2 * samples); }
+
+// A neighbourhood that looks flat may hide something smaller than a pixel: with this contrast, the least
+// error of n samples, 2 / (n sqrt(pixels)), is the RMSE of a picture that is wrong in 1/n of four pixels.
+inline double leastContrast(const ImageSize& size) {
+    return std::min(1.0, 8 / std::sqrt(static_cast<double>(size.width) * size.height));
+}
 
 class PixelEstimate {
   public:

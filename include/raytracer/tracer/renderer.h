@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -14,15 +15,22 @@
 
 namespace raytracer {
 
+// The first sample of every pixel of a whole picture, as a render with options.samples 1 made them.
+struct FirstSamples {
+    std::vector<glm::dvec3> colors;  // row by row
+    double cutoffBound = 0;          // RenderCounts::cutoffBound of that render
+};
+
 // Thread-safe: a Renderer does not change once it is made.
 class Renderer {
   public:
     virtual ~Renderer() = default;
 
     // Every pixel of options.crop goes to the sink exactly once; it depends on the scene, options and its
-    // place alone.
+    // place alone. With `first`, of the same options but for samples and adaptive, these are not cast again.
     virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
-                                ProgressListener* progress = nullptr) const = 0;
+                                ProgressListener* progress = nullptr,
+                                const FirstSamples* first = nullptr) const = 0;
 
     // The colours of samples at some points of the picture, in pixels, (0, 0) at its top left: colors[i] is
     // that of points[i]. Neighbours in the list are faster if they are neighbours in the picture.

@@ -1,0 +1,157 @@
+// Small tiles all over the picture are rendered with ever smaller --adaptive, and with the depth that belongs
+// to it, until the whole picture would take too long; between the last two the time is interpolated. The
+// tiles rendered again with other samples tell the error.
+#include "raytracer/accuracy/target_time.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "depth.h"
+#include "picture_points.h"
+#include "raytracer/util/parallel.h"
+
+namespace raytracer {
+
+namespace {
+
+constexpr int edge = 16;                 // of a small tile, in pixels
+constexpr double part = 1.0 / 50;        // of the picture that is rendered at each step
+constexpr double firstError = 0.4;       // errors: of a picture without reflections, mostly
+constexpr double nextError = 1 / 1.5;    // from one to the next
+constexpr double adaptiveFor = 2;        // `adaptive` as a multiple of the error: mostly 1 to 6
+constexpr std::size_t treePoints = 500;  // whose ray trees tell the depth
+constexpr double estimation = 0.06;  // of the time: the error is estimated from three renders of the tiles
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+class TimeSearch {
+  public:
+    TimeSearch(const Renderer& renderer, const RenderOptions& options, double seconds)
+        : renderer_(renderer), options_(options), end_(now() + (1 - estimation) * seconds) {
+        const PixelRectangle& crop = options.crop;
+        const auto count =
+            static_cast<std::size_t>(std::ceil(std::max(8.0, part * crop.area() / (edge * edge))));
+        for (const glm::dvec2& point : picturePoints({crop.width(), crop.height()}, count, 4)) {
+            const int x0 = crop.x0 + static_cast<int>(point.x) / edge * edge,
+                      y0 = crop.y0 + static_cast<int>(point.y) / edge * edge;
+            tiles_.push_back({x0, y0, std::min(x0 + edge, crop.x1), std::min(y0 + edge, crop.y1)});
+        }
+    }
+
+    TimeChoice choose() {
+        Step before = step(firstError);
+        for (double error = firstError * nextError; error > 1e-5; error *= nextError) {
+            const Step next = step(error);
+            if (now() + next.seconds > end_) {
+                interpolate(before, next);
+                break;
+            }
+            before = next;
+        }
+        choice_.setting = before.setting;
+        choice_.seconds = before.seconds;
+        choice_.depthError = before.depthError;
+        estimateError();
+        return choice_;
+    }
+
+  private:
+    struct Step {
+        Setting setting;
+        double depthError = 0, seconds = 0;
+    };
+
+    Step step(double error) {
+        const DepthChoice depth = chooseDepth(renderer_, options_, error, treePoints, choice_.counts);
+        Step step{{4096, rounded(adaptiveFor * error), depth.max_recursion, depth.cutoff, options_.bilinear},
+                  std::sqrt(depth.squaredError)};
+        step.seconds = secondsOf(step.setting);
+        return step;
+    }
+
+    // The time left lies between the times of both: the one with the other's depth.
+    void interpolate(Step& before, const Step& next) const {
+        const double left = end_ - now();
+        if (left <= before.seconds || next.seconds <= before.seconds) return;
+        const double share = std::log(left / before.seconds) / std::log(next.seconds / before.seconds);
+        before.setting.adaptive = rounded(before.setting.adaptive *
+                                          std::pow(next.setting.adaptive / before.setting.adaptive, share));
+        before.seconds = left;
+    }
+
+    // Calls work(tile) for each tile, on the threads that the picture will have.
+    template <class Work>
+    void forEachTile(Work work) const {
+        parallelFor(static_cast<std::uint32_t>(tiles_.size()), options_.threads,
+                    [&](std::uint32_t i) { work(tiles_[i]); });
+    }
+
+    std::vector<glm::dvec3> colorsOf(const Setting& setting, const PixelRectangle& tile,
+                                     std::uint32_t sequence) {
+        RenderOptions options = withSetting(options_, setting);
+        options.crop = tile;
+        options.threads = 1;
+        options.sequence = sequence;
+        ColorSink sink(tile);
+        const RenderCounts counts = renderer_.render(options, sink);
+        const std::lock_guard lock(mutex_);
+        choice_.counts += counts;
+        return sink.colors();
+    }
+
+    // Of the whole picture, whose tiles are larger: a tile's ring of neighbours costs it less.
+    double secondsOf(const Setting& setting) {
+        const auto primary = choice_.counts.primary;
+        const double start = now();
+        double pixels = 0, ring = 0;
+        for (const PixelRectangle& tile : tiles_) {
+            pixels += tile.area();
+            ring += 2 * (tile.width() + tile.height() + 2);
+        }
+        forEachTile([&](const PixelRectangle& tile) { colorsOf(setting, tile, 0); });
+        const double seconds = now() - start, samples = static_cast<double>(choice_.counts.primary - primary);
+        const double samplesOfPicture = samples - ring + 0.13 * pixels;
+        return seconds * samplesOfPicture / samples * options_.crop.area() / pixels;
+    }
+
+    // The product of the differences from two others is the squared error, without bias.
+    void estimateError() {
+        double sum = 0, pixels = 0;
+        forEachTile([&](const PixelRectangle& tile) {
+            std::vector<glm::dvec3> colors[3];
+            for (const std::uint32_t sequence : {0U, 1U, 2U})
+                colors[sequence] = colorsOf(choice_.setting, tile, sequence);
+            const std::lock_guard lock(mutex_);
+            for (std::size_t i = 0; i < colors[0].size(); ++i) {
+                const glm::dvec3 shown = glm::clamp(colors[0][i], 0.0, 1.0);
+                sum += glm::dot(shown - glm::clamp(colors[1][i], 0.0, 1.0),
+                                shown - glm::clamp(colors[2][i], 0.0, 1.0)) /
+                       3;
+            }
+            pixels += tile.area();
+        });
+        choice_.sampleError = std::sqrt(std::max(0.0, sum) / pixels);
+    }
+
+    const Renderer& renderer_;
+    const RenderOptions& options_;
+    double end_;  // when the picture is to be done
+    std::vector<PixelRectangle> tiles_;
+    std::mutex mutex_;
+    TimeChoice choice_;
+};
+
+}  // namespace
+
+TimeChoice chooseForTime(const Renderer& renderer, const RenderOptions& options, double seconds) {
+    return TimeSearch(renderer, options, seconds).choose();
+}
+
+}  // namespace raytracer
