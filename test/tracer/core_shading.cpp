@@ -136,21 +136,6 @@ TEST_CASE("secondary rays know the side that they run on") {
     CHECK_FALSE(inside.point().leave({0, 0, 1}, Side::Far).departure.inside);
 }
 
-TEST_CASE("power") {
-    CHECK(power(Real(0), 0) == 1);
-    CHECK(power(Real(0), 1) == 0);
-    CHECK(power(Real(0.5L), 3) == Real(0.125L));
-    CHECK(power(Real(0.5L), 10) == Real(1) / 1024);
-    CHECK(power(Real(0.25L), Real(0.5L)) == Real(0.5L));
-    CHECK(power(Real(0.75L), 1) == Real(0.75L));
-    CHECK(power(Real(1), 1000000) == 1);
-    CHECK(power(Real(0.5L), 1000000) == 0);
-    CHECK(power(Real(1), static_cast<Real>(1e30)) == 1);
-    CHECK(power(1 - unitRoundoff, static_cast<Real>(1e30)) == 0);
-    CHECK(power(Real(0.5L), static_cast<Real>(1e300)) == 0);  // infinite in float
-    CHECK(power(Real(1), static_cast<Real>(1e300)) == 1);
-}
-
 TEST_CASE("normalized") {
     const Real sizes[] = {std::numeric_limits<Real>::min(), std::numeric_limits<Real>::denorm_min(), 1,
                           std::numeric_limits<Real>::max()};

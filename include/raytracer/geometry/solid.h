@@ -89,7 +89,7 @@ T clamp(const T& x, Real low, Real high) {
 template <class T>
 T turn(const Vec3T<T>& p) {
     const auto one = [](Real y, Real x) {
-        const Real u = std::atan2(y, x) / (2 * pi);
+        const Real u = arcTangent(y, x) / (2 * pi);
         return u < 0 ? u + 1 : u;
     };
     return laneByLane<T>(one, p.y, p.x);

@@ -30,7 +30,7 @@ struct Sphere : Solid<Sphere> {
 
     template <class T>
     static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t) {
-        const auto height = [](Real z) { return 1 - std::acos(glm::clamp(z, Real(-1), Real(1))) / pi; };
+        const auto height = [](Real z) { return 1 - arcCosine(glm::clamp(z, Real(-1), Real(1))) / pi; };
         return {turn(p), laneByLane<T>(height, p.z)};
     }
 };

@@ -33,11 +33,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "raytracer/numerics/elementary.h"
 #include "raytracer/numerics/packet_size.h"
 #include "raytracer/numerics/types.h"
 
@@ -203,17 +205,23 @@ inline Vec3 normalizedOfAnySize(const Vec3& v) {
     return scaled * (1 / std::sqrt(glm::dot(scaled, scaled)));
 }
 
-// x^n for x in [0, 1]. Integers by repeated squaring, the same bits on every machine (libm's pow is not),
-// others by pow.
+// x^n for x in [0, 1] and n >= 0, by squares for the digits of n before the binary point and square roots for
+// those behind it: the same bits on every machine (libm's pow is not). The relative error is of the order of
+// n units in the last place, as much as half a unit in x makes.
 template <class T>
 T power(T x, Real n) {
-    constexpr Real largestCounted = 16777216;  // 2^24: every such integer is exact in every Real
-    if (n != std::floor(n) || n > largestCounted)
-        return laneByLane<T>([n](Real one) { return std::pow(one, n); }, x);
-    T result(1);
-    for (auto bits = static_cast<unsigned>(n); bits != 0; bits >>= 1) {
-        if (bits & 1u) result *= x;
-        x *= x;
+    constexpr Real mostWhole = 16777216;  // 2^24: every such whole number is exact in every Real
+    for (n = std::min(n, std::numeric_limits<Real>::max()); n > mostWhole; n /= 2) x *= x;
+    const Real whole = std::floor(n);
+    T result(1), square = x;
+    for (auto digits = static_cast<unsigned>(whole); digits != 0; digits >>= 1) {
+        if (digits & 1u) result *= square;
+        square *= square;
+    }
+    for (Real fraction = n - whole; fraction > 0; fraction -= std::floor(fraction)) {
+        fraction *= 2;
+        x = sqrt(x);
+        if (fraction >= 1) result *= x;
     }
     return result;
 }

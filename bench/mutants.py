@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Which single mistakes in the light model, the shapes and the sampling the tests notice.
+
+    bench/mutants.py [--count N] [--seed N] [--only PART]
+
+A mutant is the core with one operator, constant or comparison changed. Each is compiled (double, one translation
+unit), linked with the rest of build/release, and run through the tests that see pictures; one that they all pass goes
+through the core's own tests, too. Prints each mutant with what became of it, the survivors last. Ends with 1 where one
+survived. A survivor is to be killed by a test, or to be explained in bench/README.md: some changes make no difference.
+Takes half a minute a mutant, and needs `./run test` to have built build/release.
+"""
+import argparse
+import json
+import os
+import pathlib
+import random
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+
+top = pathlib.Path(__file__).resolve().parent.parent
+release, work = top / "build/release", top / "build/mutants"
+tree = work / "tree"
+mutated_files = ["src/tracer/ray_color.h", "include/raytracer/tracer/shading.h", "src/tracer/shading.cpp",
+                 "src/tracer/camera.cpp", "src/tracer/pixel_colors.cpp", "include/raytracer/geometry/*.h",
+                 "src/geometry/chord.cpp", "src/geometry/transform.cpp", "src/tracer/sample*.cpp", "include/raytracer/tracer/sample*.h"]
+# Pattern, replacement. clang-format sets blanks around binary operators, so brackets of templates are no comparisons.
+changes = [(r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "), (r" < ", " <= "), (r" < ", " > "), (r" <= ", " < "),
+           (r" > ", " >= "), (r" > ", " < "), (r" >= ", " > "), (r" && ", " || "), (r" \|\| ", " && "), (r" & ", " | "), (r" == ", " != "),
+           (r" != ", " == "), (r"\bmin\(", "max("), (r"\bmax\(", "min("), (r"\b0\b", "1"), (r"\b1\b", "2"), (r"\b2\b", "3"), (r"\b4\b", "5"),
+           (r"\btrue\b", "false"), (r"\bfalse\b", "true"), (r" \+= ", " -= "), (r" \*= ", " /= "), (r"\(-", "("), (r"!\(", "(")]
+no_code = re.compile(r"^\s*(//|#|\*|template|using|static_assert|namespace|inline constexpr std|case|default)")
+# Compiled once: they see the core through interfaces that are the same in each mutant.
+picture_tests = ["test/tracer/unit_plain_tracer.cpp", "test/tracer/unit_render.cpp", "test/tracer/unit_extremes.cpp",
+                 "test/geometry/unit_coincidence.cpp", "test/geometry/unit_range.cpp"]
+core_tests = ["test/tracer/core_shading.cpp", "test/geometry/core_shapes_known.cpp", "test/geometry/core_bounds.cpp",
+              "test/numerics/core_power.cpp"]
+seconds_to_hang = 300
+
+
+def candidates():
+    """(file, line, start, end, replacement) of every possible change."""
+    for pattern in mutated_files:
+        for path in sorted(top.glob(pattern)):
+            for number, line in enumerate(path.read_text().splitlines()):
+                code = line.split("//")[0]
+                if no_code.match(line) or '"' in code:
+                    continue
+                for before, after in changes:
+                    for found in re.finditer(before, code):
+                        yield path.relative_to(top), number, found.start(), found.end(), after
+
+
+def core_command():
+    """Compiler, flags and sources of the core in double."""
+    entries = json.loads((release / "compile_commands.json").read_text())
+    entry = next(e for e in entries if "core_double.dir" in e["command"] and "cmake_pch" not in e["file"])
+    words = [w for w in shlex.split(entry["command"]) if not w.startswith(("-O", "-Winvalid")) and "ccache" not in w]
+    flags, skip = [], False
+    for word in words[1:]:
+        if skip or word in ("-o", "-c", "-include", "-MT", "-MF", "-MD"):
+            skip = word in ("-o", "-c", "-include", "-MT", "-MF") and not skip
+            continue
+        flags.append(word.replace(str(top), str(tree)))
+    listed = re.search(r"set\(core_sources(.*?)\)", (top / "CMakeLists.txt").read_text(), re.S).group(1).split()
+    return [words[0], *flags, "-O1", "-w"], listed
+
+
+def compile_to(command, sources, target):
+    unit = work / (target + ".cpp")
+    unit.write_text("".join(f'#include "{tree / source}"\n' for source in sources))
+    done = subprocess.run([*command, "-c", str(unit), "-o", str(work / (target + ".o"))], capture_output=True, text=True)
+    return done.returncode == 0
+
+
+def compile_each(command, sources):
+    for source in sources:
+        name = pathlib.Path(source).stem
+        if not compile_to(command, [source], name):
+            raise SystemExit(f"bench/mutants.py: {source} does not compile")
+    return [pathlib.Path(source).stem for source in sources]
+
+
+def passes(compiler, objects, name):
+    """Whether the tests in these objects pass with the mutant's core."""
+    libraries = [str(release / "libraytracer_core.a"), str(next(release.glob("third_party/libstb.a"))), "-ldeflate", "-lpthread"]
+    program = str(work / name)
+    subprocess.run([compiler, "-o", program, *[str(work / (o + ".o")) for o in objects], *libraries], check=True)
+    try:
+        # Single rays: the packets are not compiled again, and would hide the mutant.
+        environment = {**os.environ, "RAYTRACER_SIMD": "scalar"}
+        return subprocess.run([program, "--abort"], env=environment, cwd=top, capture_output=True,
+                              timeout=seconds_to_hang).returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
+
+
+def fate(command, sources, mutant, pictures):
+    path, number, start, end, after = mutant
+    text = (top / path).read_text()
+    lines = text.split("\n")
+    lines[number] = lines[number][:start] + after + lines[number][end:]
+    (tree / path).write_text("\n".join(lines))
+    try:
+        if not compile_to(command, sources, "core"):
+            return "does not compile", lines[number]
+        if not passes(command[0], ["core", "catch_main", *pictures], "pictures"):
+            return "killed by a picture", lines[number]
+        compile_each(command, core_tests)
+        ok = passes(command[0], ["core", "catch_main", *[pathlib.Path(t).stem for t in core_tests]], "known")
+        return ("SURVIVED" if ok else "killed by a known answer"), lines[number]
+    finally:
+        (tree / path).write_text(text)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=120, help="how many mutants that compile")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", default="", help="mutate only files with this in their names")
+    arguments = parser.parse_args()
+    shutil.rmtree(tree, ignore_errors=True)
+    for part in ("src", "include", "test"):
+        shutil.copytree(top / part, tree / part)
+    command, sources = core_command()
+    pictures = compile_each([*command, '-DSOURCE_DIR="."'], picture_tests)
+    compile_each(command, ["test/support/catch_main.cpp"])
+    compile_to(command, sources, "core")
+    if not passes(command[0], ["core", "catch_main", *pictures], "pictures"):
+        raise SystemExit("bench/mutants.py: the tests fail without a mutant")
+    order = [mutant for mutant in candidates() if arguments.only in str(mutant[0])]
+    random.Random(arguments.seed).shuffle(order)
+    fates = {}
+    for mutant in order:
+        became, line = fate(command, sources, mutant, pictures)
+        if became != "does not compile":
+            fates.setdefault(became, []).append(f"{mutant[0]}:{mutant[1] + 1}: {line.strip()}")
+            print(f"{became}: {fates[became][-1]}", flush=True)
+        if sum(map(len, fates.values())) == arguments.count:
+            break
+    print("\n" + ", ".join(f"{len(lines)} {became}" for became, lines in sorted(fates.items())))
+    print("\n".join(fates.get("SURVIVED", [])))
+    return 1 if fates.get("SURVIVED") else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
