@@ -24,8 +24,8 @@ top = pathlib.Path(__file__).resolve().parent.parent
 release, work = top / "build/release", top / "build/mutants"
 tree = work / "tree"
 mutated_files = ["src/tracer/ray_color.h", "include/raytracer/tracer/shading.h", "src/tracer/shading.cpp",
-                 "src/tracer/camera.cpp", "src/tracer/pixel_colors.cpp", "include/raytracer/geometry/*.h",
-                 "src/geometry/chord.cpp", "src/geometry/transform.cpp", "src/tracer/sample*.cpp", "include/raytracer/tracer/sample*.h"]
+                 "src/tracer/camera.cpp", "src/tracer/tile.cpp", "include/raytracer/tracer/pixel_estimate.h", "include/raytracer/geometry/*.h",
+                 "src/geometry/chord.cpp", "src/geometry/transform.cpp", "include/raytracer/tracer/sample_sequence.h"]
 # Pattern, replacement. clang-format sets blanks around binary operators, so brackets of templates are no comparisons.
 changes = [(r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "), (r" < ", " <= "), (r" < ", " > "), (r" <= ", " < "),
            (r" > ", " >= "), (r" > ", " < "), (r" >= ", " > "), (r" && ", " || "), (r" \|\| ", " && "), (r" & ", " | "), (r" == ", " != "),
@@ -33,7 +33,7 @@ changes = [(r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "),
            (r"\btrue\b", "false"), (r"\bfalse\b", "true"), (r" \+= ", " -= "), (r" \*= ", " /= "), (r"\(-", "("), (r"!\(", "(")]
 no_code = re.compile(r"^\s*(//|#|\*|template|using|static_assert|namespace|inline constexpr std|case|default)")
 # Compiled once: they see the core through interfaces that are the same in each mutant.
-picture_tests = ["test/tracer/unit_plain_tracer.cpp", "test/tracer/unit_render.cpp", "test/tracer/unit_extremes.cpp",
+picture_tests = ["test/tracer/unit_plain_tracer.cpp", "test/tracer/unit_render.cpp", "test/tracer/unit_samples.cpp", "test/tracer/unit_extremes.cpp",
                  "test/geometry/unit_coincidence.cpp", "test/geometry/unit_range.cpp"]
 core_tests = ["test/tracer/core_shading.cpp", "test/geometry/core_shapes_known.cpp", "test/geometry/core_bounds.cpp",
               "test/numerics/core_power.cpp"]
@@ -56,7 +56,7 @@ def candidates():
 def core_command():
     """Compiler, flags and sources of the core in double."""
     entries = json.loads((release / "compile_commands.json").read_text())
-    entry = next(e for e in entries if "core_double.dir" in e["command"] and "cmake_pch" not in e["file"])
+    entry = next(e for e in entries if "core_double.dir" in e["command"])
     words = [w for w in shlex.split(entry["command"]) if not w.startswith(("-O", "-Winvalid")) and "ccache" not in w]
     flags, skip = [], False
     for word in words[1:]:
