@@ -44,6 +44,10 @@ bool Shape::touches(const Vec3& point, const Vec3& pointError, std::uint32_t pri
     return visit(type_, [&](auto kind) { return kind.touches(*this, point, pointError, primitive); });
 }
 
+Periodic Shape::periodic(std::uint32_t primitive) const {
+    return visit(type_, [&](auto kind) { return kind.periodic(*this, primitive); });
+}
+
 Intersection Shape::rayIntersect(const Ray& ray) const {
     HitQuery query;
     intersect(ray, query);

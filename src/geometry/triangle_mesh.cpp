@@ -10,6 +10,19 @@ namespace {
 // So many triangles are as fast without a tree (Notes.txt).
 constexpr std::uint32_t mostListedTriangles = 8;
 
+bool repeats(const MeshData& mesh) {
+    return std::ranges::any_of(mesh.texCoords, [](const glm::dvec2& uv) {
+        return std::min(uv.x, uv.y) < 0 || std::max(uv.x, uv.y) > 1;
+    });
+}
+
+// Within float, if that is what Real is: infinities have no fraction.
+Real finite(double u) {
+    constexpr auto largest = static_cast<double>(
+        std::min<long double>(std::numeric_limits<Real>::max(), std::numeric_limits<double>::max()));
+    return static_cast<Real>(std::clamp(u, -largest, largest));
+}
+
 }  // namespace
 
 int sideOfEdge(Real px, Real py, Real qx, Real qy) {
@@ -42,19 +55,29 @@ ShearAxes shearAxes(const Vec3& direction) {
 
 TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOptions& options)
     : data_(std::move(data)),
-      largest_(maxComponent(Vec3(glm::max(glm::abs(data_->low), glm::abs(data_->high))))) {
+      largest_(maxComponent(Vec3(glm::max(glm::abs(data_->low), glm::abs(data_->high))))),
+      repeatsTexture_(repeats(*data_)) {
     if constexpr (!std::is_same_v<Real, double>)
         positions_.assign(data_->positions.begin(), data_->positions.end());
     if (options.accelerator == Accelerator::Bvh && triangleCount() > mostListedTriangles)
         bvh_ = Bvh::ofTriangles(*data_, options);
 }
 
-std::array<Vec2, 3> TriangleMesh::texCoords(std::uint32_t triangle) const {
-    std::array<Vec2, 3> result{};
-    if (data_->texCoordIndex.empty()) return result;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        const std::uint32_t index = data_->texCoordIndex[std::size_t{3} * triangle + corner];
-        if (index != MeshData::noTexCoord) result[corner] = Vec2(data_->texCoords[index]);
+Vec2 TriangleMesh::texCoord(std::uint32_t triangle, const Vec3& weights) const {
+    if (data_->texCoordIndex.empty()) return Vec2(0);
+    Vec2 corner[3] = {Vec2(0), Vec2(0), Vec2(0)}, result(0);
+    for (int i = 0; i < 3; ++i) {
+        const std::uint32_t index = data_->texCoordIndex[std::size_t{3} * triangle + i];
+        if (index != MeshData::noTexCoord)
+            corner[i] = Vec2(finite(data_->texCoords[index].x), finite(data_->texCoords[index].y));
+        result += weights[i] * corner[i];
+    }
+    for (int i = 0; i < 2; ++i) {
+        if (result[i] >= 0 && result[i] <= 1) continue;
+        // Where rounding alone has led beyond 1, the last column is meant, not the first.
+        const auto [low, high] = std::minmax({corner[0][i], corner[1][i], corner[2][i]});
+        result[i] = glm::clamp(result[i], low, high);
+        if (result[i] < 0 || result[i] > 1) result[i] -= std::floor(result[i]);
     }
     return result;
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "raytracer/json/json_document.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
@@ -32,11 +33,6 @@ class CountingIterator {
   private:
     const char** place_;
 };
-
-// Windows calls UTF-16 "Unicode". The parser would only report a strange character.
-bool isUtf16(std::string_view text) { return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"); }
-
-constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8
 
 // "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'token';
 // expected this": keeps "what; expected this". The quotation may be as long as the file.
@@ -77,6 +73,7 @@ class JsonReader {
         nodes_.reserve(text_.size() / bytesForNode);
         const char* end = text_.data() + text_.size();
         nlohmann::json::sax_parse(CountingIterator(read_), CountingIterator(end), this);
+        requireNoNul();
     }
 
     bool null() { return add(Kind::Null); }
@@ -105,6 +102,12 @@ class JsonReader {
 
   private:
     std::uint32_t count() const { return static_cast<std::uint32_t>(nodes_.size()); }
+    // The parser takes a NUL for the end of the text.
+    void requireNoNul() const {
+        if (read_ != text_.data() && read_[-1] == '\0')
+            throw Error(document_.place(static_cast<std::size_t>(read_ - 1 - text_.data())),
+                        "unexpected NUL");
+    }
     [[noreturn]] void fail(std::uint32_t node, const std::string& message) const {
         throw document_.error(node, message);
     }
@@ -194,6 +197,7 @@ bool JsonReader::parse_error(std::size_t position, const std::string& token,
         number(0);  // a node in the number's place
         fail(count() - 1, "expected a finite number, found " + token.substr(0, 40));
     }
+    requireNoNul();
     const std::string reason = reasonOf(error.what(), token);
     throw Error(document_.place(blamed(text_, position, reason, token)), reason);
 }

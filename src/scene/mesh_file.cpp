@@ -13,6 +13,7 @@
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/parallel.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
@@ -39,6 +40,14 @@ std::vector<std::string_view> splitAtLines(std::string_view text, std::size_t ch
         begin = end;
     }
     return chunks;
+}
+
+// The text with a newline for each carriage return that is a line end alone.
+std::string withNewlines(std::string_view text) {
+    std::string result(text);
+    for (std::size_t i = result.find('\r'); i != result.npos; i = result.find('\r', i + 1))
+        if (i + 1 == result.size() || result[i + 1] != '\n') result[i] = '\n';
+    return result;
 }
 
 // Replaces each chunk's counts by the sums over all chunks above it. Returns the sums over the whole file.
@@ -91,6 +100,7 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const s
     const auto jobs = static_cast<std::uint32_t>(chunkCount);
     parallelFor(jobs, 0, [&](std::uint32_t i) { above[i] = countObjChunk(chunks[i]); });
     const ObjCounts whole = sumAbove(above);
+    if (whole.hasReturns) return parseObjInChunks(withNewlines(text), chunkCount, path);
     requireUsable(whole, path);
 
     MeshData mesh;
@@ -100,14 +110,15 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const s
     parallelFor(jobs, 0, [&](std::uint32_t i) {
         triangles[i] = parseObjChunk({chunks[i], path}, above[i], whole, mesh);
     });
+    parallelFor(jobs, 0, [&](std::uint32_t i) { cutConcavePolygons(triangles[i], mesh); });
     appendTriangles(triangles, mesh);
     mesh.findBounds();
     return mesh;
 }
 
 MeshData parseObj(std::string_view text, const std::string& path) {
-    if (constexpr std::string_view utf8Mark = "\xef\xbb\xbf"; text.starts_with(utf8Mark))
-        text.remove_prefix(utf8Mark.size());
+    if (isUtf16(text)) throw Error({path}, "expected UTF-8, found UTF-16");
+    if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     return parseObjInChunks(text, text.size() / chunkBytes + 1, path);
 }
 

@@ -1,9 +1,12 @@
 #include "obj_chunk.h"
 
+#include <array>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "obj_line.h"
+#include "triangulate.h"
 
 namespace raytracer {
 namespace {
@@ -35,12 +38,7 @@ class ChunkParser {
   private:
     struct Corner {
         std::uint32_t position = 0, texCoord = MeshData::noTexCoord;
-        bool hasNormal = false;
-
-        bool hasSameForm(const Corner& other) const {
-            return (texCoord == MeshData::noTexCoord) == (other.texCoord == MeshData::noTexCoord) &&
-                   hasNormal == other.hasNormal;
-        }
+        bool hasTexCoord() const { return texCoord != MeshData::noTexCoord; }
     };
 
     void parseLine(ObjLine& line) {
@@ -48,9 +46,6 @@ class ChunkParser {
             case ObjKeyword::position: return parsePosition(line);
             case ObjKeyword::texCoord: return parseTexCoord(line);
             case ObjKeyword::face: return parseFace(line);
-            case ObjKeyword::normal:
-                ++above_.normals;
-                return;  // not read: a triangle's normal is that of its plane
             case ObjKeyword::other: return;
         }
     }
@@ -79,16 +74,19 @@ class ChunkParser {
     }
 
     void parseFace(ObjLine& line) {
+        const auto firstTriangle = static_cast<std::uint32_t>(triangles_.positionIndex.size() / 3);
         const Corner first = takeCorner(line, 0);
         Corner previous = takeCorner(line, 1);
-        bool sameForm = previous.hasSameForm(first);
-        for (std::size_t count = 2; count == 2 || !line.atEnd(); ++count) {
+        bool sameForm = previous.hasTexCoord() == first.hasTexCoord();
+        std::uint32_t count = 2;
+        for (; count == 2 || !line.atEnd(); ++count) {
             const Corner corner = takeCorner(line, count);
-            sameForm &= corner.hasSameForm(first);
+            sameForm &= corner.hasTexCoord() == first.hasTexCoord();
             addTriangle(first, previous, corner);
             previous = corner;
         }
-        if (!sameForm) line.fail("the corners of a face are all v, all v/vt, all v//vn or all v/vt/vn");
+        if (!sameForm) line.fail("either all corners of a face have a texture coordinate or none");
+        if (count > 3) triangles_.polygons.push_back({firstTriangle, count});
     }
 
     Corner takeCorner(ObjLine& line, std::size_t count) const {
@@ -99,14 +97,13 @@ class ChunkParser {
         if (written.texCoord != 0)
             corner.texCoord =
                 resolve(line, written.texCoord, above_.texCoords, whole_.texCoords, "texture coordinate");
-        corner.hasNormal = written.normal != 0;
-        if (corner.hasNormal) resolve(line, written.normal, above_.normals, whole_.normals, "normal");
         return corner;
     }
 
     void addTriangle(const Corner& a, const Corner& b, const Corner& c) {
-        auto& [positionIndex, texCoordIndex] = triangles_;
-        if (a.texCoord != MeshData::noTexCoord) {
+        std::vector<std::uint32_t>&positionIndex = triangles_.positionIndex,
+        &texCoordIndex = triangles_.texCoordIndex;
+        if (a.hasTexCoord()) {
             texCoordIndex.resize(positionIndex.size(),
                                  MeshData::noTexCoord);  // fills in the triangles before, which had none
             texCoordIndex.insert(texCoordIndex.end(), {a.texCoord, b.texCoord, c.texCoord});
@@ -120,24 +117,43 @@ class ChunkParser {
     ObjTriangles triangles_;
 };
 
+// Whether a line ends in a carriage return alone, as on Macs before 2001.
+bool hasReturns(std::string_view text) {
+    std::size_t at = text.find('\r');
+    while (at != text.npos && text.substr(at + 1).starts_with('\n')) at = text.find('\r', at + 1);
+    return at != text.npos;
+}
+
+// Where the corners of a polygon stand in the fan of its triangles.
+std::size_t placeInFan(std::size_t corner) { return corner < 2 ? corner : 3 * (corner - 2) + 2; }
+
+// Gives the polygon's fan, of which `index` has the corners, other triangles of the same corners.
+void replaceFan(std::span<std::uint32_t> index, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    const std::vector<std::uint32_t> fan(index.begin(), index.end());
+    std::uint32_t* to = index.data();
+    for (const auto& triangle : triangles)
+        for (const std::uint32_t corner : triangle) *to++ = fan[placeInFan(corner)];
+}
+
 }  // namespace
 
 ObjCounts& ObjCounts::operator+=(const ObjCounts& other) {
     lines += other.lines;
     positions += other.positions;
     texCoords += other.texCoords;
-    normals += other.normals;
     faces += other.faces;
+    hasReturns |= other.hasReturns;
     return *this;
 }
 
 ObjCounts countObjChunk(std::string_view chunk) {
     ObjCounts counts;
+    counts.hasReturns = hasReturns(chunk);
+    if (counts.hasReturns) return counts;
     for (std::size_t physicalLines = 0; !chunk.empty(); counts.lines += physicalLines) {
         switch (ObjLine(takeObjLine(chunk, physicalLines)).keyword()) {
             case ObjKeyword::position: ++counts.positions; break;
             case ObjKeyword::texCoord: ++counts.texCoords; break;
-            case ObjKeyword::normal: ++counts.normals; break;
             case ObjKeyword::face: ++counts.faces; break;
             case ObjKeyword::other: break;
         }
@@ -148,6 +164,21 @@ ObjCounts countObjChunk(std::string_view chunk) {
 ObjTriangles parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole,
                            MeshData& mesh) {
     return ChunkParser(above, whole, mesh).parse(chunk);
+}
+
+void cutConcavePolygons(ObjTriangles& chunk, const MeshData& mesh) {
+    std::vector<glm::dvec3> corners;
+    for (const auto& [firstTriangle, count] : std::exchange(chunk.polygons, {})) {
+        const std::size_t begin = std::size_t{3} * firstTriangle, size = std::size_t{3} * (count - 2);
+        const std::span position = std::span(chunk.positionIndex).subspan(begin, size);
+        corners.clear();
+        for (std::uint32_t i = 0; i < count; ++i) corners.push_back(mesh.positions[position[placeInFan(i)]]);
+        const auto triangles = triangulateConcave(corners);
+        if (triangles.empty()) continue;
+        replaceFan(position, triangles);
+        if (begin < chunk.texCoordIndex.size())
+            replaceFan(std::span(chunk.texCoordIndex).subspan(begin, size), triangles);
+    }
 }
 
 }  // namespace raytracer

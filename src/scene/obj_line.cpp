@@ -8,9 +8,15 @@
 #include "raytracer/util/number.h"
 
 namespace raytracer {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+}  // namespace
 
 bool endsInBackslash(std::string_view physicalLine) {
-    return physicalLine.ends_with('\\') || physicalLine.ends_with("\\\r");
+    const std::size_t last = physicalLine.find_last_not_of(blanks);
+    return last != physicalLine.npos && physicalLine[last] == '\\';
 }
 
 std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines) {
@@ -35,7 +41,7 @@ ObjKeyword ObjLine::keyword() {
     if (word == "v") return ObjKeyword::position;
     if (word == "f") return ObjKeyword::face;
     if (word == "vt") return ObjKeyword::texCoord;
-    return word == "vn" ? ObjKeyword::normal : ObjKeyword::other;
+    return ObjKeyword::other;
 }
 
 double ObjLine::number() {
@@ -52,24 +58,30 @@ ObjLine::Corner ObjLine::corner() {
     startWord();
     Corner corner{.position = index()};
     if (takeSlash()) {
-        if (p_ == end_ || *p_ != '/') corner.texCoord = index();
-        if (takeSlash()) corner.normal = index();
+        if (!isAtWordEnd() && *p_ != '/') corner.texCoord = index();
+        if (takeSlash() && !isAtWordEnd()) wholeNumber();
     }
     if (!isAtWordEnd()) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
     return corner;
 }
 
-std::int64_t ObjLine::index() {
+std::int64_t ObjLine::wholeNumber() {
     std::int64_t value = 0;
     const char* const begin = std::exchange(p_, readNumber(p_, end_, value));
     if (p_ == begin) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
+    return value;
+}
+
+std::int64_t ObjLine::index() {
+    const std::int64_t value = wholeNumber();
     if (value == 0) failWord("indices count from 1, or from -1 backwards; found ");
     return value;
 }
 
 bool ObjLine::isAtContinuation() const {
-    const std::string_view rest(p_, end_);
-    return rest.starts_with("\\\n") || rest.starts_with("\\\r\n");
+    const std::string_view rest(p_ + 1, end_);
+    const std::size_t next = rest.find_first_not_of(blanks);
+    return next != rest.npos && rest[next] == '\n';
 }
 
 void ObjLine::fail(const std::string& message) const {

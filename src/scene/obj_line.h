@@ -1,5 +1,6 @@
-// The lines of an OBJ file and the words of a line. After a backslash at its end, a line continues in the
-// next, unless the backslash is in a comment (which may end in a path).
+// The lines of an OBJ file and the words of a line. After a backslash at its end, which blanks may follow, a
+// line continues in the next, unless the backslash is in a comment (which may end in a path). A comment may
+// stand right behind a word.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace raytracer {
 
-enum class ObjKeyword { position, texCoord, normal, face, other };
+enum class ObjKeyword { position, texCoord, face, other };
 
 bool endsInBackslash(std::string_view physicalLine);
 
@@ -34,15 +35,17 @@ class ObjLine {
     // A finite number, correctly rounded.
     double number();
 
-    // A corner of a face as written: v, v/vt, v//vn or v/vt/vn. 0: left out.
+    // A corner of a face as written: v, v/vt, v//vn or v/vt/vn, where what follows a slash may be missing. 0:
+    // left out. A normal may be any whole number, since none is used.
     struct Corner {
-        std::int64_t position = 0, texCoord = 0, normal = 0;
+        std::int64_t position = 0, texCoord = 0;
     };
     Corner corner();
 
     [[noreturn]] void fail(const std::string& message) const;
 
   private:
+    std::int64_t wholeNumber();
     std::int64_t index();
     bool takeSlash() {
         const bool isSlash = p_ != end_ && *p_ == '/';
@@ -54,7 +57,7 @@ class ObjLine {
         return *p_ == ' ' || *p_ == '\t' || *p_ == '\r' || *p_ == '\n' || (*p_ == '\\' && isAtContinuation());
     }
     bool isAtContinuation() const;
-    bool isAtWordEnd() const { return p_ == end_ || isAtBlank(); }
+    bool isAtWordEnd() const { return p_ == end_ || *p_ == '#' || isAtBlank(); }
     void startWord() {
         while (p_ != end_ && isAtBlank()) ++p_;
         word_ = p_;

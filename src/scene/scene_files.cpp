@@ -18,11 +18,6 @@ auto readNamed(JsonView path, const std::string& file, const char* expected, Rea
     }
 }
 
-Texture readTexture(const std::string& file) {
-    ByteImage image = readImage(file);
-    return {image.width, image.height, std::move(image.pixels)};
-}
-
 constexpr const char* aMesh = "an OBJ mesh";
 constexpr const char* aPicture = "a picture";
 

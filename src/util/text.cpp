@@ -16,4 +16,10 @@ std::string formatted(const char* format, ...) {
     return text;
 }
 
+bool isUtf16(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+    if (text.size() < 4 || (text[0] == 0) != (text[2] == 0)) return false;
+    return text[0] == 0 ? text[1] != 0 && text[3] != 0 : text[1] == 0 && text[3] == 0;
+}
+
 }  // namespace raytracer

@@ -123,7 +123,10 @@ TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
             "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x10\2\0\0\0@@@@"
             "\0\0\0\x12IDAT\x78\x01\x01\x07\0\xf8\xff\0\x12\x34\xab\xcd\xff\0\x09\x01\x02\xbe@@@@"
             "\0\0\0\0IEND@@@@";
-        CHECK(pixels(checksummed({png, sizeof png - 1})) == Bytes{0x12, 0xab, 0xff});
+        const std::string path = folder.write("a", checksummed({png, sizeof png - 1}));
+        CHECK(readTexture(path).deepTexels == std::vector<std::uint16_t>{0x1234, 0xabcd, 0xff00});
+        CHECK(readTexture(path).texels.empty());
+        CHECK(readImage(path).pixels == Bytes{0x12, 0xab, 0xfe});  // 65280 / 257 = 254.0
     }
     SECTION("JPEG") {
         const ByteImage flat{9, 9, Bytes(9 * 9 * 3, 100)};
@@ -214,6 +217,17 @@ TEST_CASE("A PFM of the other byte order is read") {
     const TestFolder folder;
     const std::string bytes("PF 1 1 2\n\x3f\x80\0\0\xc0\x20\0\0\0\0\0\0", 21);
     CHECK(readPfm(folder.write("a.pfm", bytes)).pixels == std::vector<float>{1, -2.5F, 0});
+}
+
+TEST_CASE("A PFM whose header ends as Windows ends lines is read where the size tells") {
+    const TestFolder folder;
+    const auto read = [&](const std::string& bytes) { return readPfm(folder.write("a.pfm", bytes)).pixels; };
+    const std::string twelve("\x3f\x80\0\0\xc0\x20\0\0\0\0\0\0", 12);
+    CHECK(read("PF\r\n1 1\r\n1.0\r\n" + twelve) == std::vector<float>{1, -2.5F, 0});
+    // Here the newline is the first pixel's first byte; there it is, too, since something stands behind the
+    // last.
+    CHECK(read("PF 1 1 1.0\r\n" + twelve.substr(1)).at(1) == -2.5F);
+    CHECK(read("PF 1 1 1.0\r\n" + twelve + "x").at(1) == std::bit_cast<float>(0x00c02000));
 }
 
 TEST_CASE("A PFM that is broken is told") {

@@ -59,6 +59,22 @@ TEST_CASE("An OBJ's faces become triangles in file order") {
     }
 }
 
+TEST_CASE("A polygon that is not convex is cut, whichever its first corner") {
+    const std::string dart =
+        "v 0 1 0\nv -1 -1 0\nv 0 -0.5 0\nv 1 -1 0\nvt 0 1\nvt 0 0\nvt 0.5 0.25\nvt 1 0\n";
+    for (const char* face : {"f 1 2 3 4", "f 2 3 4 1", "f 3 4 1 2", "f 4 1 2 3"})
+        CHECK(parse(dart + face).positionIndex == Indices{0, 1, 2, 0, 2, 3});
+    SECTION("with its texture coordinates, between faces that are as they were") {
+        const MeshData mesh = parse(dart + "f 1 2 3\nf 2/2 3/3 4/4 1/1\nf 1 2 3 4\nf 4/4 3/3 2/2\n");
+        CHECK(mesh.positionIndex == Indices{0, 1, 2, 0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 2, 3, 3, 2, 1});
+        CHECK(mesh.texCoordIndex ==
+              Indices{none, none, none, 0, 1, 2, 0, 2, 3, none, none, none, none, none, none, 3, 2, 1});
+    }
+    SECTION("also where its corners come later") {
+        CHECK(parse("f 2 3 4 1\n" + dart).positionIndex == Indices{0, 1, 2, 0, 2, 3});
+    }
+}
+
 TEST_CASE("An OBJ's corners come in four forms") {
     const std::string corners = square + "vt 0 0\nvt 1 0.25\nvt 0.5\nvt 0.5 0.75 1\nvn 0 0 1\n";
     SECTION("v/vt") {
@@ -74,6 +90,16 @@ TEST_CASE("An OBJ's corners come in four forms") {
         CHECK(mesh.texCoords.empty());
     }
     SECTION("v/vt/vn") { CHECK(parse(corners + "f 1/1/1 2/-3/-1 3/4/1").texCoordIndex == Indices{0, 1, 3}); }
+    SECTION("what follows a slash may be missing") {
+        CHECK(same(parse(corners + "f 1/ 2/ 3/\n"), parse(corners + "f 1 2 3\n")));
+        CHECK(same(parse(corners + "f 1// 2// 3//\n"), parse(corners + "f 1 2 3\n")));
+        CHECK(same(parse(corners + "f 1/1/ 2/2/ 3/3/\n"), parse(corners + "f 1/1 2/2 3/3\n")));
+    }
+    SECTION("normals are not used, so any will do") {
+        CHECK(same(parse(square + "f 1//1 2//-9 3//0\n"), parse(square + "f 1 2 3\n")));
+        CHECK(same(parse(corners + "f 1/1/99999999999999999999 2/2 3/3/1\n"),
+                   parse(corners + "f 1/1 2/2 3/3\n")));
+    }
     SECTION("faces without vt before and after one with") {
         const MeshData mesh = parse(corners + "f 1 2 3\nf 1/1 2/2 3/3\nf 1//1 2//1 4//1\n");
         CHECK(mesh.texCoordIndex == Indices{none, none, none, 0, 1, 2, none, none, none});
@@ -88,6 +114,10 @@ TEST_CASE("OBJ text as programs write it") {
     CHECK(reads("\n# a comment\n  v 0\t0   0  \nv 1 0 0 # another\nv +1 1. .0\n\tv 0 1e0 -0\t\nf 1 2 3 \t"));
     CHECK(reads("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 1 0.5 0.5 0.5\nv 0 1 0\nf 1 2 3"));
     CHECK(reads("v 0 \\\n0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 \\\r\n2\\\n 3\n"));
+    CHECK(reads("v 0 \\ \n0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 \\\t\r\n2\\ \t\n 3\n"));
+    CHECK(reads("v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 \\\r2 3\r"));
+    CHECK(reads("# made on an old Mac\nv 0 0 0\rv 1 0 0\r\nv 1 1 0\rv 0 1 0\n# f 1\rf 1 2 3"));
+    CHECK(reads("v 0 0 0# first\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3# triangle"));
     CHECK(reads("# C:\\models\\\nv 0 0 0 # so \\\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\n"));
     CHECK(reads("mtllib a.mtl\no a\ng b c\nusemtl d\ns off\nvn a b\nvp 1\nl 1 2\np 1\nunheard-of 1 x\n" +
                 square + "f 1 2 3\n"));
@@ -129,7 +159,6 @@ TEST_CASE("A broken OBJ is told with the line") {
               "line 7: there is no texture coordinate 2: the file has 1");
         check(square + "f 1/-1 2/-1 3/-1\nvt 0 0\n",
               "line 5: there is no texture coordinate -1: above this line stand 0");
-        check(square + "f 1//1 2//1 3//1", "line 5: there is no normal 1: the file has 0");
         check(square + "f 1 0 3", "line 5: indices count from 1, or from -1 backwards; found \"0\"");
         check(square + "f 1/0 2/0 3/0", "line 5: indices count from 1, or from -1 backwards; found \"1/0\"");
         check(square + "f 1 2 4294967297", "line 5: there is no vertex 4294967297: the file has 4");
@@ -141,14 +170,15 @@ TEST_CASE("A broken OBJ is told with the line") {
         check(square + "f\n", "line 5: a face has at least 3 corners, found 0");
         check(square + "f 1 b 3\n", "line 5: " + corner + "\"b\"");
         check(square + "f 1 2.5 3\n", "line 5: " + corner + "\"2.5\"");
-        check(square + "f 1/ 2/ 3/\n", "line 5: " + corner + "\"1/\"");
-        check(square + "f 1// 2// 3//\n", "line 5: " + corner + "\"1//\"");
-        check(square + "vt 0 0\nf 1/1/ 2/1/ 3/1/\n", "line 6: " + corner + "\"1/1/\"");
+        check(square + "f 1/ 2/ /3\n", "line 5: " + corner + "\"/3\"");
+        check(square + "f 1/// 2 3\n", "line 5: " + corner + "\"1///\"");
+        check(square + "f 1//x 2 3\n", "line 5: " + corner + "\"1//x\"");
+        check(square + "f 1//1.5 2 3\n", "line 5: " + corner + "\"1//1.5\"");
         check(square + "f 1 2 \\ 3\n", "line 5: " + corner + "\"\\\"");
         check(square + "vt 0 0\nvn 0 0 1\nf 1/1 2//1 3/1\n",
-              "line 7: the corners of a face are all v, all v/vt, all v//vn or all v/vt/vn");
+              "line 7: either all corners of a face have a texture coordinate or none");
         check(square + "vt 0 0\nf 1 2 3 4/1\n",
-              "line 6: the corners of a face are all v, all v/vt, all v//vn or all v/vt/vn");
+              "line 6: either all corners of a face have a texture coordinate or none");
     }
     SECTION("what is no mesh") {
         check("", "no faces, so not an OBJ mesh");
@@ -156,6 +186,20 @@ TEST_CASE("A broken OBJ is told with the line") {
         check("{\"camera\": {}}\n", "no faces, so not an OBJ mesh");
         check("v 0 0 \x1b[31m" + std::string(100, 'x') + "\nf 1 1 1",
               "line 1: expected a number, found \"?[31m" + std::string(35, 'x') + "\"...");
+    }
+    SECTION("UTF-16, with a byte order mark or without") {
+        const auto utf16 = [](const std::string& mark, std::size_t high) {
+            std::string wide = mark;
+            for (const char c : square + "f 1 2 3")
+                wide += high == 0 ? std::string{'\0', c} : std::string{c, '\0'};
+            return wide;
+        };
+        for (const std::string& text :
+             {utf16("\xff\xfe", 1), utf16("\xfe\xff", 0), utf16("", 1), utf16("", 0)})
+            check(text, "expected UTF-8, found UTF-16");
+    }
+    SECTION("a line among carriage returns") {
+        check("v 0 0 0\rv x\rf 1 1 1", "line 2: expected a number, found \"x\"");
     }
     SECTION("a continued line has the number of its beginning, and counts as all of its own") {
         check(square + "f 1 \\\n2\n", "line 5: a face has at least 3 corners, found 2");
@@ -171,16 +215,11 @@ namespace {
 // Every construct, at random, so that cuts come to lie everywhere.
 std::string randomObj(unsigned seed, bool withError) {
     std::mt19937 random(seed);
-    const std::string lines[] = {"v 0.5 -1.25e-3 7\n",
-                                 "v 1 2 \\\n 3\r\n",
-                                 "vt 0.25 0.5\n",
-                                 "vn 0 0 1\n",
-                                 "# a comment \\\n",
-                                 "\n",
-                                 "f -1 -2 -3 -1\n",
-                                 "f 1/1 2/-1 3/1\r\n",
-                                 "f 1//1 \\\n-2//-1 3//1\n",
-                                 "usemtl very_long_name\\\n of_a_material\n"};
+    const std::string lines[] = {
+        "v 0.5 -1.25e-3 7\n", "v 1 2 \\\n 3\r\n",         "vt 0.25 0.5\n",
+        "vn 0 0 1\n",         "# a comment \\\n",         "\n",
+        "f -1 -2 -3 -1\n",    "v -0.25 3 0.5# \n",        "f -3 -1 2 1 -2 3\n",
+        "f 1/1 2/-1 3/1\r\n", "f 1//1 \\\n-2//-1 3//1\n", "usemtl very_long_name\\\n of_a_material\n"};
     std::string text = square + "vt 0 0\nvn 0 0 1\n";
     for (int i = 0; i < 200; ++i) text += lines[random() % std::size(lines)];
     return withError ? text + "f 1 2 x\n" + text + "f 0\n" : text;

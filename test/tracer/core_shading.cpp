@@ -165,3 +165,33 @@ TEST_CASE("texels") {
     CHECK(at(-0.25, 2) == r);  // beyond the edge: its last texel
     CHECK(at(7, -3) == w);
 }
+
+TEST_CASE("texels of 16 bits") {
+    const Texture texture{1, 1, {}, {1, 256, 65535}};
+    CHECK(lookUp(texture, {0, 0}) == Color(1, 256, 65535) / Real(65535));
+}
+
+TEST_CASE("bilinear look-ups stop at the border, or go round") {
+    // 0 80
+    // 160 240
+    const Texture texture{2, 2, {0, 0, 0, 80, 80, 80, 160, 160, 160, 240, 240, 240}};
+    const auto at = [&](double u, double v, bool aroundU, bool aroundV) {
+        const Color color =
+            lookUpBilinear(texture, {static_cast<Real>(u), static_cast<Real>(v)}, {aroundU, aroundV});
+        return static_cast<double>(255 * color.x);
+    };
+    const auto is = [](double value) { return Approx(value).margin(1e-4); };
+    for (const bool u : {false, true})
+        for (const bool v : {false, true}) {
+            CHECK(at(0.25, 0.75, u, v) == is(0));  // a texel's centre
+            CHECK(at(0.5, 0.5, u, v) == is(120));
+            CHECK(at(0, 0.75, u, v) == is(u ? 40 : 0));
+            CHECK(at(1, 0.75, u, v) == is(u ? 40 : 80));
+            CHECK(at(0.125, 0.75, u, v) == is(u ? 20 : 0));
+            CHECK(at(0.25, 1, u, v) == is(v ? 80 : 0));
+            CHECK(at(0.25, 0, u, v) == is(v ? 80 : 160));
+            CHECK(at(0, 1, u, v) == is((u ? 40 : 0) + (v ? 80 : 0)));
+        }
+    const Texture single{1, 1, {51, 51, 51}};
+    CHECK(lookUpBilinear(single, {1, 0}, {true, true}) == Color(Real(0.2)));
+}

@@ -137,7 +137,7 @@ class RandomScene {
                 glm::dvec3 p = 0.2 * box();
                 p[axis] += side * between(0.5, 1.5);
                 mesh.positions.push_back(p);
-                mesh.texCoords.push_back((glm::dvec2(box()) + 1.0) / 2.0);
+                mesh.texCoords.push_back((3.0 * glm::dvec2(box()) + 1.0) / 2.0);  // -1 to 2
             }
         const bool open = chance(0.3), textured = chance(0.7);
         for (std::uint32_t octant = 0; octant < 8; ++octant) {

@@ -95,6 +95,8 @@ struct Cone : Solid<Cone> {
         return {p, normal};
     }
 
+    static Periodic periodic(const Shape&, std::uint32_t face) { return {.u = face == 0}; }
+
     template <class T>
     static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t face) {
         return face == 0 ? Vec2T<T>(turn(p), p.z) : capTexCoord(p);

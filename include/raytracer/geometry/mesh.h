@@ -19,6 +19,11 @@ struct Mesh {
                n.z * (n.z > 0 ? high : low).z;
     }
 
+    static Periodic periodic(const Shape& shape, std::uint32_t) {
+        const bool repeats = shape.triangles().repeatsTexture();
+        return {.u = repeats, .v = repeats};
+    }
+
     // By the cross product, not of unit length.
     template <class T>
     static Vec3T<T> normalOf(const std::array<Vec3T<T>, 3>& corner) {
@@ -83,10 +88,8 @@ struct Mesh {
         intersection.positionError += shape.transform().pointError(terms);
         if (shape.wantsTexCoord())
             forEachLane(hit.primitive, [&](int lane, std::uint32_t triangle) {
-                const auto uv = shape.triangles().texCoords(triangle);
-                setLane(intersection.texCoord, lane,
-                        laneOf(weight[0], lane) * uv[0] + laneOf(weight[1], lane) * uv[1] +
-                            laneOf(weight[2], lane) * uv[2]);
+                const Vec3 weights(laneOf(weight[0], lane), laneOf(weight[1], lane), laneOf(weight[2], lane));
+                setLane(intersection.texCoord, lane, shape.triangles().texCoord(triangle, weights));
             });
         return intersection;
     }

@@ -35,6 +35,8 @@ struct Plane : Equation<Plane> {
         return {{p.x, p.y, T(0)}, {T(0), T(0), T(1)}};
     }
 
+    static Periodic periodic(const Shape&, std::uint32_t) { return {.u = true, .v = true}; }
+
     template <class T>
     static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t) {
         const auto fraction = [](Real x) { return x - std::floor(x); };

@@ -60,6 +60,11 @@ Intersection laneOf(const IntersectionT<T>& hit, int lane) {
             laneOf(hit.positionError, lane)};
 }
 
+// Whether a face's texture goes round, so that behind its last column (row) the first one follows.
+struct Periodic {
+    bool u = false, v = false;
+};
+
 class Shape {
   public:
     // A mesh has triangles, nothing else has.
@@ -97,6 +102,8 @@ class Shape {
     // A box around every point that `intersect` may take for a point of this shape, in world space; false
     // where there is none.
     bool bounds(FloatBox& box) const;
+
+    Periodic periodic(std::uint32_t primitive) const;
 
     // The assignment's interface: the nearest hit of this shape alone, complete.
     Intersection rayIntersect(const Ray& ray) const;

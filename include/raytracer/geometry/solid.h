@@ -1,12 +1,12 @@
 // What shapes with an equation have in common; and more of that, the convex solids.
 //
 // Every type of shape has what shapes.h and shape.cpp call: `type`, `isBall`, `faceName`, `support` (how far
-// it reaches in a direction), `meet`, `touches`, `areCoherent`, `surface`. `Equation` gives `isBall`,
-// `faceName`, `areCoherent` and `surface` to a type with `faces` (their names in the order of the
-// assignment), `onSurface` (the point of its surface at a computed hit) and `texCoord`. `Solid` gives `meet`
-// and `touches`, too, to a convex type with `chord` (the part of a line inside it) and `offset` (a signed
-// measure of a point's distance from its surface, negative inside, at most the Euclidean distance). All in
-// object space.
+// it reaches in a direction), `meet`, `touches`, `areCoherent`, `surface`, `periodic`. `Equation` gives
+// `isBall`, `faceName`, `areCoherent`, `surface` and `periodic` to a type with `faces` (their names in the
+// order of the assignment), `onSurface` (the point of its surface at a computed hit) and `texCoord`. `Solid`
+// gives `meet` and `touches`, too, to a convex type with `chord` (the part of a line inside it) and `offset`
+// (a signed measure of a point's distance from its surface, negative inside, at most the Euclidean distance).
+// All in object space.
 #pragma once
 
 #include "raytracer/geometry/chord.h"
@@ -25,6 +25,8 @@ struct Equation {
     static constexpr bool isBall = false;  // FloatBox::ball, where the transform scales alike
 
     static std::string faceName(std::size_t face) { return Kind::faces[face]; }
+
+    static Periodic periodic(const Shape&, std::uint32_t) { return {}; }
 
     template <class T>
     static bool areCoherent(const Shape&, const RayT<T>&, LaneBits) {

@@ -28,6 +28,8 @@ struct Sphere : Solid<Sphere> {
         return {ontoUnit(normal), normal};
     }
 
+    static Periodic periodic(const Shape&, std::uint32_t) { return {.u = true}; }
+
     template <class T>
     static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t) {
         const auto height = [](Real z) { return 1 - arcCosine(glm::clamp(z, Real(-1), Real(1))) / pi; };

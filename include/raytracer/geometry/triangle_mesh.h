@@ -114,7 +114,9 @@ class TriangleMesh {
     // The corners of a triangle, or of each ray's own.
     template <class T>
     std::array<Vec3T<T>, 3> corners(const Primitive<T>& triangle) const;
-    std::array<Vec2, 3> texCoords(std::uint32_t triangle) const;
+    // Where its corners have these weights. Beyond 0 and 1 the image repeats.
+    Vec2 texCoord(std::uint32_t triangle, const Vec3& weights) const;
+    bool repeatsTexture() const { return repeatsTexture_; }
 
     // Where a line in object space meets one of the triangles.
     LineHit<Real> meetLine(const ObjectRay& line, std::uint32_t triangle) const;
@@ -134,6 +136,7 @@ class TriangleMesh {
     std::shared_ptr<const MeshData> data_;
     std::vector<Vec3> positions_;  // only where Real is not what data_ has
     Real largest_;                 // of its coordinates, without their signs
+    bool repeatsTexture_;          // some texture coordinate is beyond 0 and 1
     Bvh bvh_;
 };
 

@@ -30,9 +30,10 @@ inline std::uint8_t toByte(double channel) {
     return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5));
 }
 
-// PNG or JPEG, decoded to 8-bit RGB: without alpha, grey as three equal channels. Throws Error where the file
-// is missing, unreadable or not a picture.
-ByteImage readImage(const std::string& path);
+// PNG or JPEG as RGB: without alpha, grey as three equal channels. Throws Error where the file is missing,
+// unreadable or not a picture.
+Texture readTexture(const std::string& path);
+ByteImage readImage(const std::string& path);  // 16 bits are rounded to 8
 FloatImage readPfm(const std::string& path);
 
 // A PNG file's bytes. Throws Error, about the file `path`, where they are too many for the encoder.

@@ -1,4 +1,4 @@
-// The image of a texture: 8-bit RGB texels, row 0 at the top (v = 1).
+// The image of a texture: RGB texels of 8 or 16 bits a channel, row 0 at the top (v = 1).
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,9 @@
 namespace raytracer {
 
 struct Texture {
-    int width = 0, height = 0;         // texels, both >= 1
-    std::vector<std::uint8_t> texels;  // width * height * 3, row-major from the top left
+    int width = 0, height = 0;                // texels, both >= 1
+    std::vector<std::uint8_t> texels;         // width * height * 3, row-major from the top left; or none, but
+    std::vector<std::uint16_t> deepTexels{};  // the same with 16 bits
 };
 
 }  // namespace raytracer

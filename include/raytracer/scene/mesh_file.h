@@ -12,8 +12,8 @@
 namespace raytracer {
 
 // An indexed triangle mesh in object space. Triangle i has the corners positions[positionIndex[3i + 0..2]],
-// counter-clockwise seen from outside, in file order (a polygon of n corners is the fan of its n - 2
-// triangles in order).
+// counter-clockwise seen from outside, in file order. A polygon of n corners is n - 2 triangles: the fan
+// about its first corner, if it is convex.
 struct MeshData {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec2> texCoords;         // (u, v), v up
@@ -28,7 +28,7 @@ struct MeshData {
     std::size_t triangleCount() const { return positionIndex.size() / 3; }
 };
 
-// Reads positions, texture coordinates and faces (polygons, negative indices, v, v/vt, v//vn, v/vt/vn);
+// Reads positions, texture coordinates and faces (any polygons, negative indices, v, v/vt, v//vn, v/vt/vn);
 // ignores groups, objects, normals, materials and smoothing. Throws Error, with the line where it can, if the
 // file is missing, unreadable or not an OBJ of this kind.
 MeshData loadObj(const std::string& path);

@@ -12,8 +12,9 @@ using ColorT = Vec3T<T>;
 // The nearest texel.
 Color lookUp(const Texture& texture, const Vec2& texCoord);
 
-// The four texels around, weighted by nearness; beyond the image's edge its last ones.
-Color lookUpBilinear(const Texture& texture, const Vec2& texCoord);
+// The four texels around, weighted by nearness; beyond the image's edge its last ones or, where it is
+// periodic, those of the opposite edge.
+Color lookUpBilinear(const Texture& texture, const Vec2& texCoord, const Periodic& periodic);
 
 // A hit as the light model sees it: the symbols of the assignment.
 template <class T>
@@ -66,10 +67,15 @@ ShadingPointT<T>::ShadingPointT(const RayT<T>& ray, const IntersectionT<T>& inte
       entering(intersection.entering),
       K_D(intersection.material->color_diffuse) {
     if (!entering) N = -N;
-    if (const Texture* texture = intersection.material->diffuse_texture)
-        K_D *= laneByLane<ColorT<T>>(
-            [&](const Vec2& uv) { return bilinear ? lookUpBilinear(*texture, uv) : lookUp(*texture, uv); },
-            intersection.texCoord);
+    const Texture* const texture = intersection.material->diffuse_texture;
+    if (!texture) return;
+    const Periodic periodic =
+        bilinear ? intersection.shape->periodic(faceOf(intersection.primitive)) : Periodic();
+    K_D *= laneByLane<ColorT<T>>(
+        [&](const Vec2& uv) {
+            return bilinear ? lookUpBilinear(*texture, uv, periodic) : lookUp(*texture, uv);
+        },
+        intersection.texCoord);
 }
 
 template <class T>

@@ -1,0 +1,133 @@
+// PNG and JPEG, by way of stb_image, which takes more for a picture than we do.
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include <libdeflate.h>
+#include <stb_image.h>
+
+#include "raytracer/pictures/image.h"
+#include "raytracer/util/file_bytes.h"
+
+namespace raytracer {
+namespace {
+
+constexpr int rgb = 3;
+
+// stb 2.27 refuses a JPEG that stops in the middle; 2.29 reads it as if it were whole (its issue 1608). The
+// bytes 0xff 0xd9 are the end marker, and never occur in a picture's data.
+bool isTruncatedJpeg(std::string_view file) {
+    return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
+}
+
+std::uint32_t bigEndian(std::string_view bytes) {
+    std::uint32_t number = 0;
+    for (const char byte : bytes.substr(0, 4)) number = number << 8 | static_cast<unsigned char>(byte);
+    return number;
+}
+
+// A chunk of a PNG: length, type, data of that length, and a CRC of type and data.
+constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
+constexpr std::size_t chunkFrame = 12;
+
+// The whole chunk that the text begins with; empty where it is cut short or its checksum is wrong. stb
+// ignores checksums, so a flipped bit would pass for another colour.
+std::string_view firstChunk(std::string_view text) {
+    if (text.size() < chunkFrame) return {};
+    const std::size_t length = bigEndian(text);
+    if (length > text.size() - chunkFrame) return {};
+    const std::uint32_t crc = libdeflate_crc32(0, text.data() + 4, 4 + length);
+    return crc == bigEndian(text.substr(8 + length)) ? text.substr(0, chunkFrame + length)
+                                                     : std::string_view{};
+}
+
+std::vector<std::string_view> readChunks(const FileBytes& file) {
+    std::string_view png = file.text();
+    std::vector<std::string_view> chunks;
+    do {
+        png.remove_prefix(chunks.empty() ? pngSignature.size() : chunks.back().size());
+        chunks.push_back(firstChunk(png));
+        if (chunks.back().empty())
+            file.fail("broken PNG picture: it is cut short, or a checksum in it is wrong");
+    } while (chunks.back().substr(4, 4) != "IEND");
+    return chunks;
+}
+
+// For a texel beyond the palette, stb returns whatever its memory holds. So a palette of 256 transparent
+// colours is put before the file's own, and the file's transparency is left out: a texel that is still
+// transparent is beyond the file's palette.
+std::string withWholePalette(const std::vector<std::string_view>& chunks) {
+    const auto chunk = [](std::string_view head, std::size_t size) {
+        return std::string(head) +
+               std::string(size + 4, '\0');  // black, or transparent; and a checksum, which stb ignores
+    };
+    std::string png(pngSignature);
+    for (const std::string_view& own : chunks) {
+        if (own.substr(4, 4) != "tRNS") png += own;
+        if (&own == &chunks.front()) png += chunk({"\0\0\3\0PLTE", 8}, 768) + chunk({"\0\0\1\0tRNS", 8}, 256);
+    }
+    return png;
+}
+
+bool hasPalette(std::string_view header) {
+    constexpr std::size_t colorType = 17;
+    return header.size() > colorType && (header[colorType] & 3) == 3;
+}
+
+bool hasDeepTexels(std::string_view header) {
+    constexpr std::size_t bitDepth = 16;
+    return header.size() > bitDepth && header[bitDepth] == 16;
+}
+
+template <class Channel>
+using Decoder = Channel* (*)(const stbi_uc*, int, int*, int*, int*, int);
+
+// The pixels, each of `wanted` channels, of `text`: the file's own, or the same with another palette.
+template <class Channel>
+std::vector<Channel> decode(const FileBytes& file, std::string_view text, int wanted, Texture& image,
+                            Decoder<Channel> decoder) {
+    int channelsInFile = 0;
+    const std::unique_ptr<Channel, decltype(&stbi_image_free)> pixels(
+        decoder(reinterpret_cast<const stbi_uc*>(text.data()), static_cast<int>(text.size()), &image.width,
+                &image.height, &channelsInFile, wanted),
+        &stbi_image_free);
+    if (!pixels) file.fail(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
+    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    return {pixels.get(), pixels.get() + count * static_cast<std::size_t>(wanted)};
+}
+
+void decodePaletted(const FileBytes& file, const std::vector<std::string_view>& chunks, Texture& image) {
+    const auto pixels = decode(file, withWholePalette(chunks), 4, image, &stbi_load_from_memory);
+    for (std::size_t i = 0; i < pixels.size(); i += 4) {
+        if (pixels[i + 3] == 0) file.fail("broken PNG picture: a texel has a colour beyond its palette");
+        image.texels.insert(image.texels.end(), &pixels[i], &pixels[i] + rgb);
+    }
+}
+
+Texture decode(const FileBytes& file) {
+    const std::string_view text = file.text();
+    if (text.size() > std::numeric_limits<int>::max() / 2) file.fail("cannot decode: the file is over 1 GiB");
+    if (isTruncatedJpeg(text)) file.fail("broken JPEG picture: it has no end marker");
+    std::vector<std::string_view> chunks{{}};
+    if (text.starts_with(pngSignature)) chunks = readChunks(file);
+    Texture image;
+    if (hasPalette(chunks.front())) decodePaletted(file, chunks, image);
+    else if (hasDeepTexels(chunks.front()))
+        image.deepTexels = decode(file, text, rgb, image, &stbi_load_16_from_memory);
+    else image.texels = decode(file, text, rgb, image, &stbi_load_from_memory);
+    return image;
+}
+
+}  // namespace
+
+Texture readTexture(const std::string& path) { return decode(FileBytes(path)); }
+
+ByteImage readImage(const std::string& path) {
+    Texture texture = readTexture(path);
+    for (const std::uint32_t texel : texture.deepTexels)
+        texture.texels.push_back(static_cast<std::uint8_t>((255 * texel + 32767) / 65535));
+    return {texture.width, texture.height, std::move(texture.texels)};
+}
+
+}  // namespace raytracer

@@ -1,0 +1,210 @@
+// Clips ears (Meisters, Polygons have ears, 1975): a corner whose triangle with its two neighbours holds no
+// other corner is cut off, until three are left.
+#include "triangulate.h"
+
+#include <algorithm>
+#include <deque>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "plane_polygon.h"
+#include "point_tree.h"
+
+namespace raytracer {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+class EarClipping {
+  public:
+    explicit EarClipping(std::span<const PlanePoint> polygon)
+        : polygon_(polygon),
+          corners_(polygon.size()),
+          left_(static_cast<std::uint32_t>(polygon.size())),
+          blocking_(linkCorners()) {}
+
+    std::vector<Triangle> clipAll() {
+        for (strictness_ = Strictness::Clear; left_ > 3; weaken()) clipEars();
+        const std::uint32_t last = corners_[0].isClipped ? anyLeft() : 0;
+        triangles_.push_back(earAt(last));
+        return std::move(triangles_);
+    }
+
+  private:
+    // What an ear must be. Each is for polygons that have no ear of the one before it.
+    enum class Strictness {
+        Clear,     // no other corner lies in it or on its sides, but for roundings
+        Touching,  // the polygon does not go into it
+        Any        // of a polygon that crosses itself
+    };
+
+    struct Corner {
+        std::uint32_t previous, next;
+        std::uint32_t blocker = 0;  // its place in blocking_, counted from 1; 0: it is convex
+        bool isClipped = false;
+    };
+
+    std::vector<PlanePoint> linkCorners() {
+        std::vector<PlanePoint> blocking;
+        for (std::uint32_t i = 0; i < left_; ++i) corners_[i] = {(i + left_ - 1) % left_, (i + 1) % left_};
+        for (std::uint32_t i = 0; i < left_; ++i)
+            if (!isLeftTurn(i)) {
+                blocking.push_back(polygon_[i]);
+                blockers_.push_back(i);
+                corners_[i].blocker = static_cast<std::uint32_t>(blocking.size());
+            }
+        return blocking;
+    }
+
+    Triangle earAt(std::uint32_t corner) const {
+        return {corners_[corner].previous, corner, corners_[corner].next};
+    }
+    bool isLeftTurn(std::uint32_t corner) const {
+        const auto [a, b, c] = earAt(corner);
+        return sideOf(polygon_[a], polygon_[b], polygon_[c]) > 0;
+    }
+    // Where the polygon turns back on itself: without area, and in the way of what comes next.
+    bool isSpike(std::uint32_t corner) const {
+        const auto [previous, tip, next] = earAt(corner);
+        const PlanePoint &a = polygon_[previous], &b = polygon_[tip], &c = polygon_[next];
+        const auto isBack = [](std::int64_t from, std::int64_t to) {
+            return from == 0 || to == 0 || (from < 0) == (to < 0);
+        };
+        return sideOf(a, b, c) == 0 && isBack(a.x - b.x, c.x - b.x) && isBack(a.y - b.y, c.y - b.y);
+    }
+
+    // Every corner is tried once, and again when a neighbour is clipped: elsewhere no ear can have come
+    // about. First in, first out, so that the triangles do not all share a corner.
+    void clipEars() {
+        std::deque<std::uint32_t> candidates;
+        const auto add = [&](std::uint32_t corner) {
+            if (isSpike(corner)) candidates.push_front(corner);
+            else candidates.push_back(corner);
+        };
+        for (std::uint32_t i = 0; i < polygon_.size(); ++i)
+            if (!corners_[i].isClipped) add(i);
+        while (left_ > 3 && !candidates.empty()) {
+            const std::uint32_t corner = candidates.front();
+            candidates.pop_front();
+            if (corners_[corner].isClipped || !isEar(corner)) continue;
+            clip(corner);
+            add(corners_[corner].previous);
+            add(corners_[corner].next);
+        }
+    }
+
+    void clip(std::uint32_t corner) {
+        const auto [previous, ear, next] = earAt(corner);
+        triangles_.push_back({previous, ear, next});
+        corners_[ear].isClipped = true;
+        corners_[previous].next = next;
+        corners_[next].previous = previous;
+        --left_;
+        for (const std::uint32_t changed : {previous, ear, next})
+            if (corners_[changed].blocker != 0 && (changed == ear || isLeftTurn(changed))) {
+                blocking_.remove(corners_[changed].blocker - 1);
+                corners_[changed].blocker = 0;
+            }
+    }
+
+    bool isEar(std::uint32_t corner) const {
+        if (strictness_ == Strictness::Any || isSpike(corner)) return true;
+        const Triangle ear = earAt(corner);
+        if (strictness_ == Strictness::Touching && side(ear, 0, ear[2]) == 0) return true;
+        return isLeftTurn(corner) &&
+               !blocking_.any([&](const PlaneBox& box) { return mayMeet(box, ear); },
+                              [&](std::uint32_t point) { return blocks(blockers_[point], ear); });
+    }
+
+    // By the ear's own box, then by the corner of `box` that is farthest to the left of each side.
+    bool mayMeet(const PlaneBox& box, const Triangle& ear) const {
+        constexpr std::int64_t roundings = 8;
+        const PlanePoint &a = polygon_[ear[0]], &b = polygon_[ear[1]], &c = polygon_[ear[2]];
+        const PlanePoint low{box.low.x - roundings, box.low.y - roundings},
+            high{box.high.x + roundings, box.high.y + roundings};
+        if (std::max({a.x, b.x, c.x}) < low.x || std::min({a.x, b.x, c.x}) > high.x ||
+            std::max({a.y, b.y, c.y}) < low.y || std::min({a.y, b.y, c.y}) > high.y)
+            return false;
+        const auto mayBeLeft = [&](const PlanePoint& from, const PlanePoint& to) {
+            return sideOf(from, to, {(to.y > from.y ? low : high).x, (to.x > from.x ? high : low).y}) >= 0;
+        };
+        return mayBeLeft(a, b) && mayBeLeft(b, c) && mayBeLeft(c, a);
+    }
+
+    // Of the ear's side i, but for roundings.
+    int side(const Triangle& ear, std::size_t i, std::uint32_t corner) const {
+        return clearSideOf(polygon_[ear[i]], polygon_[ear[(i + 1) % 3]], polygon_[corner]);
+    }
+
+    bool blocks(std::uint32_t corner, const Triangle& ear) const {
+        const int sides[] = {side(ear, 0, corner), side(ear, 1, corner), side(ear, 2, corner)};
+        if (std::ranges::min(sides) < 0 || std::ranges::find(ear, corner) != ear.end()) return false;
+        const auto isHere = [&](std::uint32_t other) { return polygon_[other] == polygon_[corner]; };
+        if (strictness_ == Strictness::Clear && std::ranges::none_of(ear, isHere)) return true;
+        // Inside the ear it is in the way; on its border, if the polygon goes in from there.
+        const auto goesIn = [&](std::uint32_t neighbour) {
+            for (std::size_t i = 0; i < 3; ++i)
+                if (sides[i] == 0 && side(ear, i, neighbour) <= 0) return false;
+            return true;
+        };
+        return goesIn(corners_[corner].previous) || goesIn(corners_[corner].next);
+    }
+
+    void weaken() { strictness_ = strictness_ == Strictness::Clear ? Strictness::Touching : Strictness::Any; }
+
+    std::uint32_t anyLeft() const {
+        const auto left = std::ranges::find(corners_, false, &Corner::isClipped);
+        return static_cast<std::uint32_t>(left - corners_.begin());
+    }
+
+    std::span<const PlanePoint> polygon_;
+    std::vector<Corner> corners_;
+    std::uint32_t left_;
+    std::vector<std::uint32_t> blockers_;  // the corners that do not turn left: only they can be in the way
+    PointTree blocking_;                   // where they are
+    Strictness strictness_ = Strictness::Clear;
+    std::vector<Triangle> triangles_;
+};
+
+// That a quadrilateral turns left at each corner, by more than roundings: true of nearly all, and faster
+// than to project them.
+bool isClearlyConvex(std::span<const glm::dvec3> corners) {
+    if (corners.size() != 4) return false;
+    const glm::dvec3 normal = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
+    glm::dvec3 side[4], size(0);
+    for (std::size_t i = 0; i < 4; ++i) {
+        side[i] = corners[(i + 1) % 4] - corners[i];
+        size += glm::abs(side[i]);
+    }
+    // Some dozen roundings of products of four lengths.
+    const double length = size.x + size.y + size.z, roundings = 0x1p-48 * length * length * length * length;
+    for (std::size_t i = 0; i < 4; ++i)
+        if (!(glm::dot(glm::cross(side[i], side[(i + 1) % 4]), normal) > roundings)) return false;
+    return true;
+}
+
+// A polygon without a normal has no area: any triangles will do, if they are the same ones each time.
+std::vector<Triangle> fan(std::uint32_t count) {
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 2; i < count; ++i) triangles.push_back({0, i - 1, i});
+    return triangles;
+}
+
+}  // namespace
+
+std::vector<Triangle> triangulateConcave(std::span<const glm::dvec3> corners) {
+    if (isClearlyConvex(corners)) return {};
+    const std::size_t first = leastCorner(corners);
+    std::vector<glm::dvec3> rotated(corners.begin(), corners.end());
+    std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(first), rotated.end());
+    const std::vector<PlanePoint> polygon = projectPolygon(rotated);
+    if (!polygon.empty() && isConvex(polygon)) return {};
+    const auto count = static_cast<std::uint32_t>(corners.size());
+    std::vector<Triangle> triangles = polygon.empty() ? fan(count) : EarClipping(polygon).clipAll();
+    for (Triangle& triangle : triangles)
+        for (std::uint32_t& corner : triangle) corner = static_cast<std::uint32_t>((corner + first) % count);
+    return triangles;
+}
+
+}  // namespace raytracer
