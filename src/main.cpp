@@ -1,10 +1,13 @@
 // raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS [options], or raytracer COMMAND ...
-#include <cstdio>
 #include <exception>
+#include <new>
+#include <string>
 #include <string_view>
 
 #include "raytracer/commands/commands.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/memory.h"
+#include "raytracer/util/standard_streams.h"
 
 namespace {
 
@@ -29,11 +32,15 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    raytracer::prepareStandardStreams();
     try {
         return dispatch(argc, argv);
+    } catch (const raytracer::Error& error) {
+        raytracer::tell(error.what());
+    } catch (const std::bad_alloc&) {
+        raytracer::tell("raytracer: not enough memory: " + raytracer::memoryLeft().inWords);
     } catch (const std::exception& error) {
-        const bool isComplete = dynamic_cast<const raytracer::Error*>(&error) != nullptr;
-        std::fprintf(stderr, "%s%s\n", isComplete ? "" : "raytracer: ", error.what());
-        return 2;
+        raytracer::tell(std::string("raytracer: ") + error.what());
     }
+    return 2;
 }

@@ -5,9 +5,17 @@ namespace raytracer {
 
 namespace {
 
+// A field of RFC 4180.
+std::string csvField(std::string_view text) {
+    if (text.find_first_of("\",\r\n") == text.npos) return printable(text);
+    std::string field = "\"";
+    for (const char c : printable(text, "\r\n")) field += c == '"' ? "\"\"" : std::string(1, c);
+    return field + '"';
+}
+
 std::string csvLine(const std::string& scene, const char* question, const Trial& t) {
     const Setting& s = t.setting;
-    return scene +
+    return csvField(scene) +
            formatted(",%s,%s,%d,%g,%d,%g,%s,%.6f,%zu,", question, precisionName(s.precision), s.samples,
                      s.adaptive, s.max_recursion, s.cutoff, s.bilinear ? "bilinear" : "nearest", t.seconds(),
                      t.timings.size()) +
@@ -64,7 +72,7 @@ std::string describeReference(const SceneTradeoff& scene) {
 
 std::string tradeoffTable(const SceneTradeoff& scene) {
     const double base = defaultSeconds(scene);
-    std::string text = scene.name + ": " + describeReference(scene) + "\n";
+    std::string text = printable(scene.name) + ": " + describeReference(scene) + "\n";
     text += "    seconds   times       RMSE    PSNR   maximum  % off  of the front, against the reference\n";
     for (const Trial& trial : scene.truncation)
         if (trial.onFront) text += tableLine(trial, base);

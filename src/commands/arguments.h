@@ -12,6 +12,9 @@ inline Error usageError(const std::string& message) { return {{"raytracer"}, mes
 
 constexpr Range longEdgeRange{1, 65536};
 
+// Throws Error, about the file, where the format or the memory is too small for the picture.
+void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm);
+
 // --threads.
 void addThreads(CommandLine& line, int& threads);
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <type_traits>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
+#include "raytracer/json/json_document.h"
 #include "raytracer/util/number.h"
+#include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer::commands {
@@ -41,7 +42,7 @@ std::string inWords(const Range& range) {
 }
 
 [[noreturn]] void refuse(const char* name, const std::string& expected, const std::string& found) {
-    throw CLI::ValidationError(name, "expected " + expected + ", found \"" + found + "\"");
+    throw CLI::ValidationError(name, "expected " + expected + ", found " + inQuotes(found));
 }
 
 template <class Number>
@@ -94,9 +95,12 @@ CLI::Option& CommandLine::add(const char* name, const std::string& placeholder, 
     return option;
 }
 
+// Where nothing is the default, an empty text would pass for that: "$VARIABLE" of a variable that is not set.
 void CommandLine::text(const char* name, std::string& value, const std::string& help) {
-    add(name, value.empty() ? "TEXT" : "TEXT=" + value, help,
-        [&value](const std::string& text) { value = text; });
+    add(name, value.empty() ? "TEXT" : "TEXT=" + value, help, [=, &value](const std::string& text) {
+        if (text.find_first_not_of(" \t\n") == text.npos) refuse(name, "a text", text);
+        value = text;
+    });
 }
 
 void CommandLine::texts(const char* name, std::vector<std::string>& values, const std::string& help) {
@@ -149,10 +153,13 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     try {
         app_->parse(argc, argv);
     } catch (const CLI::ParseError& end) {
-        if (end.get_exit_code() == 0) return app_->exit(end);
-        const char* const command = app_->get_name().c_str();
-        std::fprintf(stderr, "%s: %s (%s --help tells more)\n", command, end.what(), command);
-        return 2;
+        const std::string& command = app_->get_name();
+        if (end.get_exit_code() != 0) {
+            tell(command + ": " + end.what() + " (" + command + " --help tells more)");
+            return 2;
+        }
+        print(app_->help());
+        return 0;
     }
     return std::nullopt;
 }

@@ -34,7 +34,7 @@ class CommandLine {
     CommandLine(const std::string& command, const std::string& purpose);
     ~CommandLine();
 
-    void text(const char* name, std::string& value, const std::string& help);
+    void text(const char* name, std::string& value, const std::string& help);                 // not blank
     void texts(const char* name, std::vector<std::string>& values, const std::string& help);  // one or more
     void choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                 const std::string& help);

@@ -1,12 +1,15 @@
 // raytracer compare A B: how much two pictures differ.
 #include <cmath>
-#include <cstdio>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/grading/compare.h"
 #include "raytracer/json/json_writer.h"
+#include "raytracer/util/standard_streams.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer::commands {
 
@@ -69,33 +72,41 @@ void printJson(const Comparison& c, bool same) {
     json.key("speckle").value(c.speckle);
     json.key("within").value(same);
     json.endObject();
-    std::printf("%s\n", json.text().c_str());
+    print(json.text() + "\n");
 }
 
-void printCount(const char* name, std::uint64_t count, const Comparison& c) {
+std::string countLine(const char* name, std::uint64_t count, const Comparison& c) {
     const double pixels = static_cast<double>(c.width) * c.height;
-    std::printf("  %-20s %10llu  (%.3g %%)\n", name, static_cast<unsigned long long>(count),
-                100 * static_cast<double>(count) / pixels);
+    return formatted("  %-20s %10llu  (%.3g %%)\n", name, static_cast<unsigned long long>(count),
+                     100 * static_cast<double>(count) / pixels);
+}
+
+std::string psnrLine(double psnr) {
+    if (std::isinf(psnr)) return formatted("  %-20s %10s\n", "PSNR", psnr > 0 ? "infinite" : "-infinite");
+    return formatted("  %-20s %10.4g dB\n", "PSNR", psnr);
 }
 
 void printText(const Comparison& c) {
-    std::printf("%d x %d pixels\n", c.width, c.height);
-    printCount("pixels that differ", c.pixelsOver(0), c);
-    printCount("by more than 1", c.pixelsOver(1), c);
-    printCount("by more than 8", c.pixelsOver(8), c);
-    printCount("speckle", c.speckle, c);
-    std::printf("  %-20s %10.6g\n  %-20s %10.6g\n", "mean", c.mean, "RMSE", c.rmse);
-    if (std::isinf(c.psnr)) std::printf("  %-20s %10s\n", "PSNR", c.psnr > 0 ? "infinite" : "-infinite");
-    else std::printf("  %-20s %10.4g dB\n", "PSNR", c.psnr);
-    std::printf("  %-20s %10.6g  at (%d, %d)\n", "maximum", c.maximum, c.worstX, c.worstY);
-    std::printf("  %-20s %10d\n", "score", c.score);
+    print(formatted("%d x %d pixels\n", c.width, c.height) +
+          countLine("pixels that differ", c.pixelsOver(0), c) +
+          countLine("by more than 1", c.pixelsOver(1), c) + countLine("by more than 8", c.pixelsOver(8), c) +
+          countLine("speckle", c.speckle, c) +
+          formatted("  %-20s %10.6g\n  %-20s %10.6g\n", "mean", c.mean, "RMSE", c.rmse) + psnrLine(c.psnr) +
+          formatted("  %-20s %10.6g  at (%d, %d)\n", "maximum", c.maximum, c.worstX, c.worstY) +
+          formatted("  %-20s %10d\n", "score", c.score));
 }
 
 int comparePictures(const CompareArguments& arguments) {
+    std::optional<OutputFile> diff;
+    if (!arguments.diff.empty()) {
+        if (!endsIn(arguments.diff, ".png"))
+            throw Error({arguments.diff}, "expected a name that ends in .png");
+        diff.emplace(arguments.diff);
+    }
     const Picture a = readPicture(arguments.a), b = readPicture(arguments.b);
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
-    if (!arguments.diff.empty()) writePng(arguments.diff, amplifiedDifference(toBytes(a), toBytes(b)));
+    if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a), toBytes(b)));
     if (arguments.json) printJson(comparison, same);
     else printText(comparison);
     return same ? 0 : 1;

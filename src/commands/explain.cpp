@@ -1,10 +1,10 @@
 // raytracer explain SCENE X Y LONG_EDGE_PIXELS: the rays behind one pixel.
-#include <cstdio>
 #include <string>
 
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/explanation_text.h"
+#include "raytracer/util/standard_streams.h"
 #include "render_arguments.h"
 
 namespace raytracer::commands {
@@ -33,8 +33,7 @@ int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
                          std::to_string(y));
     const auto renderer = makeRenderer(scene, arguments.precisionChosen(), arguments.buildOptions());
     const RayExplanation explanation = renderer->explain(options, x, y);
-    const std::string text = json ? explanationJson(explanation, scene) : explanationText(explanation, scene);
-    std::fputs(text.c_str(), stdout);
+    print(json ? explanationJson(explanation, scene) : explanationText(explanation, scene));
     return 0;
 }
 

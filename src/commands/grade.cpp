@@ -1,7 +1,6 @@
 // raytracer grade DIR: scenes with reference pictures, rendered and compared.
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "arguments.h"
@@ -10,7 +9,9 @@
 #include "raytracer/pictures/picture.h"
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
-#include "raytracer/util/file_bytes.h"
+#include "raytracer/util/output_file.h"
+#include "raytracer/util/standard_streams.h"
+#include "raytracer/util/text.h"
 #include "render_arguments.h"
 
 namespace raytracer::commands {
@@ -27,7 +28,8 @@ Another program is graded for the last of them, unless --stage says otherwise.
 If it crashes, hangs or writes no picture, it gets 0 for that scene, and the
 last line that it printed is shown.
 
-Exit status: 0 all the same; 1 not the same; 2 there is nothing to grade.
+Exit status: 0 all the same; 1 not the same; 2 there is nothing to grade, or the
+grader itself cannot work: a reference is broken, a disk is full.
 "The same" as for `raytracer compare`: no pixel differs, or what --max-pixels,
 --tolerance and --min-score say, for each picture.
 
@@ -71,8 +73,14 @@ Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out)
     arguments.longEdge = longEdge;
     arguments.pass = test.stage->pass;
     arguments.only = test.stage->only;
-    SceneDescription scene = loadScene(test.scene, false).description;
+    SceneDescription scene;
+    try {
+        scene = loadScene(test.scene, false).description;
+    } catch (const Error& error) {
+        return {true, error.what(), ""};
+    }
     const RenderOptions options = arguments.prepare(scene);
+    requirePictureFits(test.scene, options.crop, false);
     ByteSink sink(options.crop);
     makeRenderer(scene, Precision::Double)->render(options, sink);
     writePng(out, sink.image());
@@ -90,20 +98,18 @@ GradePlan planFor(const GradeArguments& arguments) {
 }
 
 void printHead() {
-    std::printf("%5s %9s %9s %9s %9s %9s  %s\n", "score", "off", "by > 1", "by > 8", "speckle", "seconds",
-                "picture");
+    print(formatted("%5s %9s %9s %9s %9s %9s  %s\n", "score", "off", "by > 1", "by > 8", "speckle", "seconds",
+                    "picture"));
 }
 
 void printRow(const GradeResult& result) {
     const auto count = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+    std::string row = formatted("%5d %49.2f  ", 0, result.seconds);
     if (const auto& c = result.comparison)
-        std::printf("%5d %9llu %9llu %9llu %9llu %9.2f  %s%s%s\n", c->score, count(c->pixelsOver(0)),
-                    count(c->pixelsOver(1)), count(c->pixelsOver(8)), count(c->speckle), result.seconds,
-                    result.test.name.c_str(), result.message.empty() ? "" : ": ", result.message.c_str());
-    else
-        std::printf("%5d %49.2f  %s: %s\n", 0, result.seconds, result.test.name.c_str(),
-                    result.message.c_str());
-    std::fflush(stdout);
+        row = formatted("%5d %9llu %9llu %9llu %9llu %9.2f  ", c->score, count(c->pixelsOver(0)),
+                        count(c->pixelsOver(1)), count(c->pixelsOver(8)), count(c->speckle), result.seconds);
+    const std::string message = result.message.empty() ? "" : ": " + result.message;
+    print(row + printable(result.test.name + message) + "\n");
 }
 
 // The program's last line, which mostly says what went wrong.
@@ -113,7 +119,7 @@ void printLastWords(const GradeResult& result) {
     if (result.message.empty() || end == std::string::npos) return;
     const std::size_t newline = text.find_last_of("\r\n", end);
     const std::size_t start = newline == std::string::npos ? 0 : newline + 1;
-    std::printf("%57s  %s\n", "", text.substr(start, end + 1 - start).c_str());
+    print(std::string(59, ' ') + text.substr(start, end + 1 - start) + "\n");
 }
 
 std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& arguments) {
@@ -137,35 +143,27 @@ bool printSummary(const std::vector<GradeResult>& results, const GradePlan& plan
                                     [&](const GradeResult& result) { return within(result, thresholds); });
     double sum = 0;
     for (const GradeResult& result : results) sum += result.score();
-    std::printf("%lld of %zu pictures as the reference, mean score %.1f\n", static_cast<long long>(good),
-                results.size(), sum / static_cast<double>(results.size()));
+    print(formatted("%lld of %zu pictures as the reference, mean score %.1f\n", static_cast<long long>(good),
+                    results.size(), sum / static_cast<double>(results.size())));
     for (const std::string& scene : plan.scenesWithoutReference)
-        std::printf("no reference: %s\n", scene.c_str());
+        print("no reference: " + printable(scene) + "\n");
     return static_cast<std::size_t>(good) == results.size();
 }
 
-void writeReport(const GradeArguments& arguments, const std::vector<GradeResult>& results) {
+std::string reportOf(const GradeArguments& arguments, const std::vector<GradeResult>& results) {
     const std::string title =
         (arguments.program.empty() ? "raytracer" : arguments.program) + " on " + arguments.scenes;
-    const std::string html = gradeReport(results, arguments.thresholds, title);
-    const std::span<const char> parts[] = {html};
-    writeFile(arguments.report, parts);
-}
-
-// Said before the work is done, not after it.
-void requireFolderOf(const std::string& report) {
-    const std::filesystem::path folder = std::filesystem::path(report).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-        throw Error({report}, "no folder " + folder.string() + " to write to");
+    return gradeReport(results, arguments.thresholds, title);
 }
 
 int gradeFolder(const GradeArguments& arguments) {
-    requireFolderOf(arguments.report);
+    std::optional<OutputFile> report;
+    if (!arguments.report.empty()) report.emplace(arguments.report);
     const GradePlan plan = planFor(arguments);
     if (plan.cases.empty())
         throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png");
     const std::vector<GradeResult> results = gradeAll(plan, arguments);
-    if (!arguments.report.empty()) writeReport(arguments, results);
+    if (report) report->write(reportOf(arguments, results));
     return printSummary(results, plan, arguments.thresholds) ? 0 : 1;
 }
 

@@ -1,20 +1,22 @@
 // raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS: the picture of a scene.
 #include <chrono>
-#include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/black_picture.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/pictures/picture.h"
+#include "raytracer/util/output_file.h"
 #include "raytracer/util/progress_bar.h"
+#include "raytracer/util/standard_streams.h"
+#include "raytracer/util/text.h"
 #include "render_arguments.h"
 #include "target_error.h"
 
@@ -24,6 +26,10 @@ namespace {
 
 constexpr const char* renderFooter = R"(The other commands:
   raytracer compare|grade|explain|tradeoff --help
+
+The picture is written whole or not at all: as a new file, with the mode and the
+owner of the file that it replaces. A symbolic link is followed. A hard link is
+broken: the other names keep the old picture.
 
 Examples:
   raytracer scenes/spheres_cylinder.json out.png 600
@@ -36,7 +42,8 @@ Examples:
   # the most accurate picture that takes about ten seconds
   raytracer scenes/texture.json out.png 2000 --target-time 10
   # linear float32, and what it cost
-  raytracer scenes/refraction.json out.pfm 600 --stats)";
+  raytracer scenes/refraction.json out.pfm 600 --stats
+  raytracer scenes/texture.json - 300 | display)";
 
 // Wall time, and CPU time of all threads, in seconds.
 struct Seconds {
@@ -103,25 +110,16 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     printTimes(json, timings, "cpu_seconds", &Seconds::cpu);
     json.key("peak_memory_bytes").value(peakMemoryBytes());
     json.endObject();
-    std::printf("%s\n", json.text().c_str());
+    print(json.text() + "\n");
 }
 
 // Where the limit on samples decided more than a few pixels.
 void tellLimited(const RenderCounts& counts, const RenderOptions& options) {
     const auto limited = static_cast<double>(counts.limited);
     if (limited <= 0.001 * options.crop.area()) return;
-    std::fprintf(stderr, "--adaptive %s: --samples %d stopped %.3g %% of the pixels before\n",
-                 shortNumber(options.adaptive).c_str(), options.samples, 100 * limited / options.crop.area());
-}
-
-// Before any work is done.
-void requireWritable(const std::filesystem::path& out) {
-    const std::string ending = out.extension().string();
-    if (ending != ".png" && ending != ".pfm")
-        throw Error({out.string()}, "expected a name that ends in .png or .pfm");
-    const std::filesystem::path folder = out.has_parent_path() ? out.parent_path() : ".";
-    if (!std::filesystem::is_directory(folder))
-        throw Error({out.string()}, "no folder " + folder.string() + " to write to");
+    tell(formatted("--adaptive %s: --samples %d stopped %.3g %% of the pixels before",
+                   shortNumber(options.adaptive).c_str(), options.samples,
+                   100 * limited / options.crop.area()));
 }
 
 // What only this command asks for.
@@ -130,7 +128,22 @@ struct PictureArguments {
     bool stats = false;
     std::optional<double> targetError, targetTime;
     std::string command;  // without --target-time
+
+    bool isPfm() const { return endsIn(out, ".pfm"); }
 };
+
+// Before any work is done.
+OutputFile openOutput(const PictureArguments& wanted) {
+    if (wanted.out != "-") {
+        if (!wanted.isPfm() && !endsIn(wanted.out, ".png"))
+            throw Error({wanted.out}, "expected a name that ends in .png or .pfm");
+        return {wanted.out};
+    }
+    if (wanted.stats) throw usageError("the picture - and --stats both go to standard output");
+    if (::isatty(STDOUT_FILENO))
+        throw usageError("the picture - is no text for a terminal: write - > out.png");
+    return OutputFile::standardOutput();
+}
 
 struct Picture {
     const RenderArguments& arguments;
@@ -154,7 +167,7 @@ RenderCounts renderInto(PixelSink& sink, const Picture& picture) {
 }
 
 template <class Sink, class Write>
-void renderTo(Picture& picture, Write write) {
+void renderTo(Picture& picture, OutputFile& out, Write write) {
     Stopwatch watch;
     Sink sink(picture.options.crop);
     if (const auto target = picture.wanted.targetError)
@@ -170,7 +183,7 @@ void renderTo(Picture& picture, Write write) {
     picture.timings.render = watch.lap();
     if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
         picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
-    write(picture.wanted.out, sink.image());
+    write(std::move(out), sink.image());
     picture.timings.write = watch.lap();
 }
 
@@ -186,18 +199,18 @@ std::string without(const std::string& option, std::span<char*> words) {
 }
 
 int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted) {
-    const std::string& out = wanted.out;
-    requireWritable(out);
+    OutputFile out = openOutput(wanted);
     Timings timings;
     Stopwatch watch;
     SceneDescription description = arguments.load();
     timings.load = watch.lap();
     RenderOptions options = arguments.prepare(description);
+    requirePictureFits(wanted.out, options.crop, wanted.isPfm());
     const auto renderer = makeRenderer(description, arguments.precisionChosen(), arguments.buildOptions());
     timings.build = watch.lap();
     Picture picture{arguments, wanted, description, *renderer, options, timings};
-    if (std::filesystem::path(out).extension() == ".pfm") renderTo<FloatSink>(picture, writePfm);
-    else renderTo<ByteSink>(picture, writePng);
+    if (wanted.isPfm()) renderTo<FloatSink>(picture, out, writePfm);
+    else renderTo<ByteSink>(picture, out, writePng);
     if (!arguments.quiet) tellLimited(picture.counts, options);
     if (wanted.stats) printStats(picture.counts, timings, options);
     return picture.choice && !picture.choice->reached ? 1 : 0;
@@ -210,7 +223,8 @@ int render(int argc, char** argv) {
     RenderArguments arguments;
     PictureArguments wanted;
     arguments.addTo(line);
-    line.text("IMAGE_OUT", wanted.out, "The picture: .png, or .pfm (linear float32, not clamped)");
+    line.text("IMAGE_OUT", wanted.out,
+              "The picture: .png, .pfm (linear float32, not clamped), or - for a PNG on standard output");
     arguments.addLongEdgeTo(line);
     line.number("--target-error", wanted.targetError, above(0),
                 "Choose --samples, --adaptive, --max-recursion and --cutoff such that the error (RMSE, of 1, "

@@ -1,15 +1,15 @@
 #include "render_arguments.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <sstream>
 #include <vector>
 
 #include "arguments.h"
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/explain/scene_advice.h"
+#include "raytracer/json/json_document.h"
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/number.h"
+#include "raytracer/util/standard_streams.h"
 
 namespace raytracer::commands {
 
@@ -27,8 +27,10 @@ constexpr TermName termNames[] = {
 
 std::vector<std::string> split(const std::string& list) {
     std::vector<std::string> parts;
-    std::istringstream stream(list);
-    for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+    for (std::size_t start = 0, end = 0; end != list.npos; start = end + 1) {
+        end = list.find(',', start);
+        parts.push_back(list.substr(start, end - start));
+    }
     return parts;
 }
 
@@ -36,12 +38,12 @@ PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
     std::vector<std::optional<int>> numbers;
     for (const std::string& part : split(text)) numbers.push_back(numberOf<int>(part));
     if (numbers.size() != 4 || std::ranges::count(numbers, std::optional<int>()) > 0)
-        throw usageError("--crop: expected four whole numbers x0,y0,x1,y1, found \"" + text + "\"");
+        throw usageError("--crop: expected four whole numbers x0,y0,x1,y1, found " + inQuotes(text));
     const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
     if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > size.width || crop.y1 > size.height || crop.width() < 1 ||
         crop.height() < 1)
         throw usageError("--crop: expected a rectangle inside of the " + std::to_string(size.width) + " x " +
-                         std::to_string(size.height) + " picture, found \"" + text + "\"");
+                         std::to_string(size.height) + " picture, found " + inQuotes(text));
     return crop;
 }
 
@@ -96,8 +98,8 @@ Terms RenderArguments::terms() const {
         if (known == std::end(termNames))
             throw usageError(
                 "--only: expected some of ambient, diffuse, specular, shadows, reflections, refraction, "
-                "textures, found \"" +
-                name + "\"");
+                "textures, found " +
+                inQuotes(name));
         terms.*known->term = true;
     }
     return terms;
@@ -116,15 +118,14 @@ BuildOptions RenderArguments::buildOptions() const {
 void RenderArguments::warn(const std::string& warning) const {
     const Error error({scene}, warning);
     if (strict) throw error;
-    if (!quiet) std::fprintf(stderr, "warning: %s\n", error.what());
+    if (!quiet) tell(std::string("warning: ") + error.what());
 }
 
 SceneDescription RenderArguments::load() const {
     LoadedScene loaded = loadScene(scene, strict);
     if (!warns()) return std::move(loaded.description);
     if (!quiet)
-        for (const std::string& warning : loaded.warnings)
-            std::fprintf(stderr, "warning: %s\n", warning.c_str());
+        for (const std::string& warning : loaded.warnings) tell("warning: " + warning);
     for (const std::string& advice : sceneAdvice(loaded.description)) warn(advice);
     return std::move(loaded.description);
 }

@@ -1,13 +1,14 @@
 // raytracer tradeoff SCENE...: what speed costs in accuracy, measured.
 #include <array>
-#include <cstdio>
 #include <filesystem>
 
 #include "arguments.h"
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/scene/scene_loader.h"
-#include "raytracer/util/file_bytes.h"
+#include "raytracer/util/output_file.h"
+#include "raytracer/util/standard_streams.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer::commands {
 
@@ -47,31 +48,29 @@ struct TradeoffArguments {
     }
 };
 
-void write(const std::filesystem::path& path, const std::string& text) {
-    const std::span<const char> whole = text;
-    writeFile(path.string(), {&whole, 1});
+void makeFolder(const std::string& out) {
+    std::error_code error;
+    std::filesystem::create_directories(out, error);
+    if (error) throw Error({out}, "cannot make the folder: " + error.message());
 }
 
 int measure(TradeoffArguments& arguments) {
-    if (!arguments.quiet)
-        arguments.options.report = [](const std::string& what) {
-            std::fprintf(stderr, "%s ...\n", what.c_str());
-        };
+    if (!arguments.quiet) arguments.options.report = [](const std::string& what) { tell(what + " ..."); };
     std::vector<LoadedScene> loaded;  // all first: a mistake in the last is told before an hour of work
     for (const std::string& scene : arguments.scenes) loaded.push_back(loadScene(scene, false));
-    std::filesystem::create_directories(arguments.out);
+    makeFolder(arguments.out);
+    const std::filesystem::path out = arguments.out;
+    OutputFile csv(out / "tradeoff.csv"), svg(out / "tradeoff.svg"), page(out / "tradeoff.html");
     std::vector<SceneTradeoff> scenes;
     for (std::size_t i = 0; i < loaded.size(); ++i) {
         const std::string name = std::filesystem::path(arguments.scenes[i]).stem().string();
         scenes.push_back(measureTradeoff(name, loaded[i].description, arguments.options));
-        std::printf("%s\n", tradeoffTable(scenes.back()).c_str());
-        std::fflush(stdout);
+        print(tradeoffTable(scenes.back()) + "\n");
     }
-    const std::filesystem::path out = arguments.out;
-    write(out / "tradeoff.csv", tradeoffCsv(scenes));
-    write(out / "tradeoff.svg", tradeoffSvg(scenes));
-    write(out / "tradeoff.html", tradeoffPage(scenes));
-    std::printf("wrote %s, .svg and .csv\n", (out / "tradeoff.html").c_str());
+    csv.write(tradeoffCsv(scenes));
+    svg.write(tradeoffSvg(scenes));
+    page.write(tradeoffPage(scenes));
+    print("wrote " + printable(page.name()) + ", .svg and .csv\n");
     return 0;
 }
 

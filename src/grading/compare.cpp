@@ -8,18 +8,15 @@
 #include <tuple>
 
 #include "raytracer/util/error.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
 namespace {
 
 template <class Image>
-void requireSameSize(const Image& a, const Image& b) {
-    const auto size = [](const Image& image) {
-        return std::to_string(image.width) + " x " + std::to_string(image.height);
-    };
-    if (a.width != b.width || a.height != b.height)
-        throw Error("the pictures' sizes differ: " + size(a) + " and " + size(b));
+ImageSize sizeOf(const Image& image) {
+    return {image.width, image.height};
 }
 
 double sampleDifference(std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); }
@@ -106,7 +103,7 @@ std::uint64_t Comparison::pixelsOver(int tolerance) const {
 }
 
 Picture readPicture(const std::string& path) {
-    if (path.ends_with(".pfm")) return readPfm(path);
+    if (endsIn(path, ".pfm")) return readPfm(path);
     return readImage(path);
 }
 
@@ -115,13 +112,21 @@ ByteImage toBytes(const Picture& picture) {
     return std::get<ByteImage>(picture);
 }
 
+void requireSameSize(const ImageSize& a, const ImageSize& b) {
+    const auto words = [](const ImageSize& size) {
+        return std::to_string(size.width) + " x " + std::to_string(size.height);
+    };
+    if (a.width != b.width || a.height != b.height)
+        throw Error("the pictures' sizes differ: " + words(a) + " and " + words(b));
+}
+
 Comparison compareImages(const ByteImage& a, const ByteImage& b) {
-    requireSameSize(a, b);
+    requireSameSize(sizeOf(a), sizeOf(b));
     return compareAs(a, b, a, b, 255);
 }
 
 Comparison compareImages(const FloatImage& a, const FloatImage& b) {
-    requireSameSize(a, b);
+    requireSameSize(sizeOf(a), sizeOf(b));
     return compareAs(a, b, quantised(a), quantised(b), 1);
 }
 
@@ -133,7 +138,7 @@ Comparison compareImages(const Picture& a, const Picture& b) {
 }
 
 ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
-    requireSameSize(a, b);
+    requireSameSize(sizeOf(a), sizeOf(b));
     // 64 differs from black on any screen; 8 per level leaves 24 levels up to 255.
     constexpr int base = 64, gain = 8;
     ByteImage result{a.width, a.height, {}};

@@ -10,7 +10,6 @@
 
 #include "raytracer/util/child_process.h"
 #include "raytracer/util/error.h"
-#include "raytracer/util/file_bytes.h"
 #include "raytracer/util/temporary_folder.h"
 
 namespace raytracer {
@@ -39,9 +38,10 @@ std::string firstWord(const std::string& name) {
 
 std::vector<fs::path> filesIn(const std::string& folder, const char* ending) {
     std::vector<fs::path> files;
-    std::error_code error;
+    std::error_code error, isGone;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().extension() == ending) files.push_back(entry->path());
+        if (entry->path().extension() == ending && entry->is_regular_file(isGone))
+            files.push_back(entry->path());
     if (error) throw Error({folder}, "cannot read the folder: " + error.message());
     return files;
 }
@@ -80,34 +80,34 @@ void removeShellsReport(std::string& output, const ProcessEnd& end) {
     if (end.signal && output.find(strsignal(end.signal), start) != std::string::npos) output.erase(start);
 }
 
-std::string bytesOf(const std::string& path) { return std::string(FileBytes(path).text()); }
-
-void renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
+// False where the program has failed; the result says how.
+bool renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
     const auto start = std::chrono::steady_clock::now();
     Rendered rendered = render(result.test, longEdge, out);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.message = std::move(rendered.message);
     result.output = std::move(rendered.output);
-    if (rendered.failed) throw Error(result.message);
-    if (!fs::exists(out))
-        throw Error(result.message + (result.message.empty() ? "" : ", ") + "wrote no picture");
+    std::error_code isLocked;
+    const bool isThere = rendered.failed || fs::is_regular_file(out, isLocked);
+    if (!isThere) result.message += std::string(result.message.empty() ? "" : ", ") + "wrote no picture";
+    return !rendered.failed && isThere;
 }
 
-void gradePicture(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
-    const ByteImage reference = readImage(result.test.reference);
-    result.referencePng = bytesOf(result.test.reference);
-    renderCase(result, render, longEdge ? longEdge : std::max(reference.width, reference.height), out);
-    const ByteImage ours = readImage(out);
-    result.ourPng = bytesOf(out);
+// An Error here is the program's.
+void comparePicture(GradeResult& result, const ByteImage& reference, const std::string& out) {
+    const FileBytes file(out, FileKind::Regular);
+    if (const auto size = sizeInHeader(file)) requireSameSize(*size, {reference.width, reference.height});
+    const ByteImage ours = readImage(out, FileKind::Regular);
+    result.ourPng = file.text();
     result.comparison = compareImages(ours, reference);
     const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference));
     result.differencePng.assign(difference.begin(), difference.end());
 }
 
-// The reader knows which picture it is; `out` is the path of ours.
-std::string messageOf(const Error& error, const GradeCase& test, const std::string& out) {
-    if (error.place().file == test.reference) return "the reference: " + error.inFile();
-    return error.place().file == out ? error.inFile() : error.what();
+// What the grader itself needs, before the program is blamed.
+void requireRoom(const TemporaryFolder& folder, const ByteImage& reference) {
+    constexpr std::size_t printed = std::size_t{1} << 20;  // bytes: for what the program prints
+    folder.requireRoom(reference.pixels.size() * 2 + printed);
 }
 
 }  // namespace
@@ -141,14 +141,19 @@ CaseRenderer programRenderer(const std::string& command, double timeoutSeconds) 
 GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge) {
     GradeResult result;
     result.test = test;
+    const FileBytes file(test.reference, FileKind::Regular);
+    const ByteImage reference = readImage(test.reference, FileKind::Regular);
+    requireMemoryToDecode(file);  // for the program's picture, so that this cannot be what fails then
+    result.referencePng = file.text();
     const TemporaryFolder folder;
+    requireRoom(folder, reference);
     const std::string out = folder.file("out.png");
+    if (!renderCase(result, render, longEdge ? longEdge : std::max(reference.width, reference.height), out))
+        return result;
     try {
-        gradePicture(result, render, longEdge, out);
+        comparePicture(result, reference, out);
     } catch (const Error& error) {
-        result.message = messageOf(error, test, out);
-    } catch (const std::exception& error) {
-        result.message = error.what();
+        result.message = error.inFile();
     }
     return result;
 }

@@ -167,8 +167,12 @@ bool JsonReader::text(Kind kind, std::string& value) {
 }
 
 bool JsonReader::open(Kind kind) {
+    constexpr std::size_t deepest = 256;  // a scene has 5
     open_.push_back(count());
     add(kind);
+    if (open_.size() > deepest)
+        throw Error(document_.place(static_cast<std::size_t>(nodes_.back().begin - text_.data())),
+                    "expected at most 256 lists and objects inside of each other");
     nodes_.back().end = std::numeric_limits<std::uint32_t>::max();  // until closed: see pointer()
     return true;
 }

@@ -9,6 +9,7 @@
 
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/memory.h"
 
 namespace raytracer {
 namespace {
@@ -70,6 +71,33 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     return png;
 }
 
+// The bytes of the pixels, with one more for each row, and at most twice that where the picture is
+// interlaced.
+std::size_t mostInflated(std::string_view header) {
+    constexpr std::size_t width = 8, height = 12, bitDepth = 16, mostChannels = 4;
+    const std::size_t rowBits =
+        bigEndian(header.substr(width)) * mostChannels * static_cast<std::size_t>(header[bitDepth]);
+    return 2 * bigEndian(header.substr(height)) * (rowBits / 8 + 2);
+}
+
+// stb inflates whatever is there, however small the picture is. Where that could be more than the memory
+// holds, it is inflated here before, but not beyond the picture's size.
+void requireFewInflated(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+    constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
+    std::string deflated;
+    for (const std::string_view chunk : chunks)
+        if (chunk.substr(4, 4) == "IDAT") deflated += chunk.substr(8, chunk.size() - chunkFrame);
+    if (!sizeInHeader(file) || hasMemory(mostRatio * static_cast<double>(deflated.size()))) return;
+    requireMemoryToDecode(file);
+    std::vector<char> inflated(mostInflated(chunks.front()));
+    const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
+        libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
+    std::size_t size = 0;
+    if (libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
+                                   inflated.size(), &size) == LIBDEFLATE_INSUFFICIENT_SPACE)
+        file.fail("broken PNG picture: it has more data than pixels");
+}
+
 bool hasPalette(std::string_view header) {
     constexpr std::size_t colorType = 17;
     return header.size() > colorType && (header[colorType] & 3) == 3;
@@ -87,6 +115,7 @@ using Decoder = Channel* (*)(const stbi_uc*, int, int*, int*, int*, int);
 template <class Channel>
 std::vector<Channel> decode(const FileBytes& file, std::string_view text, int wanted, Texture& image,
                             Decoder<Channel> decoder) {
+    requireMemoryToDecode(file, sizeof(Channel));
     int channelsInFile = 0;
     const std::unique_ptr<Channel, decltype(&stbi_image_free)> pixels(
         decoder(reinterpret_cast<const stbi_uc*>(text.data()), static_cast<int>(text.size()), &image.width,
@@ -110,7 +139,10 @@ Texture decode(const FileBytes& file) {
     if (text.size() > std::numeric_limits<int>::max() / 2) file.fail("cannot decode: the file is over 1 GiB");
     if (isTruncatedJpeg(text)) file.fail("broken JPEG picture: it has no end marker");
     std::vector<std::string_view> chunks{{}};
-    if (text.starts_with(pngSignature)) chunks = readChunks(file);
+    if (text.starts_with(pngSignature)) {
+        chunks = readChunks(file);
+        requireFewInflated(file, chunks);
+    }
     Texture image;
     if (hasPalette(chunks.front())) decodePaletted(file, chunks, image);
     else if (hasDeepTexels(chunks.front()))
@@ -121,10 +153,10 @@ Texture decode(const FileBytes& file) {
 
 }  // namespace
 
-Texture readTexture(const std::string& path) { return decode(FileBytes(path)); }
+Texture readTexture(const std::string& path) { return decode(FileBytes(path, FileKind::Regular)); }
 
-ByteImage readImage(const std::string& path) {
-    Texture texture = readTexture(path);
+ByteImage readImage(const std::string& path, FileKind kind) {
+    Texture texture = decode(FileBytes(path, kind));
     for (const std::uint32_t texel : texture.deepTexels)
         texture.texels.push_back(static_cast<std::uint8_t>((255 * texel + 32767) / 65535));
     return {texture.width, texture.height, std::move(texture.texels)};

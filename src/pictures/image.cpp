@@ -25,14 +25,6 @@ constexpr int deflateLevel = 1;
 constexpr std::size_t channels = 3;
 constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
 
-// stb counts in int: the pixels, one filter byte for each row, and the compressed stream, which is at most a
-// little larger than both. Half the range of int leaves room for that.
-void requireEncodable(const ByteImage& image, const std::string& path) {
-    const std::size_t rowBytes = static_cast<std::size_t>(image.width) * channels + 1;
-    if (rowBytes * static_cast<std::size_t>(image.height) > largestStbSize / 2)
-        throw Error({path}, "cannot write: the picture is too large for PNG");
-}
-
 // The header of a PFM: "PF", width, height, scale, whose sign is the byte order (negative: little endian) and
 // whose size, a unit on which programs disagree, is ignored; one blank; then the rows, the bottom row first.
 struct PfmHeader {
@@ -104,8 +96,16 @@ FloatImage decodePfm(const FileBytes& file) {
 
 FloatImage readPfm(const std::string& path) { return decodePfm(FileBytes(path)); }
 
+// stb counts in int: the pixels, one filter byte for each row, and the compressed stream, which is at most a
+// little larger than both. Half the range of int leaves room for that.
+bool fitsPng(int width, int height) {
+    const std::size_t rowBytes = static_cast<std::size_t>(width) * channels + 1;
+    return rowBytes * static_cast<std::size_t>(height) <= largestStbSize / 2;
+}
+
 std::vector<char> encodePng(const ByteImage& image, const std::string& path) {
-    requireEncodable(image, path);
+    if (!fitsPng(image.width, image.height))
+        throw Error({path}, "cannot write: the picture is too large for PNG");
     stbi_write_force_png_filter = pngFilter;
     stbi_write_png_compression_level = deflateLevel;
     std::vector<char> png;
@@ -119,13 +119,9 @@ std::vector<char> encodePng(const ByteImage& image, const std::string& path) {
     return png;
 }
 
-void writePng(const std::string& path, const ByteImage& image) {
-    const std::vector<char> png = encodePng(image, path);
-    const std::span<const char> whole = png;
-    writeFile(path, {&whole, 1});
-}
+void writePng(OutputFile&& file, const ByteImage& image) { file.write(encodePng(image, file.name())); }
 
-void writePfm(const std::string& path, const FloatImage& image) {
+void writePfm(OutputFile&& file, const FloatImage& image) {
     const char* const scale = std::endian::native == std::endian::little ? "-1.0" : "1.0";
     const std::string header =
         "PF\n" + std::to_string(image.width) + ' ' + std::to_string(image.height) + '\n' + scale + '\n';
@@ -134,7 +130,7 @@ void writePfm(const std::string& path, const FloatImage& image) {
     for (auto y = static_cast<std::size_t>(image.height); y-- > 0;)
         parts.emplace_back(reinterpret_cast<const char*>(image.pixels.data() + y * rowFloats),
                            rowFloats * sizeof(float));
-    writeFile(path, parts);
+    file.write(parts);
 }
 
 }  // namespace raytracer

@@ -12,6 +12,7 @@
 #include "obj_text.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/parallel.h"
 #include "raytracer/util/text.h"
 
@@ -62,12 +63,20 @@ void requireUsable(const ObjCounts& whole, const std::string& path) {
     // noTexCoord is no index.
     if (std::max(whole.positions, whole.texCoords) >= MeshData::noTexCoord)
         throw Error({path}, "too many vertices: indices have 32 bits");
+    // A face and its part of the tree (bench/README.md), while the tree is built.
+    constexpr double faceBytes = 80;
+    requireMemory(
+        path, {{std::to_string(whole.faces) + " faces", faceBytes * static_cast<double>(whole.faces)},
+               {"their vertices",
+                24.0 * static_cast<double>(whole.positions) + 16.0 * static_cast<double>(whole.texCoords)}});
 }
 
 // Frees each chunk once it is copied, so that little is in memory twice.
-void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh) {
+void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh, const std::string& path) {
     std::size_t corners = 0;
     for (const ObjTriangles& chunk : chunks) corners += chunk.positionIndex.size();
+    if (corners / 3 > MeshData::mostTriangles)
+        throw Error({path}, "more than 200,000,000 triangles: use several meshes");
     const bool textured =
         std::ranges::any_of(chunks, [](const auto& chunk) { return !chunk.texCoordIndex.empty(); });
     mesh.positionIndex.reserve(corners);
@@ -111,7 +120,7 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const s
         triangles[i] = parseObjChunk({chunks[i], path}, above[i], whole, mesh);
     });
     parallelFor(jobs, 0, [&](std::uint32_t i) { cutConcavePolygons(triangles[i], mesh); });
-    appendTriangles(triangles, mesh);
+    appendTriangles(triangles, mesh, path);
     mesh.findBounds();
     return mesh;
 }
@@ -122,6 +131,8 @@ MeshData parseObj(std::string_view text, const std::string& path) {
     return parseObjInChunks(text, text.size() / chunkBytes + 1, path);
 }
 
-MeshData loadObj(const std::string& path) { return parseObj(FileBytes(path).text(), path); }
+MeshData loadObj(const std::string& path) {
+    return parseObj(FileBytes(path, FileKind::Regular).text(), path);
+}
 
 }  // namespace raytracer

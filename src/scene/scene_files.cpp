@@ -41,7 +41,8 @@ std::shared_ptr<const Texture> SceneFiles::texture(JsonView path) {
 }
 
 void SceneFiles::requireTexture(JsonView path) const {
-    readNamed(path, resolve(path), aPicture, [](const std::string& file) { FileBytes{file}; });
+    readNamed(path, resolve(path), aPicture,
+              [](const std::string& file) { FileBytes(file, FileKind::Regular); });
 }
 
 // The operating system would read a path only up to a NUL.

@@ -2,10 +2,10 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -14,6 +14,8 @@
 #include <sstream>
 #include <thread>
 
+#include "descriptor.h"
+#include "leftover.h"
 #include "raytracer/util/error.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
@@ -27,55 +29,49 @@ using Clock = std::chrono::steady_clock;
 // No file over 1 GiB (2^21 blocks of 512 bytes): a program that prints without end must not fill the disk.
 constexpr const char* shellPrefix = "ulimit -f 2097152; ";
 
-std::atomic<pid_t> runningGroup = 0;
-
-void killGroupAndDie(int signal) {
-    if (const pid_t group = runningGroup) ::kill(-group, SIGKILL);
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+// What the child has started in other process groups: when its parent has ended, it becomes a child of this
+// process (PR_SET_CHILD_SUBREAPER). True where there was any.
+bool killOrphans(pid_t child, const char* listOfChildren) {
+    const Descriptor list(::open(listOfChildren, O_RDONLY | O_CLOEXEC));
+    char text[4096];
+    const ssize_t size = list ? ::read(list.get(), text, sizeof text) : 0;
+    bool found = false;
+    pid_t number = 0;
+    for (ssize_t i = 0; i < size; ++i) {
+        if (text[i] != ' ') {
+            number = 10 * number + (text[i] - '0');
+            continue;
+        }
+        if (number != child && ::kill(number, SIGKILL) == 0 && ::waitpid(number, nullptr, 0) == number)
+            found = true;
+        number = 0;
+    }
+    return found;
 }
 
-// The child has a process group of its own, so that it can be killed with all its children. The terminal's
-// Ctrl-C does not reach that group, so this passes it on.
-class GroupGuard {
-  public:
-    explicit GroupGuard(pid_t group) {
-        runningGroup = group;
-        interrupt_ = std::signal(SIGINT, killGroupAndDie);
-        terminate_ = std::signal(SIGTERM, killGroupAndDie);
-    }
-    ~GroupGuard() {
-        std::signal(SIGINT, interrupt_);
-        std::signal(SIGTERM, terminate_);
-        runningGroup = 0;
-    }
-    GroupGuard(const GroupGuard&) = delete;
-    GroupGuard& operator=(const GroupGuard&) = delete;
-
-  private:
-    void (*interrupt_)(int);
-    void (*terminate_)(int);
+struct Started {
+    pid_t child;
+    std::string listOfChildren = "/proc/self/task/" + std::to_string(::getpid()) + "/children";
 };
 
-// Delays interrupts from before the child's start until the guard is there, so that none misses the child.
-class InterruptsWait {
-  public:
-    InterruptsWait() {
-        sigset_t interrupts;
-        sigemptyset(&interrupts);
-        sigaddset(&interrupts, SIGINT);
-        sigaddset(&interrupts, SIGTERM);
-        pthread_sigmask(SIG_BLOCK, &interrupts, &before_);
+// The child has a process group of its own, so that it can be killed with all in it.
+void killAll(const void* started) {
+    const auto& [child, list] = *static_cast<const Started*>(started);
+    ::kill(-child, SIGKILL);
+    siginfo_t info{};
+    ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT);
+    while (killOrphans(child, list.c_str())) {
     }
-    ~InterruptsWait() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    InterruptsWait(const InterruptsWait&) = delete;
-    InterruptsWait& operator=(const InterruptsWait&) = delete;
+}
 
-    const sigset_t& before() const { return before_; }
-
-  private:
-    sigset_t before_;
-};
+// The child ignores no signal that this program does (prepareStandardStreams).
+sigset_t signalsOfDefault() {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGPIPE);
+    sigaddset(&set, SIGXFSZ);
+    return set;
+}
 
 pid_t spawn(const std::vector<std::string>& words, const std::string& output, const sigset_t& signalMask) {
     std::vector<char*> argv;
@@ -91,12 +87,15 @@ pid_t spawn(const std::vector<std::string>& words, const std::string& output, co
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setsigmask(&attributes, &signalMask);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+    const sigset_t defaults = signalsOfDefault();
+    posix_spawnattr_setsigdefault(&attributes, &defaults);
+    posix_spawnattr_setflags(&attributes,
+                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     pid_t child = 0;
     const int error = posix_spawn(&child, "/bin/sh", &files, &attributes, argv.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
-    if (error != 0) throw Error(std::string("cannot start a process: ") + std::strerror(error));
+    if (error != 0) throw Error({output}, std::string("cannot start a process: ") + std::strerror(error));
     return child;
 }
 
@@ -107,10 +106,10 @@ bool hasEnded(pid_t child) {
            info.si_pid == child;
 }
 
-bool endsBefore(pid_t child, Clock::time_point deadline) {
+bool endsWithin(pid_t child, Clock::time_point start, std::chrono::duration<double> limit) {
     // Polled, since no portable call waits for a child with a time limit. 2 ms are short beside a render.
     while (!hasEnded(child)) {
-        if (Clock::now() >= deadline) return false;
+        if (Clock::now() - start >= limit) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return true;
@@ -147,14 +146,16 @@ ProcessEnd runProcess(const std::string& command, const std::vector<std::string>
     std::vector<std::string> words{"sh", "-c", shellPrefix + command + " \"$@\"", "sh"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const Clock::time_point start = Clock::now();
-    std::optional<InterruptsWait> interruptsWait(std::in_place);
-    const pid_t child = spawn(words, output, interruptsWait->before());
-    const GroupGuard guard(child);
-    interruptsWait.reset();
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+    std::optional<SignalsWait> signalsWait(std::in_place);
+    const Started started{spawn(words, output, signalsWait->before())};
+    const pid_t child = started.child;
+    std::optional<Leftover> all(std::in_place, killAll, &started);
+    signalsWait.reset();
     ProcessEnd end;
-    end.timedOut = !endsBefore(child, start + std::chrono::duration_cast<Clock::duration>(
-                                                  std::chrono::duration<double>(timeoutSeconds)));
-    ::kill(-child, SIGKILL);
+    end.timedOut = !endsWithin(child, start, std::chrono::duration<double>(timeoutSeconds));
+    all->clear();
+    all.reset();  // before another process can get its number
     end.seconds = end.timedOut ? timeoutSeconds : std::chrono::duration<double>(Clock::now() - start).count();
     const int status = reap(child);
     if (!end.timedOut) readStatus(status, end);

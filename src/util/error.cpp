@@ -1,5 +1,7 @@
 #include "raytracer/util/error.h"
 
+#include <cerrno>
+#include <system_error>
 #include <utility>
 
 namespace raytracer {
@@ -26,5 +28,9 @@ Error::Error(Place place, const std::string& message)
           joined(place.file, !place.pointer && place.column > 0 ? ":" : ": ", afterFile(place, message))),
       place_(std::move(place)),
       inFile_(afterFile(place_, message)) {}
+
+Error systemError(const std::string& file, const std::string& purpose) {
+    return {{file}, joined(purpose, ": ", std::generic_category().message(errno))};
+}
 
 }  // namespace raytracer

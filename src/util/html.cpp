@@ -2,16 +2,19 @@
 
 #include <cstdint>
 
+#include "raytracer/util/text.h"
+
 namespace raytracer {
 
 std::string escaped(std::string_view text) {
     std::string html;
-    for (const char c : text) {
+    for (const char c : printable(text, "\n\t")) {
         switch (c) {
             case '&': html += "&amp;"; break;
             case '<': html += "&lt;"; break;
             case '>': html += "&gt;"; break;
             case '"': html += "&quot;"; break;
+            case '\'': html += "&#39;"; break;
             default: html += c;
         }
     }

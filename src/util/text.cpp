@@ -1,9 +1,27 @@
 #include "raytracer/util/text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 
 namespace raytracer {
+
+std::size_t printableBytes(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    if (lead < 0x80) return lead >= 0x20 && lead != 0x7f;
+    const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return 0;
+    std::uint32_t code = lead & (0x7fU >> size);
+    for (const char c : text.substr(1, size - 1)) {
+        if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return 0;
+        code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
+    }
+    constexpr std::uint32_t least[] = {0, 0, 0xa0, 0x800, 0x10000};  // less is longer than it need be
+    const bool isSurrogate = code >> 11 == 0xd800 >> 11, isNoCharacter = (code & 0xfffe) == 0xfffe;
+    return code >= least[size] && code <= 0x10ffff && !isSurrogate && !isNoCharacter ? size : 0;
+}
 
 std::string formatted(const char* format, ...) {
     va_list values, again;
@@ -20,6 +38,23 @@ bool isUtf16(std::string_view text) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
     if (text.size() < 4 || (text[0] == 0) != (text[2] == 0)) return false;
     return text[0] == 0 ? text[1] != 0 && text[3] != 0 : text[1] == 0 && text[3] == 0;
+}
+
+std::string printable(std::string_view text, std::string_view kept) {
+    std::string shown;
+    while (!text.empty()) {
+        const std::size_t good = kept.find(text[0]) != kept.npos ? 1 : printableBytes(text);
+        if (good) shown += text.substr(0, good);
+        else shown += formatted("\\x%02x", static_cast<unsigned char>(text[0]));
+        text.remove_prefix(std::max<std::size_t>(good, 1));
+    }
+    return shown;
+}
+
+bool endsIn(std::string_view name, std::string_view ending) {
+    const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+    return name.size() >= ending.size() &&
+           std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending), same);
 }
 
 }  // namespace raytracer

@@ -85,6 +85,26 @@ def check_report(folder):
         r"http://www\.w3\.org/2000/svg", "", page), "not self-contained"
 
 
+def check_names(folder):
+    """Any name of a scene is one field of the table, text on a page, and does nothing to a terminal."""
+    name = 'a,b"\n\x1b[31m<i>\'&\udcff'
+    scene = folder / f"{name}.json"
+    scene.write_bytes(pathlib.Path("test/good/least.json").read_bytes())
+    done = subprocess.run([RAYTRACER, "tradeoff", scene, "--size", "16", "--samples", "2", "--repeats", "1", "--out", folder / "names"],
+                          capture_output=True, timeout=300)
+    assert done.returncode == 0, done
+    shown = 'a,b"\\x0a\\x1b[31m<i>\'&\\xff'
+    assert done.stdout.decode().startswith(f"{shown}: 16 x 16 pixels."), done.stdout
+    assert done.stderr.decode().startswith(f"{shown}: the reference ...\n"), done.stderr
+    rows = list(csv.reader((folder / "names/tradeoff.csv").open(newline="")))
+    assert {len(row) for row in rows} == {21}, rows
+    assert {row[0] for row in rows[1:]} == {'a,b"\n\\x1b[31m<i>\'&\\xff'}, rows[1]
+    text = xml.etree.ElementTree.parse(folder / "names/tradeoff.svg").findall(".//{http://www.w3.org/2000/svg}text")
+    assert 'a,b"\n\\x1b[31m<i>\'&\\xff' in [element.text for element in text], [element.text for element in text]
+    page = (folder / "names/tradeoff.html").read_bytes().decode()
+    assert "a,b&quot;\n\\x1b[31m&lt;i&gt;&#39;&amp;\\xff</h2>" in page and "\x1b" not in page, "the page"
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -94,6 +114,7 @@ def main():
         check_time(folder, "scenes/texture.json")
         check_limit(folder)
         check_report(folder)
+        check_names(folder)
 
 
 if __name__ == "__main__":

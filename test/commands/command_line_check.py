@@ -21,7 +21,8 @@ def check(what, expected, found):
 
 
 def run(*arguments):
-    return subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, text=True, timeout=60)
+    words = [word if isinstance(word, bytes) else str(word) for word in arguments]
+    return subprocess.run([RAYTRACER, *words], capture_output=True, text=True, timeout=60)
 
 
 def check_help(command):
@@ -59,7 +60,7 @@ NUMBERS = {
     },
     "grade": {
         "--size": ("a whole number from 1 to 65536", ["1", "65536"]),
-        "--timeout": ("a number above 0", ["1e-3", "1e9"]),
+        "--timeout": ("a number above 0", ["1e-3", "1e300"]),
         "--max-pixels": ("a whole number not below 0", ["0"]),
         "--tolerance": ("a whole number from 0 to 255", ["0"]),
         "--min-score": ("a whole number from 0 to 100", ["0"]),
@@ -134,9 +135,22 @@ def check_other_refusals():
             check(f"{target} and {other}", True, " excludes " in done.stderr and done.stderr.count("\n") == 1)
 
 
+def check_shown():
+    """What is found is shown shortened, and as text that does nothing to a terminal."""
+    render = [*ARGUMENTS["render"].values(), "--texture-filter"]
+    expected = "--texture-filter: expected nearest or bilinear, found"
+    check_refused([*render, "9" * 400], f'{expected} "{"9" * 60}"...')
+    check_refused([*render, "\x1b[31m\x9b\n\x7f"], f'{expected} "\\u001b[31m\\u009b\\n\\u007f"')
+    check_refused([*render, "nearest", b"\x1b[2J\xff\xc2\x9b"], "The following argument was not expected: \\x1b[2J\\xff\\xc2\\x9b")
+    check("a file's name", (2, "/no\\x0a\\x1b.json: cannot read: No such file or directory\n"),
+          (lambda done: (done.returncode, done.stderr))(run("explain", "/no\n\x1b.json", 0, 0, 8)))
+    long = run(SCENE, "/tmp/no.png", 8, "--crop", "1," * 400).stderr
+    check("a long --crop", True, long.endswith("...\n") and len(long) < 200)
+
+
 def check_crop():
     expected = "raytracer: --crop: expected four whole numbers x0,y0,x1,y1, found "
-    for crop in ("1,2,3", "1,2,3,4,5", "a,b,c,d", "0,0,1,nan", "0,0,,1", "0,0,1,1e0"):
+    for crop in ("1,2,3", "1,2,3,4,", "1,2,3,4,5", "a,b,c,d", "0,0,1,nan", "0,0,,1", "0,0,1,1e0"):
         done = run(SCENE, "/tmp/no.png", 8, "--crop", crop)
         check(f"--crop {crop}", (2, f'{expected}"{crop}"\n'), (done.returncode, done.stderr))
 
@@ -164,6 +178,7 @@ def main():
             check_numbers(command, name, expected, good)
     check_other_refusals()
     check_crop()
+    check_shown()
     check_decimal()
     check_many()
     print("\n".join(failures) if failures else "every command line as it should be")

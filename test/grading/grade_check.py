@@ -2,6 +2,7 @@
 
 Usage: grade_check.py RAYTRACER. Exit status 77 (CTest: skipped) without Pillow.
 """
+import os
 import re
 import shutil
 import signal
@@ -59,6 +60,11 @@ ENDINGS = {
     "hang": ("echo 'thinking'; sleep 60", "0", "hung: stopped after 1 s"),
     "nothing": ("echo 'what scene?'", "0", "wrote no picture"),
     "broken": ("echo nonsense > \"$2\"", "0", "PNG"),
+    "huge": ("printf '\\211PNG\\r\\n\\032\\n\\0\\0\\0\\rIHDR\\0\\0\\050\\0\\0\\0\\050\\0\\010\\2\\0\\0\\0' > \"$2\"", "0",
+             "the pictures' sizes differ: 10240 x 10240 and 60 x 40"),
+    "pipe": ("mkfifo \"$2\"", "0", "wrote no picture"),
+    "endless": ("ln -s /dev/zero \"$2\"", "0", "wrote no picture"),
+    "folder": ("mkdir \"$2\"; printf '\\033[2J\\rred \\377\\302\\233'", "0", "wrote no picture"),
     "size": ("", "0", "the pictures' sizes differ: 30 x 20 and 60 x 40"),
 }
 
@@ -91,24 +97,65 @@ def check_cli(program, folder):
         check(rows[name][1] == score and message in (rows[name][3] or ""), f"{name}: {rows[name][0]!r}")
     for words in ("about to fall", "done, nearly", "thinking", "what scene?"):
         check(words in result.stdout, f"a program's last line is shown: {result.stdout}")
-    check("3 of 9 pictures as the reference, mean score 44.2" in result.stdout, f"the summary: {result.stdout[-200:]}")
+    check("3 of 13 pictures as the reference, mean score 30.6" in result.stdout, f"the summary: {result.stdout[-200:]}")
     check("no reference: lonely.json" in result.stdout, "scenes without reference are told")
-    page = (folder / "report.html").read_text()
-    check(page.count("<article") == 9 and "crashed: Segmentation fault" in page and "about to fall" in page, "the report")
+    safe = "\x1b" not in result.stdout and "  red \\xff\\xc2\\x9b\n" in result.stdout
+    check(safe, f"no command for a terminal: {result.stdout}")
+    page = (folder / "report.html").read_text("utf-8")
+    check("\x1b" not in page and "\\x1b[2J\\x0dred \\xff\\xc2\\x9b</pre>" in page, "nor in the report")
+    check(page.count("<article") == 13 and "crashed: Segmentation fault" in page and "about to fall" in page, "the report")
     check_statuses(program, folder)
     check_interrupt(program, folder)
+    check_own_failures(program, folder)
 
 
 def check_interrupt(program, folder):
-    """Ctrl-C ends the program that is being graded, too."""
-    write_program(folder / "sleeper", "echo $$ > pid; exec sleep 60\n")
-    grader = subprocess.Popen([program, "grade", "exam", "--program", "./sleeper"], cwd=folder, stdout=subprocess.DEVNULL)
-    pid = folder / "pid"
-    while not (pid.exists() and pid.read_text().strip()):
-        time.sleep(0.01)
-    grader.send_signal(signal.SIGINT)
-    check(grader.wait(10) == -signal.SIGINT, "an interrupt ends the grading")
-    check(has_ended(pid.read_text().strip()), "an interrupt ends the program")
+    """A signal that ends the grading ends the program that is being graded, too, and leaves no folder."""
+    write_program(folder / "sleeper", "(while :; do :> \"$2.$$\"; done) & mkdir -p \"$2.d/e\"; echo $$ > pid; exec sleep 60\n")
+    pid, temporary = folder / "pid", folder / "tmp"
+    temporary.mkdir()
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        pid.unlink(missing_ok=True)
+        grader = subprocess.Popen([program, "grade", "exam", "--program", "./sleeper", "--report", "tmp/r.html"], cwd=folder,
+                                  stdout=subprocess.DEVNULL, env=os.environ | {"TMPDIR": str(temporary)})
+        while not (pid.exists() and pid.read_text().strip()):
+            time.sleep(0.01)
+        check(len(list(temporary.iterdir())) == 2, "the grading has a folder, and a place for its report")
+        grader.send_signal(number)
+        check(grader.wait(10) == -number, f"signal {number} ends the grading")
+        check(has_ended(pid.read_text().strip()), f"signal {number} ends the program")
+        check(not list(temporary.iterdir()), f"signal {number} leaves {list(temporary.iterdir())}")
+    temporary.rmdir()
+
+
+def check_own_failures(program, folder):
+    """What fails on the grader's side is no score."""
+    def failing(what, line, *arguments, before=(), **environment):
+        command = [*before, program, "grade", *map(str, arguments)]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=folder, env=os.environ | environment)
+        check((done.returncode, re.fullmatch(line, done.stderr) is not None, "mean score" in done.stdout) == (2, True, False),
+              f"{what}: {done.returncode} {done.stderr!r} {done.stdout!r}")
+
+    (folder / "one").mkdir()
+    shutil.copy(folder / "exam/good_one.png", folder / "one/a.png")
+    (folder / "one/a.json").write_text("{}")
+    failing("no temporary folder", "/no: cannot make a temporary folder: No such file or directory\n", "one", TMPDIR="/no")
+    failing("the same for a program", "/no: cannot make a temporary folder: No such file or directory\n", "one",
+            "--program", "true", TMPDIR="/no")
+    failing("the disk is full", "/tmp/raytracer-\\w+: no room for a picture: File too large\n", "one", "--program", "true",
+            before=["sh", "-c", 'ulimit -f 100; exec "$@"', "sh"], TMPDIR="")
+    for blank in ("", "  "):
+        failing("no program", f'raytracer grade: --program: expected a text, found "{blank}" \\(raytracer grade --help tells more\\)\n',
+                "one", "--program", blank)
+    (folder / "one/a.png").write_bytes((folder / "one/a.png").read_bytes()[:100])
+    failing("a broken reference", "one/a.png: broken PNG picture: it is cut short, or a checksum in it is wrong\n", "one", "--program",
+            "true")
+    mount = ["unshare", "-m", "sh", "-c", 'mount -t tmpfs -o size=512k none one && shift && exec "$@"', "sh", ""]
+    if subprocess.run([*mount, "true"], cwd=folder, capture_output=True).returncode:
+        print("a small disk: skipped, it can't be mounted")
+    else:
+        failing("a small disk", "one/raytracer-\\w+: no room for a picture: No space left on device\n", "few", "--program", "true",
+                before=mount, TMPDIR="one")
 
 
 def has_ended(pid):

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <sys/stat.h>
+
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -128,15 +130,32 @@ TEST_CASE("grade: what is wrong is a result") {
     CHECK(messageOf(saying({})) == "wrote no picture");
     CHECK(messageOf(saying({false, "exit status 3", ""})) == "exit status 3, wrote no picture");
     CHECK(messageOf(saying({true, "crashed: Aborted", ""})) == "crashed: Aborted");
-    CHECK(messageOf([](const GradeCase&, int, const std::string&) -> Rendered { throw std::bad_alloc(); }) ==
-          "std::bad_alloc");
     CHECK_THAT(messageOf([](const GradeCase&, int, const std::string& out) {
                    std::ofstream(out) << "no picture";
                    return Rendered{};
                }),
                Contains("PNG"));
+    CHECK(messageOf([&](const GradeCase&, int, const std::string& out) {
+              std::filesystem::create_symlink("/dev/zero", out);
+              return Rendered{};
+          }) == "wrote no picture");
+}
+
+TEST_CASE("grade: what fails on the grader's side is no result") {
+    const TemporaryFolder folder;
+    GradeCase test = blackCase(folder);
+    CHECK_THROWS_AS(
+        gradeCase(
+            test, [](const GradeCase&, int, const std::string&) -> Rendered { throw std::bad_alloc(); }, 0),
+        std::bad_alloc);
     touch(test.reference);
-    CHECK_THAT(messageOf(flatRenderer(10, 0)), Contains("the reference: "));
+    CHECK_THROWS_WITH(
+        gradeCase(test, flatRenderer(10, 0), 0),
+        test.reference + ": cannot decode as PNG or JPEG: Image not of any known type, or corrupt");
+    std::filesystem::remove(test.reference);
+    REQUIRE(::mkfifo(test.reference.c_str(), 0600) == 0);
+    CHECK_THROWS_WITH(gradeCase(test, flatRenderer(10, 0), 0),
+                      test.reference + ": cannot read: it is no regular file");
 }
 
 TEST_CASE("grade: a picture that was rendered before a crash does not count") {
@@ -205,6 +224,13 @@ TEST_CASE("child process: how it ends") {
     }
     SECTION("there is no such program") {
         CHECK(runProcess("./no-such-program", {}, log, 10).description() == "could not be started");
+    }
+    SECTION("with what it started in a session of its own") {
+        const std::string pid = folder.file("pid");
+        const std::string start = "setsid sh -c 'echo $$ > " + pid + "; exec sleep 60' &";
+        CHECK(runProcess("eval \"" + start + "\"; while [ ! -s " + pid + " ]; do :; done; true", {}, log, 10)
+                  .well());
+        CHECK(::kill(std::stoi(textOf(pid)), 0) == -1);
     }
     SECTION("late, with all it started") {
         const ProcessEnd end =

@@ -10,3 +10,26 @@ TEST_CASE("formatted text is printf's, of any length") {
     const std::string page(100000, 'x');
     CHECK(formatted("<%s>", page.c_str()) == "<" + page + ">");
 }
+
+TEST_CASE("printable text is UTF-8 without control characters") {
+    const std::string good = "a~ \u00a0\u00e4\u2603\U0001f600\U0010fffd'<&";
+    CHECK(printable(good) == good);
+    CHECK(printable({"\0\n\x1b[31m\x7f", 8}) == "\\x00\\x0a\\x1b[31m\\x7f");
+    CHECK(printable("a\r\n\t", "\n\t") == "a\\x0d\n\t");
+    CHECK(printable("\u009b\uffff") == "\\xc2\\x9b\\xef\\xbf\\xbf");
+    // Too long, a surrogate, beyond Unicode, cut short, without a beginning.
+    CHECK(printable("\xc0\x80") == "\\xc0\\x80");
+    CHECK(printable("\xe0\x9f\xbf") == "\\xe0\\x9f\\xbf");
+    CHECK(printable("\xed\xa0\x80") == "\\xed\\xa0\\x80");
+    CHECK(printable("\xf4\x90\x80\x80") == "\\xf4\\x90\\x80\\x80");
+    CHECK(printable("\xe2\x98") == "\\xe2\\x98");
+    CHECK(printable("\xe2\x98z") == "\\xe2\\x98z");
+    CHECK(printable("\x98") == "\\x98");
+}
+
+TEST_CASE("A name's ending counts in large and small letters") {
+    CHECK(endsIn("a.PnG", ".png"));
+    CHECK(endsIn(".png", ".png"));
+    CHECK_FALSE(endsIn("png", ".png"));
+    CHECK_FALSE(endsIn("a.png.txt", ".png"));
+}

@@ -45,6 +45,7 @@ struct Comparison {
 };
 
 // Throw Error if the sizes differ.
+void requireSameSize(const ImageSize& a, const ImageSize& b);
 Comparison compareImages(const ByteImage& a, const ByteImage& b);
 Comparison compareImages(const FloatImage& a, const FloatImage& b);
 Comparison compareImages(const Picture& a, const Picture& b);

@@ -47,10 +47,11 @@ struct Rendered {
     std::string output;   // the end of what the program printed
 };
 
-// Renders the case's picture, `longEdge` pixels on its longer side, to the PNG file `out`.
+// Renders the case's picture, `longEdge` pixels on its longer side, to the PNG file `out`. Throws where that
+// fails for a reason that is not the renderer's.
 using CaseRenderer = std::function<Rendered(const GradeCase& test, int longEdge, const std::string& out)>;
 
-// Runs `command scene.json out.png longEdge`.
+// Runs `command scene.json out.png longEdge`. What it writes is a picture only where it is a regular file.
 CaseRenderer programRenderer(const std::string& command, double timeoutSeconds);
 
 struct GradeResult {
@@ -63,8 +64,8 @@ struct GradeResult {
     int score() const { return comparison ? comparison->score : 0; }
 };
 
-// A fault of the picture or the reference is part of the result and throws nothing. With `longEdge` 0 the
-// picture has the reference's size.
+// A fault of the picture is part of the result. Throws Error for what is not the renderer's: a reference that
+// cannot be read, no temporary folder, a full disk. With `longEdge` 0 the picture has the reference's size.
 GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge);
 
 bool within(const GradeResult& result, const Thresholds& thresholds);

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "raytracer/pictures/pixels.h"
 #include "raytracer/pictures/texture.h"
+#include "raytracer/util/file_bytes.h"
+#include "raytracer/util/output_file.h"
 
 namespace raytracer {
 
@@ -32,15 +36,26 @@ inline std::uint8_t toByte(double channel) {
 
 // PNG or JPEG as RGB: without alpha, grey as three equal channels. Throws Error where the file is missing,
 // unreadable or not a picture.
-Texture readTexture(const std::string& path);
-ByteImage readImage(const std::string& path);  // 16 bits are rounded to 8
+Texture readTexture(const std::string& path);                                 // of a regular file
+ByteImage readImage(const std::string& path, FileKind kind = FileKind::Any);  // 16 bits are rounded to 8
 FloatImage readPfm(const std::string& path);
 
-// A PNG file's bytes. Throws Error, about the file `path`, where they are too many for the encoder.
+// What a PNG's or JPEG's header says; nothing where it has none.
+std::optional<ImageSize> sizeInHeader(const FileBytes& file);
+
+// Throws Error where the memory is too little to decode the picture to channels of so many bytes.
+void requireMemoryToDecode(const FileBytes& file, std::size_t channelBytes = 1);
+
+std::string pixelsInWords(int width, int height);  // "18000 × 18000 pixels"
+
+// Whether a picture of this size is not too large for the encoder of PNGs.
+bool fitsPng(int width, int height);
+
+// A PNG file's bytes. Throws Error, about the file `path`, where the picture does not fit.
 std::vector<char> encodePng(const ByteImage& image, const std::string& path = {});
 
-// Written beside `path` and renamed onto it, so that a picture is whole or absent. Throws Error.
-void writePng(const std::string& path, const ByteImage& image);
-void writePfm(const std::string& path, const FloatImage& image);
+// Throw Error. A path is made a file here; a file that is open already is given as std::move(file).
+void writePng(OutputFile&& file, const ByteImage& image);
+void writePfm(OutputFile&& file, const FloatImage& image);
 
 }  // namespace raytracer

@@ -20,6 +20,8 @@ struct MeshData {
     std::vector<std::uint32_t> positionIndex;  // 3 for each triangle
     std::vector<std::uint32_t> texCoordIndex;  // 3 for each triangle, or empty where no face has vt
     static constexpr std::uint32_t noTexCoord = ~std::uint32_t{0};  // for a corner without vt: (0, 0)
+    // 10 words each, at 31 bits, in the leaves of the tree.
+    static constexpr std::size_t mostTriangles = 200'000'000;
 
     // The smallest box around all positions. Whoever fills `positions` then calls findBounds once.
     glm::dvec3 low{0}, high{0};

@@ -31,4 +31,7 @@ class Error : public std::runtime_error {
     std::string inFile_;
 };
 
+// What errno says: "FILE: PURPOSE: No such file or directory", or without the purpose.
+Error systemError(const std::string& file, const std::string& purpose = {});
+
 }  // namespace raytracer

@@ -1,19 +1,20 @@
-// Whole files in and out. Each Error has the path and says why: "out.png: cannot write: No space left on
-// device".
+// Whole files, read. Each Error has the path and says why: "a.png: cannot read: No such file or directory".
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 
 namespace raytracer {
 
+// What a file may be: a pipe or a device, too, or nothing that can make its reader wait or that has no end.
+enum class FileKind { Any, Regular };
+
 // A file's bytes, read only. The file is mapped where that is possible, so that threads that parse it share
 // the work of fetching it; else (a pipe) it is read into memory. It must not shrink while it is mapped.
 class FileBytes {
   public:
-    explicit FileBytes(const std::string& path);  // throws Error
+    explicit FileBytes(const std::string& path, FileKind kind = FileKind::Any);  // throws Error
     ~FileBytes();
     FileBytes(const FileBytes&) = delete;
     FileBytes& operator=(const FileBytes&) = delete;
@@ -29,10 +30,5 @@ class FileBytes {
     bool mapped_ = false;
     std::string copy_;
 };
-
-// Writes the parts one after the other to a file beside `path` and renames that to `path`, so that the file
-// is either whole or as before. A symbolic link stays one. What is no regular file (/dev/null, a pipe) is
-// written in place. Throws Error.
-void writeFile(const std::string& path, std::span<const std::span<const char>> parts);
 
 }  // namespace raytracer

@@ -7,7 +7,7 @@
 
 namespace raytracer {
 
-// Text as HTML, for between tags or for an attribute in double quotes.
+// Text, shown as printable (text.h) has it, as HTML or XML for between tags or for a quoted attribute.
 std::string escaped(std::string_view text);
 
 // A page from its doctype to the opened body. `title` is escaped here, `style` is CSS.

@@ -1,10 +1,13 @@
-// A new empty folder that is deleted with its owner.
+// A new empty folder, in $TMPDIR or /tmp, that is deleted with its owner and where a signal ends the program.
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
+#include <memory>
 #include <string>
 
 namespace raytracer {
+
+class Leftover;
 
 class TemporaryFolder {
   public:
@@ -13,10 +16,14 @@ class TemporaryFolder {
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
+    std::string file(const std::string& name) const { return path_ + '/' + name; }
+
+    // Throws Error where its disk has no room for a file of so many bytes.
+    void requireRoom(std::size_t bytes) const;
 
   private:
-    std::filesystem::path path_;
+    std::string path_;
+    std::unique_ptr<Leftover> leftover_;
 };
 
 }  // namespace raytracer

@@ -1,6 +1,7 @@
-// Text from numbers, and in which encoding text is.
+// Text from numbers, text that can be shown, and in which encoding text is.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -14,5 +15,16 @@ constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8, without
 // By its byte order mark, or by the zeros of two ASCII characters at its beginning (RFC 4627, section 3).
 // Windows calls UTF-16 "Unicode".
 bool isUtf16(std::string_view text);
+
+// The bytes of the character that the text, which is not empty, begins with. 0 where that is a control
+// character (those of U+0080 to U+009F too), no character, or not UTF-8 (RFC 3629).
+std::size_t printableBytes(std::string_view text);
+
+// The text as terminals, tables and pages may show it: what printableBytes refuses becomes \xNN, byte by
+// byte, but for the characters in `kept`.
+std::string printable(std::string_view text, std::string_view kept = {});
+
+// Whether a file's name ends so, in large or small letters (ASCII).
+bool endsIn(std::string_view name, std::string_view ending);
 
 }  // namespace raytracer

@@ -1,0 +1,22 @@
+// The only way to standard output and to standard error, but for the progress bar. What is shown is valid
+// UTF-8 without control characters (printable, text.h), whatever names and graded programs say.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace raytracer {
+
+// Before all else: closes the ways in which a write would end the process or go astray. A full disk or a
+// closed pipe becomes an Error, not a signal; a descriptor from 0 to 2 that is closed is taken, so that no
+// file gets its number and the messages.
+void prepareStandardStreams();
+
+// Writes the text, lines each with its end, to standard output at once. Throws Error: "standard output: No
+// space left on device".
+void print(std::string_view text);
+
+// Writes one line, of which `text` has no end, to standard error.
+void tell(std::string_view text);
+
+}  // namespace raytracer

@@ -1,0 +1,110 @@
+#include "raytracer/util/memory.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+#include "raytracer/util/error.h"
+#include "raytracer/util/text.h"
+
+namespace raytracer {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// The number that the file begins with; infinite where there is none ("max").
+double numberIn(const std::string& path) {
+    double number = 0;
+    return std::ifstream(path) >> number ? number : infinite;
+}
+
+double availableBytes() {
+    std::ifstream file("/proc/meminfo");
+    for (std::string key, rest; file >> key; std::getline(file, rest)) {
+        double kibibytes = 0;
+        if (key == "MemAvailable:" && file >> kibibytes) return 1024 * kibibytes;
+    }
+    return infinite;
+}
+
+// Of a control group and of all that it is part of. Inside of a container, the outer part of the path is not
+// there.
+double groupLimit(const std::string& root, std::string path, const char* file) {
+    double least = infinite;
+    for (;; path.resize(path.rfind('/'))) {
+        least = std::min(least, numberIn(root + path + file));
+        if (path.find('/') == path.npos) return least;
+    }
+}
+
+// The lines of /proc/self/cgroup are NUMBER:CONTROLLERS:PATH; version 2 has no controllers.
+double controlGroupLimit() {
+    double least = infinite;
+    std::ifstream file("/proc/self/cgroup");
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+        if (second == line.npos) continue;
+        const std::string controllers = line.substr(first + 1, second - first - 1);
+        const std::string path = line.substr(second + 1);
+        if (controllers.empty()) least = std::min(least, groupLimit("/sys/fs/cgroup", path, "/memory.max"));
+        if (controllers.find("memory") != controllers.npos)
+            least = std::min(least, groupLimit("/sys/fs/cgroup/memory", path, "/memory.limit_in_bytes"));
+    }
+    return least;
+}
+
+// Of the process: its addresses, and what of them is in memory.
+std::pair<double, double> usedBytes() {
+    double addresses = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> addresses >> resident;
+    const auto page = static_cast<double>(::sysconf(_SC_PAGESIZE));
+    return {page * addresses, page * resident};
+}
+
+double addressLimit() {
+    rlimit limit{};
+    const bool isSet = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return isSet ? static_cast<double>(limit.rlim_cur) : infinite;
+}
+
+std::string inBytes(double bytes) {
+    constexpr std::array units = {"bytes", "kB", "MB", "GB", "TB"};
+    std::size_t unit = 0;
+    for (; bytes >= 999.5 && unit + 1 < units.size(); ++unit) bytes /= 1000;
+    return formatted("%.3g %s", bytes, units[unit]);
+}
+
+}  // namespace
+
+MemoryLeft memoryLeft() {
+    const auto [addresses, resident] = usedBytes();
+    const MemoryLeft limits[] = {{availableBytes(), "the machine has left "},
+                                 {controlGroupLimit() - resident, "the control group's limit leaves "},
+                                 {addressLimit() - addresses, "ulimit -v leaves "}};
+    MemoryLeft least = *std::ranges::min_element(limits, {}, &MemoryLeft::bytes);
+    least.bytes = std::max(0.0, least.bytes);
+    least.inWords += inBytes(least.bytes);
+    return least;
+}
+
+bool hasMemory(double bytes) {
+    constexpr double little = 1 << 25;  // looking takes longer than filling it
+    return bytes <= little || bytes <= memoryLeft().bytes;
+}
+
+void requireMemory(const std::string& file, std::initializer_list<MemoryNeed> needs) {
+    double all = 0;
+    std::string words;
+    for (const MemoryNeed& need : needs) {
+        all += need.bytes;
+        words += (words.empty() ? "" : " and ") + need.what + " (" + inBytes(need.bytes) + ")";
+    }
+    if (!hasMemory(all)) throw Error({file}, "not enough memory for " + words + ": " + memoryLeft().inWords);
+}
+
+}  // namespace raytracer

@@ -1,0 +1,153 @@
+#include "raytracer/util/output_file.h"
+
+#include <fcntl.h>
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <random>
+
+#include "descriptor.h"
+#include "leftover.h"
+#include "raytracer/util/error.h"
+#include "raytracer/util/text.h"
+
+namespace raytracer {
+namespace {
+
+namespace fs = std::filesystem;
+using Parts = std::span<const std::span<const char>>;
+using Status = struct stat;
+
+// A link there is to an open file, which no rename can replace.
+bool isInProc(const fs::path& link) {
+    struct statfs status {};
+    const fs::path folder = link.has_parent_path() ? link.parent_path() : ".";
+    return ::statfs(folder.c_str(), &status) == 0 && status.f_type == PROC_SUPER_MAGIC;
+}
+
+// What is behind the symbolic links, whether it is there or not; empty where a rename cannot get there.
+fs::path behindLinks(fs::path path) {
+    constexpr int mostLinks = 40;  // as Linux
+    for (int links = 0; links < mostLinks; ++links) {
+        std::error_code isNoLink;
+        const fs::path next = fs::read_symlink(path, isNoLink);
+        if (isNoLink) return path;
+        if (isInProc(path)) return {};
+        path = path.parent_path() / next;
+    }
+    return {};
+}
+
+// Random, since processes in two containers may have the same number. In the target's folder, since a rename
+// cannot cross file systems. Short, however long the target's name is.
+std::string randomName() {
+    std::random_device random;
+    return formatted(".raytracer-%08x%08x.tmp", random(), random());
+}
+
+// False where the new file cannot be its owner's.
+bool takeOver(int descriptor, const Status& old) {
+    Status made{};
+    if (::fstat(descriptor, &made) != 0) return false;
+    const bool sameOwner = made.st_uid == old.st_uid && made.st_gid == old.st_gid;
+    if (!sameOwner && ::fchown(descriptor, old.st_uid, old.st_gid) != 0) return false;
+    return ::fchmod(descriptor, old.st_mode & 07777) == 0;
+}
+
+}  // namespace
+
+struct OutputFile::State {
+    std::string name;
+    const char* purpose = "cannot write";
+    std::string target, temporary;  // of the file beside; empty where the file is written in place
+    Descriptor beside, inPlace;     // inPlace: where a file is there already, for the case that beside fails
+    bool isCut = false;             // inPlace loses its old contents first
+    std::optional<Leftover> leftover{};  // the temporary file
+
+    ~State() { discardBeside(); }
+
+    void require(bool done) const {
+        if (!done) throw systemError(name, purpose);
+    }
+    void open();
+    void openBeside(mode_t mode);
+    void discardBeside();
+    bool replaceTarget(const Parts& parts);
+    void writeTo(Descriptor& file, const Parts& parts) const;
+};
+
+void OutputFile::State::open() {
+    Status old{};
+    const bool exists = ::stat(name.c_str(), &old) == 0;
+    require(exists || errno == ENOENT);
+    if (exists) inPlace = Descriptor(::open(name.c_str(), O_WRONLY | O_CLOEXEC));
+    require(!exists || inPlace);
+    isCut = exists && S_ISREG(old.st_mode);
+    target = behindLinks(name).string();
+    if ((exists && !isCut) || target.empty()) return;
+    openBeside(exists ? S_IRUSR | S_IWUSR : 0666);
+    require(beside || exists);
+    if (beside && exists && !takeOver(beside.get(), old)) discardBeside();
+}
+
+void OutputFile::State::openBeside(mode_t mode) {
+    const SignalsWait wait;
+    temporary = (fs::path(target).parent_path() / randomName()).string();
+    beside = Descriptor(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    if (beside) leftover.emplace(removeFile, temporary.c_str());
+}
+
+void OutputFile::State::discardBeside() {
+    if (leftover) leftover->clear();
+    leftover.reset();
+    beside = {};
+}
+
+void OutputFile::State::writeTo(Descriptor& file, const Parts& parts) const {
+    for (const std::span<const char> part : parts) require(writeAll(file.get(), part));
+    require(file.close());
+}
+
+bool OutputFile::State::replaceTarget(const Parts& parts) {
+    writeTo(beside, parts);
+    const bool renamed = std::rename(temporary.c_str(), target.c_str()) == 0;
+    require(renamed || inPlace);
+    if (renamed) leftover.reset();
+    else discardBeside();
+    return renamed;
+}
+
+OutputFile::OutputFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+OutputFile::OutputFile(const std::string& path) : state_(std::make_unique<State>()) {
+    state_->name = path;
+    state_->open();
+}
+
+OutputFile OutputFile::standardOutput() {
+    auto state = std::make_unique<State>();
+    state->name = "standard output";
+    state->purpose = "";
+    state->inPlace = Descriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
+    const bool isClosed = (::fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) == O_RDONLY;
+    if (isClosed) errno = EBADF;  // prepareStandardStreams
+    state->require(!isClosed && state->inPlace);
+    return OutputFile(std::move(state));
+}
+
+OutputFile::~OutputFile() = default;
+
+const std::string& OutputFile::name() const { return state_->name; }
+
+void OutputFile::write(Parts parts) {
+    if (state_->beside && state_->replaceTarget(parts)) return;
+    if (state_->isCut) state_->require(::ftruncate(state_->inPlace.get(), 0) == 0);
+    state_->writeTo(state_->inPlace, parts);
+}
+
+}  // namespace raytracer

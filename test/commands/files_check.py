@@ -1,0 +1,295 @@
+"""Files that the program writes: whole, at the right place, with nothing beside; or one line and exit status 2.
+
+Usage: files_check.py RAYTRACER [root], from the source folder. `root`: what needs another user, mounts or process numbers
+of its own (exit status 77, CTest: skipped, where that cannot be done).
+"""
+import os
+import pathlib
+import pty
+import random
+import signal
+import stat
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+SCENE = str(pathlib.Path("test/good/least.json").resolve())
+NOBODY = ["setpriv", "--reuid", "65534", "--regid", "65534", "--clear-groups"]
+failures = []
+
+
+def check(what, expected, found):
+    if expected != found:
+        failures.append(f"{what}: expected {expected!r}, found {found!r}")
+
+
+def refused(what, line, done):
+    check(what, (2, b"", line + "\n"), done)
+
+
+def run(*arguments, before=(), **options):
+    """(status, stdout, stderr) of the program; a run that does not end fails the test."""
+    done = subprocess.run([*before, RAYTRACER, *map(str, arguments)], capture_output=True, timeout=100, **options)
+    return done.returncode, done.stdout, done.stderr.decode()
+
+
+def render(out, size=10, *more, **options):
+    return run(SCENE, out, size, "--quiet", *more, **options)
+
+
+def width(path):
+    data = pathlib.Path(path).read_bytes()
+    return struct.unpack(">I", data[16:20])[0] if data[:4] == b"\x89PNG" else None
+
+
+def names(folder):
+    return sorted(entry.name for entry in folder.iterdir())
+
+
+def check_links(folder):
+    (folder / "sub").mkdir()
+    (folder / "link.png").symlink_to("sub/next.png")
+    (folder / "sub/next.png").symlink_to("x.png")
+    for size in (10, 20):  # dangling, then not
+        check(f"a chain of links, {size} px", (0, b"", ""), render(folder / "link.png", size))
+        check("the links stay", [True, True], [(folder / link).is_symlink() for link in ("link.png", "sub/next.png")])
+        check("the picture is behind them", size, width(folder / "sub/x.png"))
+    (folder / "loop.png").symlink_to("loop.png")
+    refused("a loop", f"{folder}/loop.png: cannot write: Too many levels of symbolic links", render(folder / "loop.png"))
+    (folder / "lost.png").symlink_to("no/x.png")
+    refused("into no folder", f"{folder}/lost.png: cannot write: No such file or directory", render(folder / "lost.png"))
+    check("nothing else", ["link.png", "loop.png", "lost.png", "sub"], names(folder))
+    check("nor behind the links", ["next.png", "x.png"], names(folder / "sub"))
+
+
+def check_replaced(folder):
+    out = folder / "m.png"
+    for mode in (0o600, 0o640, 0o755):
+        out.write_bytes(b"old")
+        out.chmod(mode)
+        check(f"over a file of mode {mode:o}", (0, b"", ""), render(out))
+        check("keeps the mode", mode, stat.S_IMODE(out.stat().st_mode))
+    os.link(out, folder / "hard.png")
+    render(out, 20)
+    check("a hard link is broken", (20, 10), (width(out), width(folder / "hard.png")))
+    old = os.umask(0o077)
+    render(folder / "new.png")
+    os.umask(old)
+    check("a new file has the mode that the umask leaves", 0o600, stat.S_IMODE((folder / "new.png").stat().st_mode))
+
+
+def check_in_place(folder):
+    with open(folder / "open", "w+b") as file:
+        file.write(b"x" * 10000)
+        file.flush()
+        (folder / "fd.png").symlink_to(f"/proc/self/fd/{file.fileno()}")
+        inode = os.fstat(file.fileno()).st_ino
+        check("/proc/self/fd", (0, b"", ""), render(folder / "fd.png", pass_fds=[file.fileno()]))
+        check("/proc/self/fd: the same file, cut", (inode, 10, True),
+              ((folder / "open").stat().st_ino, width(folder / "open"), (folder / "open").stat().st_size < 1000))
+    (folder / "full.png").symlink_to("/dev/full")
+    refused("/dev/full", f"{folder}/full.png: cannot write: No space left on device", render(folder / "full.png"))
+    check("/dev/full is there", True, stat.S_ISCHR(os.stat("/dev/full").st_mode))
+    os.mkfifo(folder / "pipe.png")
+    with subprocess.Popen(["cat", folder / "pipe.png"], stdout=subprocess.PIPE) as reader:
+        check("a pipe", (0, b"", ""), render(folder / "pipe.png"))
+        check("a pipe gets the picture", b"\x89PNG", reader.stdout.read()[:4])
+
+
+def check_names(folder):
+    for name, head in (("a.PNG", b"\x89PNG"), ("a.Pfm", b"PF\n10 10\n")):
+        check(name, (0, b"", ""), render(folder / name))
+        check(f"{name}: its format", True, (folder / name).read_bytes().startswith(head))
+    check("compare knows .Pfm", 0, run("compare", folder / "a.Pfm", folder / "a.Pfm")[0])
+    for name in ("a.gif", "png", ""):
+        refused(f"name {name!r}", f"{folder / name}: expected a name that ends in .png or .pfm", render(folder / name))
+    long = folder / ("n" * 300 + ".png")
+    refused("a long name", f"{long}: cannot write: File name too long", render(long))
+
+
+def check_before_rendering(folder):
+    """Each would take hours if the scene was rendered first."""
+    hours = ("--samples", 256, "--max-recursion", 1000)
+    (folder / "d.png").mkdir()
+    refused("a folder", f"{folder}/d.png: cannot write: Is a directory", render(folder / "d.png", 65536, *hours))
+    refused("no folder", f"{folder}/no/x.png: cannot write: No such file or directory", render(folder / "no/x.png", 65536, *hours))
+    large = f"{folder}/x.png: 19000 × 19000 pixels are too many for a PNG: take a part with --crop, or write a .pfm\n"
+    check("too large for a PNG", (2, b"", large), render(folder / "x.png", 19000, *hours))
+    check("a part of it is not", 0, render(folder / "x.png", 19000, "--crop", "0,0,5,5")[0])
+    check("nothing else", ["d.png", "x.png"], names(folder))
+    for command in (("grade", "test", "--report"), ("compare", SCENE, SCENE, "--diff")):
+        refused(command[0], f"{folder}/no/r.png: cannot write: No such file or directory", run(*command, folder / "no/r.png"))
+    refused("--diff -", "-: expected a name that ends in .png", run("compare", SCENE, SCENE, "--diff", "-"))
+    (folder / "out").mkdir()
+    (folder / "out/tradeoff.svg").mkdir()
+    check("tradeoff", (2, b"", f"{folder}/out/tradeoff.svg: cannot write: Is a directory\n"),
+          run("tradeoff", SCENE, "--quiet", "--size", 4096, "--samples", 16, "--out", folder / "out"))
+    check("tradeoff: nothing else", ["tradeoff.svg"], names(folder / "out"))
+    check("tradeoff: no folder", (2, b"", f"{folder}/x.png/out: cannot make the folder: Not a directory\n"),
+          run("tradeoff", SCENE, "--quiet", "--out", folder / "x.png/out"))
+
+
+def check_standard_output(folder):
+    picture = folder / "p.png"
+    render(picture)
+    status, out, error = render("-")
+    check("- is a PNG on standard output", (0, picture.read_bytes(), ""), (status, out, error))
+    refused("- and --stats", "raytracer: the picture - and --stats both go to standard output", render("-", 10, "--stats"))
+    master, terminal = pty.openpty()
+    done = subprocess.run([RAYTRACER, SCENE, "-", "10"], stdout=terminal, stderr=subprocess.PIPE, timeout=100)
+    line = "the picture - is no text for a terminal: write - > out.png"
+    check("- on a terminal", (2, f"raytracer: {line}\n"), (done.returncode, done.stderr.decode()))
+    os.close(terminal)
+    os.close(master)
+
+
+def check_slow_reader(folder):
+    """Standard output that does not wait, as some programs hand it on."""
+    read, write = os.pipe()
+    os.set_blocking(write, False)
+    with subprocess.Popen([RAYTRACER, "scenes/texture.json", "-", "800", "--quiet"], stdout=write) as program:
+        os.close(write)
+        time.sleep(0.2)
+        with open(read, "rb") as pipe:
+            check("a slow reader", b"IEND\xaeB`\x82", pipe.read()[-8:])
+    check("a slow reader: status", 0, program.returncode)
+
+
+def check_write_errors(folder):
+    (folder / "s.json").write_bytes(pathlib.Path(SCENE).read_bytes())
+    picture = folder / "s.png"
+    render(picture)
+    commands = {
+        "help": ["--help"], "compare": ["compare", picture, picture], "compare --json": ["compare", picture, picture, "--json"],
+        "explain": ["explain", SCENE, 5, 5, 10], "grade": ["grade", folder],
+        "stats": [SCENE, folder / "o.png", 10, "--quiet", "--stats"],
+        "picture": [SCENE, "-", 10, "--quiet"],
+        "tradeoff": ["tradeoff", SCENE, "--quiet", "--size", 16, "--samples", 2, "--repeats", 1, "--out", folder / "t"],
+    }
+    for name, arguments in commands.items():
+        for where, why in (("> /dev/full", "No space left on device"), (">&-", "Bad file descriptor"), ("", "Broken pipe")):
+            read, write = os.pipe()
+            os.close(read)  # nobody reads: with "", a write fails
+            done = subprocess.run(["sh", "-c", f'"$@" {where}', "sh", RAYTRACER, *map(str, arguments)], stdout=write,
+                                  stderr=subprocess.PIPE, timeout=100)
+            os.close(write)
+            check(f"{name} {where}", (2, f"standard output: {why}\n"), (done.returncode, done.stderr.decode()))
+    check("tradeoff leaves nothing", [], names(folder / "t"))
+    closed = ["sh", "-c", '"$@" 2>&- <&- >&-', "sh", RAYTRACER, SCENE, folder / "closed.png", "10", "--stats"]
+    check("no stream is open", (2, 10), (subprocess.run(closed).returncode, width(folder / "closed.png")))
+
+
+def check_signals(folder):
+    """Where a signal ends the program at any moment, no file is left."""
+    (folder / "old.pfm").write_bytes(b"old")
+    before = (folder / "old.pfm").read_bytes()
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT) * 4:
+        for out in ("old.pfm", "new.pfm"):
+            program = subprocess.Popen([RAYTRACER, SCENE, folder / out, "1200", "--quiet"])
+            time.sleep(random.uniform(0.001, 0.12))
+            program.send_signal(number)
+            status = program.wait(60)
+            if status == 0:
+                (folder / out).unlink()
+                (folder / "old.pfm").write_bytes(b"old")
+            check(f"signal {number}", True, status in (0, -number))
+            check(f"after signal {number}", ["old.pfm"], names(folder))
+            check(f"the old file after signal {number}", before, (folder / "old.pfm").read_bytes())
+    done = subprocess.run(["sh", "-c", 'ulimit -f 0; "$@"', "sh", RAYTRACER, SCENE, folder / "new.png", "10", "--quiet"],
+                          capture_output=True)
+    check("ulimit -f 0", (2, f"{folder}/new.png: cannot write: File too large\n".encode()), (done.returncode, done.stderr))
+    program = subprocess.Popen(["nohup", RAYTRACER, SCENE, folder / "new.png", "600", "--quiet"], stderr=subprocess.DEVNULL)
+    program.send_signal(signal.SIGCONT)
+    check("nohup", 0, program.wait(60))
+    check("nothing else", ["new.png", "old.pfm"], names(folder))
+
+
+def check_other_users(folder):
+    """Another user's files, as a user who is not root."""
+    folder.chmod(0o777)
+    files = (("mine.png", 0o644, 65534, 0), ("read_only.png", 0o444, 65534, 2), ("shared.png", 0o666, 0, 0))
+    for name, mode, owner, status in files:
+        out = folder / name
+        out.write_bytes(b"precious")
+        out.chmod(mode)
+        os.chown(out, owner, owner)
+        inode = out.stat().st_ino
+        line = f"{out}: cannot write: Permission denied\n" if status else ""
+        check(name, (status, b"", line), render(out, before=NOBODY))
+        now = out.stat()
+        check(f"{name}: owner, mode, content", (owner, mode, status == 0),
+              (now.st_uid, stat.S_IMODE(now.st_mode), width(out) == 10))
+        check(f"{name}: in place", name == "shared.png" or status == 2, now.st_ino == inode)
+    for folder_mode in (0o755, 0o1777):  # not writable; sticky, as /tmp
+        folder.chmod(folder_mode)
+        check(f"in a folder of mode {folder_mode:o}", (0, b"", ""), render(folder / "shared.png", 20, before=NOBODY))
+        check("as root, over another's", (0, b"", ""), render(folder / "mine.png"))
+        check("whose it stays", 65534, (folder / "mine.png").stat().st_uid)
+    folder.chmod(0o755)
+    refused("a new file there", f"{folder}/x.png: cannot write: Permission denied", render(folder / "x.png", before=NOBODY))
+    check("nothing else", ["mine.png", "read_only.png", "shared.png"], names(folder))
+
+
+def check_locked_folder(folder):
+    """A graded program may lock the grader's folder; the grader gets rid of it all the same."""
+    for name in ("exam", "tmp"):
+        (folder / name).mkdir()
+        (folder / name).chmod(0o777)
+    (folder / "exam/a.json").write_text("{}")
+    render(folder / "exam/a.png")
+    lock = 'd=$(dirname "$2"); mkdir -p "$d/e/f"; chmod 500 "$d/e/f"; chmod 0 "$d/e"; chmod 0 "$d"'
+    (folder / "locker").write_text(f"#!/bin/sh\n{lock}\n")
+    (folder / "locker").chmod(0o755)
+    status, out, error = run("grade", folder / "exam", "--program", folder / "locker", before=NOBODY,
+                             env=os.environ | {"TMPDIR": str(folder / "tmp")})
+    check("a program that locks its folder", (1, True, ""), (status, b"  a: wrote no picture\n" in out, error))
+    check("its folder", [], names(folder / "tmp"))
+
+
+def check_mounts(folder):
+    for name in ("mounted.png", "source.png"):
+        (folder / name).write_bytes(b"")
+    script = 'mount --bind "$1" "$2" && shift 2 && exec "$@"'
+    bind = ["unshare", "-m", "sh", "-c", script, "sh", folder / "source.png", folder / "mounted.png"]
+    check("a file that is mounted", (0, b"", ""), render(folder / "mounted.png", before=bind))
+    check("is written", (10, None), (width(folder / "source.png"), width(folder / "mounted.png")))
+    (folder / "small").mkdir()
+    script = 'f=$1; shift; mount -t tmpfs -o size=64k none $f; echo old > $f/x.pfm; "$@"; echo $? $(ls -A $f) $(cat $f/x.pfm)'
+    small = ["unshare", "-m", "sh", "-c", script, "sh", folder / "small"]
+    status, out, error = render(folder / "small/x.pfm", 200, before=small)
+    check("a full disk", (b"2 x.pfm old\n", f"{folder}/small/x.pfm: cannot write: No space left on device\n"), (out, error))
+
+
+def check_same_numbers(folder):
+    """Two processes with the same number write to one folder, as two containers do."""
+    for _ in range(3):
+        apart = ["unshare", "--pid", "--fork", RAYTRACER, SCENE, "--quiet"]
+        writers = [subprocess.Popen([*apart, folder / f"{size}.pfm", str(size)]) for size in (700, 701)]
+        check("both end well", [0, 0], [writer.wait(60) for writer in writers])
+        for size in (700, 701):
+            check("each has its own picture", b"PF\n%d %d\n" % (size, size), (folder / f"{size}.pfm").read_bytes()[:11])
+    check("nothing else", ["700.pfm", "701.pfm"], names(folder))
+
+
+def main():
+    checks = [check_links, check_replaced, check_in_place, check_names, check_before_rendering, check_standard_output,
+              check_slow_reader, check_write_errors, check_signals]
+    if sys.argv[2:] == ["root"]:
+        able = ["unshare", "-m", "--pid", "--fork", *NOBODY, RAYTRACER, "--help"]
+        if os.geteuid() != 0 or subprocess.run(able, capture_output=True).returncode:
+            print("skipped: not root, without unshare or setpriv, or nobody may not run the program")
+            return 77
+        checks = [check_other_users, check_locked_folder, check_mounts, check_same_numbers]
+    for one in checks:
+        with tempfile.TemporaryDirectory() as name:
+            os.chmod(name, 0o755)
+            one(pathlib.Path(name))
+    print("\n".join(failures) if failures else "every file as it should be")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,150 @@
+"""What is too large, endless or no file is refused at once, in one line that names the limit; exit status 2.
+
+Usage: limits_check.py RAYTRACER [root], from the source folder. `root`: limits that a test can set only where it may mount
+files (exit status 77, CTest: skipped, where it may not).
+"""
+import json
+import os
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+LEAST = pathlib.Path("test/good/least.json").resolve()
+failures = []
+
+
+def check(what, line, *arguments, script='exec "$@"', status=2):
+    """The program ends with the status and a line that matches; `script` is the shell's, before."""
+    command = ["sh", "-c", script, "sh", RAYTRACER, *map(str, arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=100)
+    if done.returncode != status or not re.fullmatch(line, done.stderr) or done.stdout:
+        failures.append(f"{what}: {done.returncode}, {done.stdout[-200:]!r}, {done.stderr[-400:]!r}")
+
+
+def addresses(kibibytes):
+    return f'ulimit -v {kibibytes}; exec "$@"'
+
+
+def scene_of(folder, name, **parts):
+    scene = json.loads(LEAST.read_text()) | {"materials": [{"name": "m"}], "transforms": [{"name": "t"}]} | parts
+    (folder / name).write_text(json.dumps(scene))
+    return folder / name
+
+
+def with_texture(folder, path):
+    material = {"name": "m", "use_diffuse_texture": True, "diffuse_texture": "x"}
+    return scene_of(folder, "texture.json", textures={"x": path}, materials=[material],
+                    shapes=[{"type": "sphere", "transform": "t", "material": "m"}])
+
+
+def with_mesh(folder, path):
+    return scene_of(folder, "mesh.json", shapes=[{"type": "mesh", "path": path, "transform": "t", "material": "m"}])
+
+
+def png_of_size(width, height, rows=None):
+    """Black; small in the file. It may have more rows than its header says."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    row, packer = bytes(3 * width + 1), zlib.compressobj(9)
+    data = b"".join(packer.compress(row) for _ in range(rows or height)) + packer.flush()
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
+
+
+LEFT = r"ulimit -v leaves [\d.]+ [MG]B\n"
+
+
+def too_large(out):
+    return re.escape(f"{out}: not enough memory for 18000 × 18000 pixels (972 MB) and the PNG (1.94 GB): ")
+
+
+def check_pictures(folder):
+    out = folder / "out.png"
+    check("a PNG", too_large(out) + LEFT, LEAST, out, 18000, "--quiet", script=addresses(2000000))
+    pfm = folder / "out.pfm"
+    check("a PFM", re.escape(f"{pfm}: not enough memory for 18000 × 18000 pixels (3.89 GB): ") + LEFT, LEAST, pfm, 18000,
+          "--quiet", script=addresses(2000000))
+    check("a part of it", "", LEAST, out, 18000, "--quiet", "--crop", "0,0,9,9", script=addresses(2000000), status=0)
+
+
+def check_files(folder):
+    out = folder / "out.png"
+    (folder / "large.png").write_bytes(png_of_size(6000, 6000))
+    texture = with_texture(folder, "large.png")
+    text = f"not enough memory for 6000 × 6000 pixels (108 MB) and decoding them (432 MB): "
+    place = f'{texture}: /textures/x: expected a picture in "{folder}/large.png": '
+    check("a texture", re.escape(place + text) + LEFT, texture, out, 8, script=addresses(400000))
+    (folder / "bomb.png").write_bytes(png_of_size(1000, 10, 60000))
+    check("a PNG that inflates to more", re.escape(f"{folder}/bomb.png: broken PNG picture: it has more data than pixels\n"),
+          "compare", folder / "bomb.png", folder / "bomb.png", script=addresses(100000))
+    (folder / "large.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 500000)
+    mesh = with_mesh(folder, "large.obj")
+    text = "not enough memory for 500000 faces (40 MB) and their vertices (72 bytes): "
+    place = f'{mesh}: /shapes/0/path: expected an OBJ mesh in "{folder}/large.obj": '
+    check("a mesh", re.escape(place + text) + LEFT, mesh, out, 8, script=addresses(40000))
+    check_irregular(folder)
+    for command in ([], ["compare"]):
+        check(f"{command} /dev/zero", "/dev/zero: not enough memory for what is in it " + r"\([\d.]+ [MG]B\): " + LEFT,
+              *command, "/dev/zero", out, *([] if command else [8]), script=addresses(300000))
+
+
+def check_irregular(folder):
+    """No texture or mesh can make the program wait or read without end."""
+    os.mkfifo(folder / "pipe")
+    for path in ("pipe", "/dev/zero", "/dev/full"):
+        texture, mesh = with_texture(folder, path), with_mesh(folder, path)
+        for place in (f"{texture}: /textures/x: expected a picture", f"{mesh}: /shapes/0/path: expected an OBJ mesh"):
+            check(path, re.escape(f'{place} in "{folder / path}": cannot read: it is no regular file\n'),
+                  place.split(":")[0], folder / "out.png", 8)
+
+
+def check_json(folder):
+    deep, rest = folder / "deep.json", LEAST.read_text().lstrip()[1:]
+    deep.write_text('{"note":' + "[" * 255 + "]" * 255 + "," + rest)
+    check("255 lists", "", deep, folder / "out.png", 8, "--quiet", status=0)
+    deep.write_text('{"note":' + "[" * 256 + "]" * 256 + "," + rest)
+    check("256 lists", re.escape(f"{deep}:1:264: expected at most 256 lists and objects inside of each other\n"),
+          deep, folder / "out.png", 8, "--quiet")
+    (folder / "large.json").write_text('{"note": [' + "0," * 10000000 + "0]}")
+    check("a large scene", r"raytracer: not enough memory: ulimit -v leaves [\d.]+ [kM]B\n", folder / "large.json",
+          folder / "out.png", 8, script=addresses(120000))
+
+
+def check_mounted(folder):
+    """The same limits by files of ours, mounted over the system's."""
+    out, meminfo, own = folder / "out.png", folder / "meminfo", folder / "own"
+    meminfo.write_text("MemTotal: 1 kB\nMemAvailable:    500000 kB\n")
+
+    def check_limit(what, words, setup):
+        check(what, too_large(out) + words + "\n", LEAST, out, 18000, "--quiet",
+              script=f"unshare -m sh -c 'set -e; {setup}; exec \"$@\"' sh \"$@\"")
+
+    check_limit("available memory", "the machine has left 512 MB", f"mount --bind {meminfo} /proc/meminfo")
+    groups = "mount -t tmpfs none /sys/fs/cgroup; cd /sys/fs/cgroup; mkdir -p a/b memory/a"
+    for line, place in (("0::/a/b", "a/memory.max"), ("0::/", "memory.max"), ("5:cpu,memory:/a", "memory/memory.limit_in_bytes")):
+        own.write_text(line + "\n")
+        check_limit(f"the control group {line}", r"the control group's limit leaves 49\d MB",
+                    f"{groups}; echo 500000000 > {place}; mount --bind {own} /proc/$$/cgroup")
+
+
+def main():
+    checks = [check_pictures, check_files, check_json]
+    if sys.argv[2:] == ["root"]:
+        if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "none", "/mnt"], capture_output=True).returncode:
+            print("skipped: nothing can be mounted")
+            return 77
+        checks = [check_mounted]
+    for one in checks:
+        with tempfile.TemporaryDirectory() as name:
+            one(pathlib.Path(name))
+    print("\n".join(failures) if failures else "every limit as it should be")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
