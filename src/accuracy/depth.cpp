@@ -26,7 +26,12 @@ Setting deepest(const Renderer& renderer, const RenderOptions& options, double t
     Setting setting{.max_recursion = 4, .cutoff = cutoffsFor(target).front(), .bilinear = options.bilinear};
     for (; setting.max_recursion < 64; setting.max_recursion *= 2) {
         Depths depths(setting, {});
-        depths.add(renderer, options, few);
+        try {
+            depths.add(renderer, options, few);
+        } catch (const TooManyRays&) {
+            setting.max_recursion /= 2;
+            break;
+        }
         spent += depths.counts();
         if (rayCount(depths.counts()) > mostRays * depths.points()) break;
     }

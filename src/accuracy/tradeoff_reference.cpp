@@ -36,12 +36,18 @@ Setting deepSetting(const Renderer& renderer, const RenderOptions& options) {
     };
     const auto look = [&](int depth, double cutoff) { return lookAt(renderer, options, at(depth, cutoff)); };
     int deep = 4;
-    while (deep < 64 &&
-           pictureError(look(deep, glassCutoff).colors, look(2 * deep, glassCutoff).colors).rmse > deepEnough)
-        deep *= 2;
-    // The cheapest depth first: twice the depth at most squares the number of rays.
-    for (int depth = 4; depth <= deep; depth *= 2)
-        if (look(depth, 0).rays > tooManyRays * look(depth, glassCutoff).rays) return at(deep, glassCutoff);
+    try {
+        while (deep < 64 &&
+               pictureError(look(deep, glassCutoff).colors, look(2 * deep, glassCutoff).colors).rmse >
+                   deepEnough)
+            deep *= 2;
+        // The cheapest depth first: twice the depth at most squares the number of rays.
+        for (int depth = 4; depth <= deep; depth *= 2)
+            if (look(depth, 0).rays > tooManyRays * look(depth, glassCutoff).rays)
+                return at(deep, glassCutoff);
+    } catch (const TooManyRays&) {
+        return at(deep, glassCutoff);
+    }
     return at(deep, 0);
 }
 

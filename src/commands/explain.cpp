@@ -31,7 +31,7 @@ int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
         throw usageError("expected a pixel inside of the " + std::to_string(options.size.width) + " x " +
                          std::to_string(options.size.height) + " picture, found " + std::to_string(x) + ", " +
                          std::to_string(y));
-    const auto renderer = makeRenderer(scene, arguments.precisionChosen(), arguments.buildOptions());
+    const auto renderer = arguments.makeRenderer(scene);
     const RayExplanation explanation = renderer->explain(options, x, y);
     print(json ? explanationJson(explanation, scene) : explanationText(explanation, scene));
     return 0;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "arguments.h"
+#include "raytracer/accuracy/ray_growth.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/black_picture.h"
 #include "raytracer/json/json_writer.h"
@@ -198,6 +199,17 @@ std::string without(const std::string& option, std::span<char*> words) {
     return line;
 }
 
+void warnOfExcess(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
+                  const RenderOptions& options) {
+    const auto rays = excessiveRays(scene, renderer, options);
+    if (!rays) return;
+    arguments.warn(
+        formatted("--max-recursion %d takes about %.1g reflected and refracted rays a sample: they "
+                  "double with each bounce where a material is both; a lower one takes fewer, or a --cutoff "
+                  "where color_reflect and color_refract are less than 1",
+                  options.max_recursion, *rays));
+}
+
 int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted) {
     OutputFile out = openOutput(wanted);
     Timings timings;
@@ -206,8 +218,10 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     timings.load = watch.lap();
     RenderOptions options = arguments.prepare(description);
     requirePictureFits(wanted.out, options.crop, wanted.isPfm());
-    const auto renderer = makeRenderer(description, arguments.precisionChosen(), arguments.buildOptions());
+    const auto renderer = arguments.makeRenderer(description);
     timings.build = watch.lap();
+    if (!wanted.targetError && !wanted.targetTime && arguments.warns())
+        warnOfExcess(arguments, description, *renderer, options);
     Picture picture{arguments, wanted, description, *renderer, options, timings};
     if (wanted.isPfm()) renderTo<FloatSink>(picture, out, writePfm);
     else renderTo<ByteSink>(picture, out, writePng);

@@ -105,14 +105,15 @@ Terms RenderArguments::terms() const {
     return terms;
 }
 
-Precision RenderArguments::precisionChosen() const {
-    return precision == "float"      ? Precision::Float
-           : precision == "extended" ? Precision::Extended
-                                     : Precision::Double;
-}
-
-BuildOptions RenderArguments::buildOptions() const {
-    return {accelerator == "none" ? Accelerator::None : Accelerator::Bvh, threads};
+std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& description) const {
+    constexpr const char* names[] = {"float", "double", "extended"};  // as Precision has them
+    const auto chosen = static_cast<Precision>(std::ranges::find(names, precision) - names);
+    const BuildOptions options{accelerator == "none" ? Accelerator::None : Accelerator::Bvh, threads};
+    auto renderer = raytracer::makeRenderer(description, chosen, options);
+    if (warns() && renderer->precision() != chosen)
+        warn("the scene's numbers lie too far apart for --precision " + precision + ": computed in " +
+             names[static_cast<std::size_t>(renderer->precision())]);
+    return renderer;
 }
 
 void RenderArguments::warn(const std::string& warning) const {

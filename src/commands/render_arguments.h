@@ -1,6 +1,7 @@
 // The options that say what a picture is: shared by every command that renders.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -33,8 +34,9 @@ struct RenderArguments {
 
     // The terms named by `only`. Throws Error.
     Terms terms() const;
-    Precision precisionChosen() const;
-    BuildOptions buildOptions() const;
+
+    // Warns where the scene's numbers need a wider precision than the one chosen.
+    std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene) const;
 
     // The scene of the file. Its warnings, the loader's and sceneAdvice's, go to stderr unless `quiet`; where
     // `strict`, the first is an Error.

@@ -108,7 +108,7 @@ struct PlacedShape {
 Real largest(const Vec& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 PlacedShape placed(const SceneDescription& scene, const ShapeDescription& shape) {
-    const Affine affine = compose(scene.transforms[shape.transform]);
+    const Affine affine = worldFromObject(scene, shape);
     const Vec translation(affine.translation[0], affine.translation[1], affine.translation[2]),
         eye = scene.camera.eye;
     return {&shape, affine, translation - eye, std::max(largest(translation), largest(eye))};

@@ -1,5 +1,8 @@
 #include "raytracer/pictures/picture.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace raytracer {
 
 namespace {
@@ -31,10 +34,13 @@ void ByteSink::write(int x, int y, std::span<const glm::dvec3> colors) {
 
 FloatSink::FloatSink(const PixelRectangle& crop) : crop_(crop), image_(blank<FloatImage>(crop)) {}
 
+// What is too bright for a float is as bright as one can be.
 void FloatSink::write(int x, int y, std::span<const glm::dvec3> colors) {
+    constexpr double brightest = std::numeric_limits<float>::max();
     float* out = &image_.pixels[offsetOf(crop_, x, y)];
     for (const glm::dvec3& color : colors)
-        for (int channel = 0; channel < 3; ++channel) *out++ = static_cast<float>(color[channel]);
+        for (int channel = 0; channel < 3; ++channel)
+            *out++ = static_cast<float>(std::clamp(color[channel], -brightest, brightest));
 }
 
 }  // namespace raytracer

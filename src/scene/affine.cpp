@@ -9,6 +9,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "raytracer/scene/mesh_file.h"
+
 namespace raytracer {
 namespace {
 
@@ -165,6 +167,14 @@ Affine compose(const TransformDescription& transform) {
         for (Extended(&row)[3] : affine.linear)
             for (int column = 0; column < 3; ++column) row[column] *= (*transform.scale)[column];
     if (transform.matrix) appendMatrix(affine, *transform.matrix);
+    return affine;
+}
+
+Affine worldFromObject(const SceneDescription& scene, const ShapeDescription& shape) {
+    Affine affine = compose(scene.transforms[shape.transform]);
+    if (shape.mesh && shape.mesh->exponent != 0)
+        for (long double(&row)[3] : affine.linear)
+            for (long double& entry : row) entry = std::scalbn(entry, shape.mesh->exponent);
     return affine;
 }
 

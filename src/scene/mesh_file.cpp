@@ -1,6 +1,7 @@
 #include "raytracer/scene/mesh_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -101,6 +102,57 @@ void MeshData::findBounds() {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
+}
+
+namespace {
+
+double largestOf(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+double leastCoordinate(const MeshData& mesh) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& p : mesh.positions)
+        for (int axis = 0; axis < 3; ++axis)
+            if (p[axis] != 0) least = std::min(least, std::abs(p[axis]));
+    return least;
+}
+
+double leastTriangle(const MeshData& mesh) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < mesh.positionIndex.size(); i += 3) {
+        const auto corner = [&](std::size_t k) { return mesh.positions[mesh.positionIndex[i + k]]; };
+        const double size = std::max(largestOf(corner(1) - corner(0)), largestOf(corner(2) - corner(0)));
+        if (size > 0) least = std::min(least, size);
+    }
+    return least;
+}
+
+// Relative to the largest coordinate. Triangles need no look where no coordinate is small: two floats of
+// 2^-28 or more are equal or 2^-52 apart, whose square is far from the ends of any precision.
+double finestOf(const MeshData& mesh, double largest, double least) {
+    double finest = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double extent = (mesh.high[axis] / 2 - mesh.low[axis] / 2) / largest;
+        if (extent > 0) finest = std::min(finest, extent);
+    }
+    return least < 0x1p-28 * largest ? std::min(finest, leastTriangle(mesh) / largest) : finest;
+}
+
+}  // namespace
+
+void MeshData::chooseUnit() {
+    const double largest = std::max(largestOf(low), largestOf(high)), least = leastCoordinate(*this);
+    if (largest == 0) return;
+    finest = finestOf(*this, largest, least);
+    constexpr int leastExponent = std::numeric_limits<double>::min_exponent - 1;
+    const int more = std::min(std::ilogb(largest), std::max(0, std::ilogb(least) - leastExponent));
+    if (more < std::ilogb(largest)) finest = least / largest;  // there is no such unit in double
+    // Twice half of it: 2^-more may itself be beyond double.
+    const double first = std::ldexp(1.0, -more / 2), second = std::ldexp(1.0, more / 2 - more);
+    const auto scale = [&](glm::dvec3& p) { p = p * first * second; };
+    std::ranges::for_each(positions, scale);
+    scale(low);
+    scale(high);
+    exponent = more;
 }
 
 MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path) {

@@ -18,6 +18,12 @@ auto readNamed(JsonView path, const std::string& file, const char* expected, Rea
     }
 }
 
+MeshData readMesh(const std::string& file) {
+    MeshData mesh = loadObj(file);
+    mesh.chooseUnit();
+    return mesh;
+}
+
 constexpr const char* aMesh = "an OBJ mesh";
 constexpr const char* aPicture = "a picture";
 
@@ -29,7 +35,7 @@ SceneFiles::SceneFiles(const std::string& scenePath)
 std::shared_ptr<const MeshData> SceneFiles::mesh(JsonView path) {
     const std::string file = resolve(path);
     std::shared_ptr<const MeshData>& mesh = meshes_[file];
-    if (!mesh) mesh = std::make_shared<MeshData>(readNamed(path, file, aMesh, loadObj));
+    if (!mesh) mesh = std::make_shared<MeshData>(readNamed(path, file, aMesh, readMesh));
     return mesh;
 }
 

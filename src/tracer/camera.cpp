@@ -46,4 +46,10 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     eye_ = {static_cast<Real>(eye[0]), static_cast<Real>(eye[1]), static_cast<Real>(eye[2])};
 }
 
+// The film's coordinates are at most 2.
+Real Camera::farthest() const {
+    const Vec3 film = perspective_ ? Vec3(0) : Real(2) * (abs(u_) + abs(v_));
+    return maxComponent(abs(eye_) + film);
+}
+
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -1,6 +1,7 @@
 #include "raytracer/tracer/explain.h"
 
 #include "point_stream.h"
+#include "render.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -104,7 +105,9 @@ RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, in
     const RenderContext context{&shaded, options.cutoff > 0 ? brightest.data() : nullptr, &counts};
     PointPacket centre;
     centre.add(static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5), &recorder);
-    traceAll(scene, centre, context);
+    onTracingThreads(1, options, [&](JobQueue& queue) {
+        for (std::uint32_t job; queue.next(job);) traceAll(scene, centre, context);
+    });
     return recorder.take();
 }
 

@@ -30,7 +30,7 @@ class PointStream {
         if (points_.count == 0) return;
         traceAll(scene_, points_, context_);
         for (int i = 0; i < points_.count; ++i)
-            take_(owners_[i], glm::dvec3(points_.colorOf(i)), points_.samples[i]);
+            take_(owners_[i], asDouble(points_.colorOf(i)), points_.samples[i]);
         points_.count = 0;
     }
 

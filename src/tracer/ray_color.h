@@ -134,9 +134,9 @@ ColorT<T> Scene::reflectedColor(const ShadingPointT<T>& point, LaneBits active, 
         terminate(active, onwards, reason, context);
         return ColorT<T>(T(0));
     }
-    context.counts->reflection += countLanes<T>(active);
+    count(context.counts->reflection, countLanes<T>(active), context);
     const RayT<T> reflected = point.leave(reflectedDirection(point), ShadingPointT<T>::Side::Near);
-    return ColorT<T>(material.color_reflect) * rayColor(reflected, active, onwards, context);
+    return ColorT<T>(material.color_reflect) * withinBrightest(rayColor(reflected, active, onwards, context));
 }
 
 template <class T>
@@ -155,12 +155,13 @@ ColorT<T> Scene::refractedColor(const ShadingPointT<T>& point, LaneBits active, 
     }
     if (reason != TerminationReason::None) terminate(passing, onwards, reason, context);
     if (passing == 0 || reason != TerminationReason::None) return ColorT<T>(T(0));
-    context.counts->refraction += countLanes<T>(passing);
+    count(context.counts->refraction, countLanes<T>(passing), context);
     if (passing != allLanesOf<T>) direction = filled(direction, passing);
     const RayT<T> refracted = point.leave(direction, ShadingPointT<T>::Side::Far);
-    return select(maskOf<T>(passing),
-                  ColorT<T>(material.color_refract) * rayColor(refracted, passing, onwards, context),
-                  ColorT<T>(T(0)));
+    return select(
+        maskOf<T>(passing),
+        ColorT<T>(material.color_refract) * withinBrightest(rayColor(refracted, passing, onwards, context)),
+        ColorT<T>(T(0)));
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -6,7 +6,7 @@ void RayTreeObserver::enter(const Ray&, const RayPath& path) {
     if (open_.empty()) max_recursion_ = path.max_recursion;
     open_.push_back(rays_.size());
     RayTreeNode ray;
-    ray.weight = glm::dvec3(path.weight);
+    ray.weight = asDouble(path.weight);
     ray.depth = static_cast<std::uint16_t>(max_recursion_ - path.max_recursion);
     rays_.push_back(ray);
 }
@@ -15,7 +15,7 @@ void RayTreeObserver::shadow(const Shape*, const Color&) { ++rays_[open_.back()]
 
 void RayTreeObserver::light(const DirectLight&, const Color& sum) {
     RayTreeNode& ray = rays_[open_.back()];
-    ray.light += ray.weight * glm::dvec3(sum);
+    ray.light += ray.weight * asDouble(sum);
 }
 
 void RayTreeObserver::leave(const Color&) { open_.pop_back(); }

@@ -6,7 +6,7 @@
 
 #include "point_stream.h"
 #include "ray_tree_observer.h"
-#include "raytracer/util/parallel.h"
+#include "raytracer/tracer/renderer.h"
 #include "tile.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
@@ -14,6 +14,10 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 namespace {
 
 constexpr int tileEdge = 32;  // pixels: small enough to share out evenly, large enough to keep rays coherent
+
+// More than a reflection or refraction takes of the stack (test/tracer/core_stack.cpp measures it): 6 KB for
+// a packet, 2 KB for a ray alone; several times as much where nothing is inlined, or a sanitizer guards it.
+constexpr std::size_t recursionStack = std::size_t{64} << 10;
 
 int tileCount(int edge) { return (edge + tileEdge - 1) / tileEdge; }
 
@@ -23,18 +27,25 @@ PixelRectangle tileOf(const PixelRectangle& crop, int index) {
     return {x0, y0, std::min(x0 + tileEdge, crop.x1), std::min(y0 + tileEdge, crop.y1)};
 }
 
+constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
+
+// What a look at these points may cast: the outcome is the same for any number of threads, whose work
+// together is at most theirs times as much.
+std::uint64_t mostRaysOf(std::span<const glm::dvec2> points) { return mostRaysOfSample * points.size(); }
+
 // Does work(job, context) for every job, on options.threads threads.
 template <class Work>
 RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::size_t jobs,
-                      ProgressListener* progress, Work work) {
+                      ProgressListener* progress, std::uint64_t mostRays, Work work) {
     std::mutex mutex;
     RenderCounts all;
     std::size_t done = 0;
     std::vector<Color> brightest;
     if (options.cutoff > 0) brightest = scene.brightestColors(options.max_recursion);
-    onThreads(static_cast<std::uint32_t>(jobs), options.threads, [&](JobQueue& queue) {
+    onTracingThreads(static_cast<std::uint32_t>(jobs), options, [&](JobQueue& queue) {
         RenderCounts counts;
-        const RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), &counts};
+        const RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), &counts,
+                                    nullptr, mostRays};
         for (std::uint32_t job; queue.next(job);) {
             work(job, context);
             if (!progress) continue;
@@ -44,6 +55,7 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::siz
         const std::lock_guard lock(mutex);
         all += counts;
     });
+    if (all.onwards() > mostRays) throw TooManyRays();
     return all;
 }
 
@@ -53,13 +65,24 @@ std::size_t batchCount(std::size_t points) { return (points + batchSize - 1) / b
 
 }  // namespace
 
+void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
+                      const std::function<void(JobQueue&)>& work) {
+    const std::size_t stack = usualStack + static_cast<std::size_t>(options.max_recursion) * recursionStack;
+    if (onThreads(jobs, options.threads, work, stack)) return;
+    const std::size_t there = std::max(mainStack(), usualStack) - usualStack;
+    throw Error("--max-recursion " + std::to_string(options.max_recursion) + " needs " +
+                std::to_string(stack >> 20) + " MiB of stack, and no thread can be made; the main thread's " +
+                std::to_string(mainStack() >> 20) + " MiB allow " + std::to_string(there / recursionStack));
+}
+
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
                            ProgressListener* progress, const FirstSamples* first) {
     const PixelRectangle& crop = options.crop;
     const auto tiles = static_cast<std::size_t>(tileCount(crop.width()) * tileCount(crop.height()));
-    return shareOut(scene, options, tiles, progress, [&](std::uint32_t job, const RenderContext& context) {
-        renderTile(scene, tileOf(crop, static_cast<int>(job)), context, first, sink);
-    });
+    return shareOut(scene, options, tiles, progress, unlimited,
+                    [&](std::uint32_t job, const RenderContext& context) {
+                        renderTile(scene, tileOf(crop, static_cast<int>(job)), context, first, sink);
+                    });
 }
 
 RenderCounts renderPoints(const Scene& scene, const RenderOptions& options,
@@ -76,7 +99,7 @@ RenderCounts renderPoints(const Scene& scene, const RenderOptions& options,
             stream.add(i, points[i]);
         stream.finish();
     };
-    return shareOut(scene, options, batchCount(points.size()), nullptr, work);
+    return shareOut(scene, options, batchCount(points.size()), nullptr, mostRaysOf(points), work);
 }
 
 RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
@@ -94,7 +117,7 @@ RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
             stream.add(i, points[i], &watching[i % PointPacket::most]);
         stream.finish();
     };
-    const RenderCounts counts = shareOut(scene, shaded, parts.size(), nullptr, work);
+    const RenderCounts counts = shareOut(scene, shaded, parts.size(), nullptr, mostRaysOf(points), work);
     trees = {};
     for (const RayTrees& part : parts) {
         const std::size_t before = trees.rays.size();
@@ -102,7 +125,7 @@ RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
         for (const std::size_t end : part.ends) trees.ends.push_back(before + end);
     }
     for (const Color& brightest : scene.brightestColors(options.max_recursion))
-        trees.brightest.emplace_back(brightest);
+        trees.brightest.push_back(asDouble(brightest));
     return counts;
 }
 

@@ -16,8 +16,10 @@ namespace extended_precision {
 std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
 }
 
-std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision,
-                                       const BuildOptions& options) {
+namespace {
+
+std::unique_ptr<Renderer> makeRendererIn(Precision precision, const SceneDescription& scene,
+                                         const BuildOptions& options) {
     switch (precision) {
         case Precision::Float: return float_precision::makeCoreRenderer(scene, options);
         case Precision::Extended: return extended_precision::makeCoreRenderer(scene, options);
@@ -26,9 +28,24 @@ std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision 
     return double_precision::makeCoreRenderer(scene, options);
 }
 
+}  // namespace
+
+std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision,
+                                       const BuildOptions& options) {
+    auto renderer = makeRendererIn(precision, scene, options);
+    for (const Precision wider : {Precision::Double, Precision::Extended})
+        if (!renderer->fits() && wider > precision) renderer = makeRendererIn(wider, scene, options);
+    return renderer;
+}
+
 ImageSize imageSize(const CameraDescription& camera, int longEdge) {
-    const double width = std::abs(camera.film_right - camera.film_left);
-    const double height = std::abs(camera.film_top - camera.film_bottom);
+    const double largest = std::max({std::abs(camera.film_left), std::abs(camera.film_right),
+                                     std::abs(camera.film_bottom), std::abs(camera.film_top)});
+    const auto length = [exponent = std::ilogb(largest)](double from, double to) {
+        return std::abs(std::scalbn(to, -exponent) - std::scalbn(from, -exponent));
+    };
+    const double width = length(camera.film_left, camera.film_right);
+    const double height = length(camera.film_bottom, camera.film_top);
     const auto shortEdge = [&](double ratio) {
         return std::max(1, static_cast<int>(std::lround(longEdge * ratio)));
     };
@@ -49,6 +66,10 @@ void keepTerms(SceneDescription& scene, const Terms& terms) {
 void makeOpaque(SceneDescription& scene) {
     for (MaterialDescription& material : scene.materials) material.refractive = false;
 }
+
+TooManyRays::TooManyRays()
+    : Error("more than " + std::to_string(mostRaysOfSample) +
+            " reflected and refracted rays a sample: a lower --max-recursion or a --cutoff bounds them") {}
 
 RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
     primary += other.primary;

@@ -4,6 +4,7 @@
 
 #include "ray_color.h"
 #include "raytracer/tracer/cutoff.h"
+#include "raytracer/tracer/renderer.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -28,6 +29,11 @@ Hit Scene::firstOfCoincident(const Ray& ray, const Hit& nearest, const RenderCon
     tree.intersect(ray, coincident);
     context.counts->tests += coincident.tests;
     return coincident.nearest();
+}
+
+void Scene::count(std::uint64_t& kind, unsigned rays, const RenderContext& context) {
+    kind += rays;
+    if (context.counts->onwards() > context.mostRays) throw TooManyRays();
 }
 
 TerminationReason Scene::terminationReason(const RayPath& onwards, const Color& factor,
@@ -68,7 +74,7 @@ std::vector<Color> Scene::brightestColors(int max_recursion) const {
             if (m.refractive) color += abs(m.color_refract) * onwards;
             most = glm::max(most, color);
         }
-        brightest.push_back(most);
+        brightest.push_back(withinBrightest(most));
     }
     return brightest;
 }

@@ -13,24 +13,16 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// A colour, so limited that no product of a few overflows: infinity times black would be no number. No
-// picture shows the difference; an eighth of the exponents lets eight factors meet.
-Color buildColor(const glm::dvec3& color) {
-    constexpr int exponent = std::numeric_limits<Real>::max_exponent / 8;
-    const auto limit = static_cast<double>(std::scalbn(1.0, std::min(exponent, 1000)));
-    return Color(glm::clamp(color, glm::dvec3(-limit), glm::dvec3(limit)));
-}
-
 Material buildMaterial(const MaterialDescription& description, const SceneDescription& scene) {
     Material material;
-    material.color_ambient = buildColor(description.color_ambient);
-    material.color_diffuse = buildColor(description.color_diffuse);
-    material.color_specular = buildColor(description.color_specular);
+    material.color_ambient = Color(description.color_ambient);
+    material.color_diffuse = Color(description.color_diffuse);
+    material.color_specular = Color(description.color_specular);
     material.shininess = static_cast<Real>(description.shininess);
     material.reflective = description.reflective;
-    material.color_reflect = buildColor(description.color_reflect);
+    material.color_reflect = Color(description.color_reflect);
     material.refractive = description.refractive;
-    material.color_refract = buildColor(description.color_refract);
+    material.color_refract = Color(description.color_refract);
     material.index_of_refraction = static_cast<Real>(description.index_of_refraction);
     if (description.use_diffuse_texture)
         for (const TextureDescription& texture : scene.textures)
@@ -43,7 +35,7 @@ Light buildLight(const LightDescription& description, const SceneFrame& frame) {
     frame.pointToFrame(description.position, position);
     return {
         Vec3(static_cast<Real>(position[0]), static_cast<Real>(position[1]), static_cast<Real>(position[2])),
-        buildColor(description.color), buildColor(description.color_ambient)};
+        Color(description.color), Color(description.color_ambient)};
 }
 
 // Shapes that name the same OBJ file share its triangles.
@@ -89,7 +81,7 @@ std::vector<Shape> buildShapes(const SceneDescription& description, const SceneF
         prefetch(description, order, i);
         const ShapeDescription& shape = description.shapes[order[i]];
         // Composed anew: cheaper than to keep what was composed for the frame.
-        const Transform transform(frame.toFrame(compose(description.transforms[shape.transform])));
+        const Transform transform(frame.toFrame(worldFromObject(description, shape)));
         std::shared_ptr<const TriangleMesh> triangles;
         if (shape.mesh) {
             triangles = meshes[shape.mesh.get()];
@@ -99,6 +91,31 @@ std::vector<Shape> buildShapes(const SceneDescription& description, const SceneF
         shapes.emplace_back(shape.type, transform, materials[shape.material], order[i], std::move(triangles));
     }
     return shapes;
+}
+
+Real brightestOf(const Scene& scene) {
+    Color brightest(0);
+    for (const Light& light : scene.lights)
+        brightest = glm::max(brightest, glm::max(abs(light.color), abs(light.color_ambient)));
+    for (const Material& m : scene.materials)
+        for (const Color& color :
+             {m.color_ambient, m.color_diffuse, m.color_specular, m.color_reflect, m.color_refract})
+            brightest = glm::max(brightest, abs(color));
+    return maxComponent(brightest);
+}
+
+// Whether Real's exponents are enough for these numbers.
+bool fits(const Scene& scene) {
+    Real finest = 1, farthest = std::max(Real(1), scene.camera.farthest()), flattest = 1;
+    for (const Light& light : scene.lights) farthest = std::max(farthest, maxComponent(abs(light.position)));
+    for (const Shape& shape : scene.shapes) {
+        finest = std::max(finest, shape.transform().finest());
+        farthest = std::max(farthest, shape.transform().farthest());
+        if (shape.type() == ShapeType::Mesh)
+            flattest = std::min(flattest, static_cast<Real>(shape.triangles().data().finest));
+    }
+    return finest * farthest <= widestRange && flattest * flattest >= 1 / widestRange &&
+           brightestOf(scene) <= brightestFactor;
 }
 
 }  // namespace
@@ -116,6 +133,7 @@ std::unique_ptr<const Scene> buildScene(const SceneDescription& description, con
     scene->tree = ShapeTree(scene->shapes, options);
     scene->hasRefractiveShape = std::any_of(scene->shapes.begin(), scene->shapes.end(),
                                             [](const Shape& shape) { return shape.material().refractive; });
+    scene->fits = fits(*scene);
     if (options.accelerator == Accelerator::Bvh) scene->packets = packetKernel(options.instructionSet);
     return scene;
 }

@@ -55,7 +55,7 @@ Extent extentOf(const SceneDescription& scene) {
     extent.add(scene.camera.eye);
     for (const ShapeDescription& shape : scene.shapes)
         if (shape.type != ShapeType::Plane)
-            addShape(extent, compose(scene.transforms[shape.transform]), radiusObject(shape));
+            addShape(extent, worldFromObject(scene, shape), radiusObject(shape));
     if (extent.size() > 0) return extent;
     for (const ShapeDescription& shape : scene.shapes)
         extent.add(compose(scene.transforms[shape.transform]).translation, {0, 0, 0});

@@ -14,6 +14,13 @@ class SceneRenderer final : public Renderer {
     SceneRenderer(const SceneDescription& description, const BuildOptions& options)
         : scene_(buildScene(description, options)) {}
 
+    Precision precision() const override {
+        if constexpr (std::is_same_v<Real, float>) return Precision::Float;
+        else if constexpr (std::is_same_v<Real, double>) return Precision::Double;
+        else return Precision::Extended;
+    }
+    bool fits() const override { return scene_->fits; }
+
     RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress,
                         const FirstSamples* first) const override {
         return renderPicture(*scene_, options, sink, progress, first);

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include <pthread.h>
+#include <sys/resource.h>
 
 namespace raytracer {
 namespace {
@@ -40,15 +44,56 @@ class ThreadQueue final : public JobQueue {
     std::uint32_t job_ = 0;  // taken last
 };
 
+// Threads with a stack of this size, which std::thread cannot ask for.
+class Threads {
+  public:
+    explicit Threads(std::size_t stack) {
+        pthread_attr_init(&attributes_);
+        pthread_attr_setstacksize(&attributes_, stack);
+    }
+    Threads(const Threads&) = delete;
+    ~Threads() {
+        for (const pthread_t thread : started_) pthread_join(thread, nullptr);
+        pthread_attr_destroy(&attributes_);
+    }
+
+    // The task must outlive the thread. False where the system has no more threads.
+    bool start(const std::function<void()>& task) {
+        const auto run = [](void* of) -> void* {
+            (*static_cast<const std::function<void()>*>(of))();
+            return nullptr;
+        };
+        pthread_t thread{};
+        void* const argument = const_cast<std::function<void()>*>(&task);
+        if (pthread_create(&thread, &attributes_, run, argument) != 0) return false;
+        started_.push_back(thread);
+        return true;
+    }
+    std::size_t count() const { return started_.size(); }
+
+  private:
+    pthread_attr_t attributes_{};
+    std::vector<pthread_t> started_;
+};
+
 }  // namespace
+
+// The arguments and the environment take up to a quarter of it (execve); what has been called so far, little.
+std::size_t mainStack() {
+    rlimit limit{};
+    getrlimit(RLIMIT_STACK, &limit);
+    if (limit.rlim_cur == RLIM_INFINITY) return std::numeric_limits<std::size_t>::max();
+    return static_cast<std::size_t>(limit.rlim_cur / 4 * 3);
+}
 
 int threadCount(int asked) {
     return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-void onThreads(std::uint32_t count, int threads, const std::function<void(JobQueue&)>& work) {
+bool onThreads(std::uint32_t count, int threads, const std::function<void(JobQueue&)>& work,
+               std::size_t stack) {
     Jobs jobs{count};
-    const auto take = [&] {
+    const std::function<void()> take = [&] {
         ThreadQueue queue(jobs);
         try {
             work(queue);
@@ -58,11 +103,15 @@ void onThreads(std::uint32_t count, int threads, const std::function<void(JobQue
     };
     {
         const std::uint32_t wanted = std::min(static_cast<std::uint32_t>(threadCount(threads)), count);
-        std::vector<std::jthread> others;
-        while (others.size() + 1 < wanted) others.emplace_back(take);
-        take();
+        const bool takesPart = stack <= mainStack();
+        Threads others(std::max(stack, usualStack));
+        while (others.count() + takesPart < wanted && others.start(take)) {
+        }
+        if (takesPart) take();
+        else if (others.count() < std::min(wanted, 1u)) return false;
     }
     if (jobs.error) std::rethrow_exception(jobs.error);
+    return true;
 }
 
 void parallelFor(std::uint32_t jobs, int threads, const std::function<void(std::uint32_t)>& work) {

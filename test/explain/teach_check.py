@@ -4,6 +4,7 @@ Usage: teach_check.py RAYTRACER, from the source folder.
 """
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -54,6 +55,12 @@ def check_all_advice(folder):
     check("nothing to explain", (0, []), run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
     out.unlink()
 
+    dust = {"name": "dust", "translate": [0, 0, 5], "scale": [1e-310] * 3}
+    scene_with(folder, **good | {"transforms": [transform, dust], "shapes": [sphere, sphere | {"transform": "dust"}]})
+    check_advice(folder, "range", "the scene's numbers lie too far apart for --precision double: computed in extended")
+    check("range: extended", (0, []), run(folder, "scene.json", out, 8, "--precision", "extended", "--strict")[:2])
+    out.unlink()
+
     scene_with(folder, **good | {"camera": SCENE["camera"] | {"up": [0, 2, 0]}})
     line = ("/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at 90 degrees, "
             "found lengths 1 and 2 at 90 degrees")
@@ -69,6 +76,28 @@ def check_all_advice(folder):
     out.unlink()
     check("black, as floats", 2, run(folder, "scene.json", "out.pfm", 8, "--strict")[0])
     check("black, as floats", False, pathlib.Path(folder, "out.pfm").exists())
+
+
+def check_doubling(folder):
+    """Among many panes of glass each ray is reflected and refracted at the next one."""
+    glass = {"color_ambient": [1, 1, 1], "reflective": True, "refractive": True, "index_of_refraction": 1,
+             "color_reflect": [0.5, 0.5, 0.5], "color_refract": [0.5, 0.5, 0.5]}
+    places = range(-30, 30)
+    scene_with(folder, materials=[glass], lights=[{"position": [0, 9, 9]}],
+               transforms=[{"name": str(z), "translate": [0, 0, z + 0.5]} for z in places],
+               shapes=[{"type": "plane", "transform": str(z), "material": "default"} for z in places])
+    out = pathlib.Path(folder, "out.png")
+    crop = ["--crop", "0,0,1,1"]
+    status, warnings, _ = run(folder, "scene.json", out, 8, "--max-recursion", 13, *crop)
+    found = re.fullmatch(r"warning: scene.json: --max-recursion 13 takes about (\S+) reflected and refracted rays a sample: they "
+                         r"double with each bounce where a material is both; a lower one takes fewer, or a --cutoff where "
+                         r"color_reflect and color_refract are less than 1", "\n".join(warnings))
+    rays = json.loads(run(folder, "scene.json", out, 8, "--max-recursion", 13, *crop, "--stats", "--quiet")[2])["rays"]
+    check("doubling: status", 0, status)
+    check("doubling: the estimate", True, found and 0.5 < float(found[1]) / (rays["reflection"] + rays["refraction"]) < 2)
+    check("doubling: few", (0, []), run(folder, "scene.json", out, 8, "--max-recursion", 9, *crop)[:2])
+    check("doubling: --quiet", (0, []), run(folder, "scene.json", out, 8, "--max-recursion", 13, *crop, "--quiet")[:2])
+    check("doubling: --cutoff", (0, []), run(folder, "scene.json", out, 8, "--max-recursion", 1000, *crop, "--cutoff", 0.2)[:2])
 
 
 def check_explanations():
@@ -88,6 +117,7 @@ def check_explanations():
 
 with tempfile.TemporaryDirectory() as temporary:
     check_all_advice(temporary)
+    check_doubling(temporary)
 check_explanations()
 print("\n".join(failures) or "as it should be")
 sys.exit(1 if failures else 0)

@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include <catch2/catch.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "../support/described.h"
 #include "raytracer/scene/affine.h"
+#include "raytracer/scene/mesh_file.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -158,6 +160,105 @@ TEST_CASE("range: the tip of a cone, seen from very near") {
         INFO(size);
         CHECK(differingPixels(bytesOf(maker.scene, edge), bytesOf(maker.scene, edge, Precision::Extended),
                               1) <= 1);
+    }
+}
+
+// However thin: one that is 1e-20 thick or less is farther from the camera than its own roundings.
+TEST_CASE("range: a flat sphere, cylinder and cone are the discs that they look like") {
+    const auto picture = [](Type type, double thickness, Precision precision) {
+        SceneMaker maker = perspective();
+        maker.material({0.2, 0.5, 0.9});
+        maker.shape(type, {"",
+                           glm::dvec3(0.1, 0.2, 0),
+                           TransformDescription::Rotation{30, {1, 0, 0}},
+                           type == Type::Cylinder ? glm::dvec3(thickness, 1, 1) : glm::dvec3(1, 1, thickness),
+                           {}});
+        maker.light({-4, 3, 6});
+        return bytesOf(maker.scene, edge, precision);
+    };
+    for (const Type type : {Type::Sphere, Type::Cylinder, Type::Cone})
+        for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
+            const ByteImage flat = picture(type, 1e-6, precision);
+            CHECK_FALSE(
+                std::all_of(flat.pixels.begin(), flat.pixels.end(), [](auto byte) { return byte == 0; }));
+            for (const double thickness : {1e-12, 1e-20, 1e-40, 1e-149, 1e-300, 1e-320}) {
+                INFO(static_cast<int>(type) << ", " << static_cast<int>(precision) << ", " << thickness);
+                CHECK(differingPixels(flat, picture(type, thickness, precision), 1) <= 8);
+            }
+        }
+}
+
+// An octahedron whose vertices are of this size and whose transform takes it back, and one tiny triangle.
+TEST_CASE("range: a mesh of any unit is the same picture to the byte") {
+    const auto picture = [](int exponent, Precision precision) {
+        SceneMaker maker = perspective();
+        MaterialDescription& m = maker.material(glm::dvec3(0.1));
+        m.color_diffuse = glm::dvec3(0.7, 0.5, 0.3);
+        m.reflective = true;
+        m.color_reflect = glm::dvec3(0.5);
+        MeshData mesh;
+        for (int i = 0; i < 6; ++i) {
+            glm::dvec3 p(0);
+            p[i / 2] = std::ldexp(i % 2 == 0 ? 1.0 : -1.0, exponent);
+            mesh.positions.push_back(p);
+        }
+        for (std::uint32_t octant = 0; octant < 8; ++octant) {
+            const std::uint32_t x = octant & 1, y = 2 + (octant >> 1 & 1), z = 4 + (octant >> 2);
+            const bool turned = (x + y + z) % 2 == 1;
+            for (const std::uint32_t corner : {x, turned ? z : y, turned ? y : z})
+                mesh.positionIndex.push_back(corner);
+        }
+        mesh.findBounds();
+        mesh.chooseUnit();
+        maker.shape(Type::Mesh,
+                    {"", glm::dvec3(0.1, 0.2, 0), TransformDescription::Rotation{30, {1, 2, 3}},
+                     glm::dvec3(std::ldexp(1.0, -exponent / 2)),
+                     glm::scale(glm::dmat4(1), glm::dvec3(std::ldexp(1.0, exponent / 2 - exponent)))});
+        maker.scene.shapes[0].mesh = std::make_shared<const MeshData>(mesh);
+        maker.light({-4, 3, 6});
+        return bytesOf(maker.scene, edge, precision);
+    };
+    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
+        const ByteImage plain = picture(0, precision);
+        for (const int exponent : {-1022, -400, -60, 44, 60, 400, 1022}) {
+            INFO(static_cast<int>(precision) << ", 2^" << exponent);
+            CHECK(picture(exponent, precision).pixels == plain.pixels);
+        }
+    }
+}
+
+TEST_CASE("range: a film whose width is beyond double") {
+    CameraDescription camera;
+    camera.film_left = -1.7e308, camera.film_right = 1.7e308;
+    camera.film_bottom = -0.85e308, camera.film_top = 0.85e308;
+    CHECK(imageSize(camera, 100).width == 100);
+    CHECK(imageSize(camera, 100).height == 50);
+}
+
+TEST_CASE("range: colours of any size, and mirrors that brighten a thousand times") {
+    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
+        SceneDescription scene = stillLife(1);
+        const ByteImage plain = bytesOf(scene, edge, precision);
+        for (MaterialDescription& m : scene.materials) m.color_ambient *= 1e-200, m.color_diffuse *= 1e-200;
+        for (MaterialDescription& m : scene.materials) m.color_specular *= 1e-200;
+        for (LightDescription& light : scene.lights) light.color *= 1e200, light.color_ambient *= 1e200;
+        CHECK(differingPixels(plain, bytesOf(scene, edge, precision), 1) <= 1);
+        for (MaterialDescription& m : scene.materials) {
+            m.reflective = true;
+            m.color_reflect = glm::dvec3(0, 3, 1e9);
+        }
+        SceneMaker maker = perspective();
+        maker.scene.materials = scene.materials;
+        maker.shape(Type::Plane, at({0, 0, -1}, glm::dvec3(1)));
+        maker.scene.materials[0].color_reflect = glm::dvec3(1, 0, 1);
+        maker.scene.shapes.push_back({Type::Plane, 1, 0, nullptr});
+        maker.scene.transforms.push_back(at({0, 0, 5}, glm::dvec3(1)));
+        maker.light({0, 0, 10}, glm::dvec3(1e3));
+        RenderOptions options = wholePicture(maker.scene, 4);
+        options.max_recursion = 1000;
+        CHECK(isFinite(renderFloats(*makeRenderer(maker.scene, precision), options)));
+        options.cutoff = 1e-9;
+        CHECK(isFinite(renderFloats(*makeRenderer(maker.scene, precision), options)));
     }
 }
 

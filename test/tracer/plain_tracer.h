@@ -118,7 +118,9 @@ inline dvec2 texCoordOf(const MeshData& mesh, std::size_t corner) {
 // The place on a triangle in barycentric coordinates, by Cramer's rule (Moeller and Trumbore 1997).
 inline void meetMesh(const MeshData& mesh, const Ray& ray, Hit& hit) {
     for (std::size_t i = 0; i < mesh.positionIndex.size(); i += 3) {
-        const auto corner = [&](std::size_t k) { return mesh.positions[mesh.positionIndex[i + k]]; };
+        const auto corner = [&](std::size_t k) {
+            return std::ldexp(1.0, mesh.exponent) * mesh.positions[mesh.positionIndex[i + k]];
+        };
         const dvec3 ab = corner(1) - corner(0), ac = corner(2) - corner(0), ao = ray.origin - corner(0);
         const dvec3 alongB = cross(ray.direction, ac), alongC = cross(ao, ab);
         const double volume = dot(ab, alongB), t = dot(ac, alongC) / volume;

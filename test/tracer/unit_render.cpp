@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "../support/scene_files.h"
+#include "../support/described.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -83,6 +83,30 @@ TEST_CASE("the terms of the light model add up") {
             equal = equal && std::abs(a.pixels[i] + d.pixels[i] + s.pixels[i] - sum.pixels[i]) <=
                                  1e-5f * (1 + sum.pixels[i]);
         CHECK(equal);
+    }
+}
+
+// Nothing bounds what a render may cast; a look at some pixels ends where rays double and double.
+TEST_CASE("a look at some pixels has a bound on the rays that it casts") {
+    SceneMaker maker;
+    MaterialDescription& glass = maker.glass(glm::dvec3(1), 1);
+    glass.reflective = true;
+    for (int z = -30; z < 40; ++z) maker.shape(ShapeType::Plane, {"", glm::dvec3(0, 0, z + 0.5), {}, {}, {}});
+    maker.light({0, 0, 10});
+    const auto renderer = makeRenderer(maker.scene, Precision::Double);
+    RenderOptions options = wholePicture(maker.scene, 4);
+    const std::vector<glm::dvec2> points(100, glm::dvec2(1));
+    std::vector<glm::dvec3> colors(points.size());
+    RayTrees trees;
+    for (const int threads : {1, 3}) {
+        options.threads = threads;
+        options.max_recursion = 9;
+        CHECK(renderer->renderPoints(options, points, colors).onwards() <= mostRaysOfSample * points.size());
+        options.max_recursion = 1000;
+        CHECK_THROWS_AS(renderer->renderPoints(options, points, colors), TooManyRays);
+        CHECK_THROWS_WITH(renderer->rayTrees(options, points, trees),
+                          "more than 1024 reflected and refracted rays a sample: a lower --max-recursion or "
+                          "a --cutoff bounds them");
     }
 }
 

@@ -61,23 +61,51 @@ void closeChord(Chord<T>& chord, const T& shift = T(0)) {
     chord.entryFace = select(single, min(chord.entryFace, chord.exitFace), chord.entryFace);
 }
 
+// Where `far`, moves an origin that has been moved to the point of the line that is closest to zero closer to
+// it, and returns how far along the line; `last`: the last move. A move leaves its own rounding error: along
+// the line of a shape that is 1e-20 thick, a distance of many thicknesses. Each further one leaves that part
+// of what the one before has left.
+template <int n, class T>
+T moveCloser(Truth<T> far, glm::vec<n, T, glm::defaultp>& origin,
+             const glm::vec<n, T, glm::defaultp>& direction, const T& squared, T& last) {
+    constexpr int moves = 2 * std::numeric_limits<Real>::max_exponent / std::numeric_limits<Real>::digits;
+    T shift(0);
+    for (int i = 0; i < moves && any(far); ++i) {
+        const T before = glm::dot(origin, origin);
+        last = select(far, -glm::dot(origin, direction) / squared, last);
+        const T move = select(far, last, T(0));
+        shift += move;
+        origin += move * direction;
+        far = far & (before > T(distantSquared));
+    }
+    return shift;
+}
+
 // |origin + t direction| = 1, by the textbook; with two components, the same for the cylinder. Its
 // discriminant loses digits with the square of the origin's distance, so a distant origin is first moved to
 // the point of closest approach, where nothing cancels (Haines et al., Precision Improvements for Ray/Sphere
 // Intersection, Ray Tracing Gems, ch. 7).
 struct UnitBall {
     template <int n, class T>
-    Chord<T> operator()(glm::vec<n, T, glm::defaultp> origin,
+    Chord<T> operator()(const glm::vec<n, T, glm::defaultp>& origin,
                         const glm::vec<n, T, glm::defaultp>& direction) const {
         const T a = glm::dot(direction, direction);
-        if (!all(isSafeSquare(a)))
-            return laneByLane<Chord<T>>([](const auto& o, const auto& d) { return ofAnySize(o, d); }, origin,
-                                        direction);
+        if (all(isSafeSquare(a))) return ofSafeSquare(origin, direction, a);
+        return laneByLane<Chord<T>>([](const auto& o, const auto& d) { return ofAnySize(o, d); }, origin,
+                                    direction);
+    }
+
+    // a: the direction's squared length, which is safe.
+    template <int n, class T>
+    static Chord<T> ofSafeSquare(glm::vec<n, T, glm::defaultp> origin,
+                                 const glm::vec<n, T, glm::defaultp>& direction, const T& a) {
         T b = glm::dot(origin, direction), c = glm::dot(origin, origin) - T(1), shift(0);
         const Truth<T> far = c > T(farSquared);
         if (any(far)) {
             shift = select(far, -b / a, shift);
             origin += shift * direction;
+            const Truth<T> distant = c > T(distantSquared);
+            if (T last = shift; any(distant)) shift += moveCloser(distant, origin, direction, a, last);
             b = select(far, glm::dot(origin, direction), b);
             c = select(far, glm::dot(origin, origin) - T(1), c);
         }

@@ -41,16 +41,24 @@ struct Cone : Solid<Cone> {
 
     template <class T>
     static Chord<T> chord(const ObjectRayT<T>& ray) {
+        const T squared = glm::dot(ray.direction, ray.direction);
+        if (all(isSafeSquare(squared))) return chordOfSafeSquare(ray.origin, ray.direction, squared);
+        return laneByLane<Chord<T>>(chordOfAnySize, ray.origin, ray.direction);
+    }
+
+    // As UnitBall has them.
+    static Chord<Real> chordOfAnySize(const Vec3& origin, const Vec3& direction);
+    template <class T>
+    static Chord<T> chordOfSafeSquare(const Vec3T<T>& origin, const Vec3T<T>& direction, const T& squared) {
         // From the closest approach to the middle of the axis, so that the coefficients are of order 1
         // (Haines et al.).
-        const Vec3T<T> fromMiddle = ray.origin - Vec3T<T>(T(0), T(0), T(Real(0.5)));
-        const T squared = glm::dot(ray.direction, ray.direction);
-        if (!all(isSafeSquare(squared)))
-            return laneByLane<Chord<T>>(chordOfAnySize, ray.origin, ray.direction);
-        const T shift = -glm::dot(fromMiddle, ray.direction) / squared;
-        const Vec3T<T> closest = ray.origin + shift * ray.direction;
-        const Vec3T<T> p(closest.x, closest.y, T(1) - closest.z),
-            d(ray.direction.x, ray.direction.y, -ray.direction.z);
+        const Vec3T<T> fromMiddle = origin - Vec3T<T>(T(0), T(0), T(Real(0.5)));
+        T shift = -glm::dot(fromMiddle, direction) / squared;
+        Vec3T<T> closest = origin + shift * direction;
+        T last = shift;
+        const Truth<T> distant = glm::dot(fromMiddle, fromMiddle) > T(distantSquared);
+        if (any(distant)) shift += moveCloser(distant, closest, direction, squared, last);
+        const Vec3T<T> p(closest.x, closest.y, T(1) - closest.z), d(direction.x, direction.y, -direction.z);
 
         const ConeRoots<T> roots(p, d);
         const Truth<T> down = d.z > T(0);
@@ -60,14 +68,11 @@ struct Cone : Solid<Cone> {
         chord.exit = select(roots.steep, select(down, T(infinity), roots.low), chord.exit);
         // w = 0 is no face but the apex, which belongs to the body.
         clipAxis(chord, p.z, d.z, 0, 1, 0, 1, (p.z >= T(0)) & (p.z < T(1)));
-        closeChord(chord, shift);
+        closeChord(chord, last);
         chord.entry += shift;
         chord.exit += shift;
         return chord;
     }
-
-    // As UnitBall::ofAnySize.
-    static Chord<Real> chordOfAnySize(const Vec3& origin, const Vec3& direction);
 
     template <class T>
     static T offset(const Vec3T<T>& p) {

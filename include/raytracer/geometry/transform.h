@@ -66,10 +66,18 @@ class Transform {
         return product(object, inverse_);
     }
 
+    // The largest numbers on the way to object space, and back from there.
+    Real finest() const { return largest(inverse_); }
+    Real farthest() const { return std::max(largest(linear_), maxComponent(abs(translation_))); }
+
     const Mat3& linear() const { return linear_; }
     const Vec3& translation() const { return translation_; }
 
   private:
+    static Real largest(const Mat3& m) {
+        return maxComponent(Vec3(maxComponent(abs(m[0])), maxComponent(abs(m[1])), maxComponent(abs(m[2]))));
+    }
+
     // What rays need comes first, together.
     Mat3 inverse_{1};  // of linear_
     Vec3 translation_{0};

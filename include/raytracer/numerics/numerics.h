@@ -49,6 +49,12 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 inline constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
 inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
+constexpr Real powerOfTwo(int exponent) {
+    Real power = 1;
+    for (; exponent > 0; --exponent) power *= 2;
+    return power;
+}
+
 // gamma_n = n u / (1 - n u): the bound on the relative error of a product of n factors (1 + d), |d| <= u.
 constexpr Real gamma(int n) {
     return static_cast<Real>(n) * unitRoundoff / (1 - static_cast<Real>(n) * unitRoundoff);
@@ -57,19 +63,24 @@ constexpr Real gamma(int n) {
 // Two hits whose t differ by less than this factor might be one place where two surfaces coincide, so they
 // are looked at more closely (HitQuery). Half of the digits: far above the rounding error of any t that is
 // worth its name, far below what a picture shows. It decides nothing but whether to look.
-inline constexpr Real coincidenceWindow = [] {
-    Real window = 1;
-    for (int bit = 0; bit < std::numeric_limits<Real>::digits / 2; ++bit) window /= 2;
-    return window;
-}();
+inline constexpr Real coincidenceWindow = 1 / powerOfTwo(std::numeric_limits<Real>::digits / 2);
 
 // From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at
 // most a fifth of the digits in the textbook's discriminant.
-inline constexpr Real farSquared = [] {
-    Real squared = 1;
-    for (int bit = 0; bit < std::numeric_limits<Real>::digits / 5; ++bit) squared *= 2;
-    return squared;
-}();
+inline constexpr Real farSquared = powerOfTwo(std::numeric_limits<Real>::digits / 5);
+// From this squared distance on, the rounding error of a move to the shape takes half of its digits.
+inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits);
+
+// What a scene's numbers may be for Real to see it (buildScene). From the finest unit of a shape to the
+// farthest point, so that the rounding error of a coordinate in either is a normal number; lengths that are
+// squared are looked at where they are (isSafeSquare). The brightest colour, so that an eighth of the
+// exponents lets eight factors meet.
+inline constexpr Real widestRange =
+    powerOfTwo(std::numeric_limits<Real>::max_exponent - std::numeric_limits<Real>::digits);
+inline constexpr Real brightestFactor = powerOfTwo(std::numeric_limits<Real>::max_exponent / 8);
+// No ray's colour or weight is more: a thousand reflections that brighten would end in infinity, and black
+// times that is no number.
+inline constexpr Real brightestColor = powerOfTwo(std::numeric_limits<Real>::max_exponent / 2 - 1);
 
 // The words in which a formula is written once for one ray and for several: a Real is a packet of one lane
 // (ray_lanes.h has the same for Lanes). Comparisons of T give a Truth<T>, a choice is a select, and a branch
@@ -155,6 +166,16 @@ Vec3T<T> abs(const Vec3T<T>& v) {
 template <class T>
 T maxComponent(const Vec3T<T>& v) {
     return max(v.x, max(v.y, v.z));
+}
+template <class T>
+Vec3T<T> withinBrightest(const Vec3T<T>& c) {
+    const T most(brightestColor);
+    return {max(min(c.x, most), -most), max(min(c.y, most), -most), max(min(c.z, most), -most)};
+}
+// What leaves the core. Extended's colours may be beyond double: no more than the products of two may be.
+inline glm::dvec3 asDouble(const Color& c) {
+    constexpr Real most = powerOfTwo(std::min(500, std::numeric_limits<Real>::max_exponent / 2 - 1));
+    return glm::dvec3(glm::clamp(c, -most, most));
 }
 inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 

@@ -20,6 +20,9 @@ struct Affine {
 // exact sine and cosine. The axis may have any length but zero.
 Affine compose(const TransformDescription& transform);
 
+// The same of a shape: a mesh's object space is in the mesh's own unit.
+Affine worldFromObject(const SceneDescription& scene, const ShapeDescription& shape);
+
 // The inverse of the linear part, row by row, or nothing where it is singular. Rows and columns are scaled to
 // similar size by powers of two, then eliminated with full pivoting (Higham, Accuracy and Stability of
 // Numerical Algorithms, chapter 9). A pivot no larger than its rounding error counts as zero.

@@ -15,7 +15,7 @@ namespace raytracer {
 // counter-clockwise seen from outside, in file order. A polygon of n corners is n - 2 triangles: the fan
 // about its first corner, if it is convex.
 struct MeshData {
-    std::vector<glm::dvec3> positions;
+    std::vector<glm::dvec3> positions;         // in units of 2^exponent of the file's
     std::vector<glm::dvec2> texCoords;         // (u, v), v up
     std::vector<std::uint32_t> positionIndex;  // 3 for each triangle
     std::vector<std::uint32_t> texCoordIndex;  // 3 for each triangle, or empty where no face has vt
@@ -26,6 +26,12 @@ struct MeshData {
     // The smallest box around all positions. Whoever fills `positions` then calls findBounds once.
     glm::dvec3 low{0}, high{0};
     void findBounds();
+
+    // Chooses the unit in which the largest coordinate is of the order of 1, for products of positions not to
+    // over- or underflow; no coordinate loses a digit. Called once, after findBounds.
+    void chooseUnit();
+    int exponent = 0;
+    double finest = 1;  // the mesh's thickness or its least triangle is no less, relative to its size
 
     std::size_t triangleCount() const { return positionIndex.size() / 3; }
 };

@@ -1,4 +1,5 @@
-// The scene as its author wrote it: the numbers of the JSON file, checked but not changed.
+// The scene as its author wrote it: the numbers of the JSON file, checked but not changed (a mesh's
+// positions are in a unit of their own, MeshData::exponent).
 //
 // Everything here is in the user's own units and spaces (positions and lengths in world units, angles in
 // degrees) and in double, the precision of JSON numbers. `scene_loader` makes it. The core, which is compiled

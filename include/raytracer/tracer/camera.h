@@ -29,6 +29,9 @@ class Camera {
         return perspective_ ? RayT<T>{eye, onFilm + forward, {}} : RayT<T>{eye + onFilm, forward, {}};
     }
 
+    // Along any axis, of the points where its rays start.
+    Real farthest() const;
+
     // A ray's direction here is the scene file's divided by 2^directionExponent, in the frame's unit.
     int directionExponent() const { return directionExponent_; }
 

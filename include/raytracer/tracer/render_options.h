@@ -52,6 +52,7 @@ struct RenderCounts {
     // taken: which ones `adaptive` takes it does not know.
     double cutoffBound = 0;
 
+    std::uint64_t onwards() const { return reflection + refraction; }
     RenderCounts& operator+=(const RenderCounts& other);
 };
 

@@ -11,6 +11,7 @@
 #include "raytracer/tracer/explanation.h"
 #include "raytracer/tracer/ray_tree.h"
 #include "raytracer/tracer/render_options.h"
+#include "raytracer/util/error.h"
 #include "raytracer/util/progress.h"
 
 namespace raytracer {
@@ -21,10 +22,23 @@ struct FirstSamples {
     double cutoffBound = 0;          // RenderCounts::cutoffBound of that render
 };
 
+// A call for some pixels casts more reflected and refracted rays than this for each of its samples: where a
+// material is both reflective and refractive they double with each bounce, to 2^32 at a depth of 32. Mirrors
+// take one for each bounce, so no depth that a search looks at is given up for them.
+inline constexpr std::uint64_t mostRaysOfSample = 1024;
+class TooManyRays : public Error {
+  public:
+    TooManyRays();
+};
+
 // Thread-safe: a Renderer does not change once it is made.
 class Renderer {
   public:
     virtual ~Renderer() = default;
+
+    // What it computes in, and whether the scene's numbers fit into that (numerics.h).
+    virtual Precision precision() const = 0;
+    virtual bool fits() const = 0;
 
     // Every pixel of options.crop goes to the sink exactly once; it depends on the scene, options and its
     // place alone. With `first`, of the same options but for samples and adaptive, these are not cast again.
@@ -34,6 +48,7 @@ class Renderer {
 
     // The colours of samples at some points of the picture, in pixels, (0, 0) at its top left: colors[i] is
     // that of points[i]. Neighbours in the list are faster if they are neighbours in the picture.
+    // These are looks at a picture, by a search or before a render: this and rayTrees may throw TooManyRays.
     virtual RenderCounts renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,
                                       std::span<glm::dvec3> colors) const = 0;
 
@@ -46,7 +61,8 @@ class Renderer {
     virtual RayExplanation explain(const RenderOptions& options, int x, int y) const = 0;
 };
 
-// Builds the scene's shapes and trees. The description may be dropped afterwards.
+// Builds the scene's shapes and trees. The description may be dropped afterwards. In this precision, or in
+// the next one that is wide enough for the scene's numbers.
 std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision,
                                        const BuildOptions& options = {});
 

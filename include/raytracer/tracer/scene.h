@@ -1,6 +1,7 @@
 // A scene in Real, and the recursion that sees it.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct RayPath {
 
     // Of a ray that a surface sends on and whose colour it multiplies by `factor`.
     RayPath onwards(RayKind next, const Color& factor) const {
-        return {weight * factor, max_recursion - 1, next};
+        return {withinBrightest(weight * factor), max_recursion - 1, next};
     }
 };
 
@@ -36,8 +37,12 @@ struct RenderContext {
     const Color* brightest;  // by max_recursion, Scene::brightestColors; null where there is no cutoff
     RenderCounts* counts;
     SampleTrace* samples = nullptr;  // of the rays followed now, one for each lane
+    std::uint64_t mostRays =
+        std::numeric_limits<std::uint64_t>::max();  // of counts->onwards(), else TooManyRays
 
-    RenderContext ofSamples(SampleTrace* which) const { return {options, brightest, counts, which}; }
+    RenderContext ofSamples(SampleTrace* which) const {
+        return {options, brightest, counts, which, mostRays};
+    }
 };
 
 struct PacketKernel;  // packet_tracer.h
@@ -52,6 +57,7 @@ struct Scene {
     std::vector<std::shared_ptr<const Texture>> textures;  // keeps alive what materials point to
     ShapeTree tree;                                        // of the shapes
     bool hasRefractiveShape = false;
+    bool fits = true;  // in Real, as numerics.h has it; where not, the picture may be wrong
     const PacketKernel* packets = nullptr;  // null: each ray alone
 
     // The nearest intersection with t >= 0; where surfaces coincide, with the one listed first.
@@ -89,6 +95,7 @@ struct Scene {
     template <class T>
     ColorT<T> refractedColor(const ShadingPointT<T>& point, LaneBits active, const RayPath& path,
                              const RenderContext& context) const;
+    static void count(std::uint64_t& kind, unsigned rays, const RenderContext& context);
     // For all rays that meet the same material alike; and what comes of it.
     TerminationReason terminationReason(const RayPath& onwards, const Color& factor,
                                         const RenderContext& context) const;

@@ -1,0 +1,55 @@
+// Chords by any direction that a transform can make of a ray: none recurses without end.
+#include <catch2/catch.hpp>
+
+#include "raytracer/geometry/cone.h"
+#include "raytracer/geometry/cylinder.h"
+#include "raytracer/geometry/sphere.h"
+
+using namespace raytracer;
+
+namespace {
+
+template <class Kind>
+void checkAnyDirection() {
+    using Limits = std::numeric_limits<Real>;
+    const Real sizes[] = {0,
+                          1,
+                          -1,
+                          Limits::denorm_min(),
+                          Limits::min(),
+                          Limits::max(),
+                          infinity,
+                          -infinity,
+                          Limits::quiet_NaN()};
+    for (const Real x : sizes)
+        for (const Real y : sizes)
+            for (const Real z : sizes)
+                for (const Real origin : {Real(0), Real(0.5), Real(3), Limits::max(), infinity}) {
+                    const Chord<Real> chord = Kind::chord(ObjectRay{Vec3(0, 0, origin), Vec3(x, y, z)});
+                    INFO(x << ' ' << y << ' ' << z << " from " << origin);
+                    CHECK_FALSE((chord.hit && chord.entry > chord.exit));
+                }
+}
+
+}  // namespace
+
+TEST_CASE("chord: a direction that is zero, infinite, no number or of any size") {
+    checkAnyDirection<Sphere>();
+    checkAnyDirection<Cylinder>();
+    checkAnyDirection<Cone>();
+}
+
+TEST_CASE("chord: t counts in a direction of any size") {
+    for (const int exponent : {-1, 1}) {
+        const Real size = std::scalbn(Real(1), exponent * (std::numeric_limits<Real>::max_exponent - 4));
+        const ObjectRay ray{Vec3(0, 0, 3), size * Vec3(0, 0, -2)};
+        const Real unit = Real(0.5) / size;
+        const Chord<Real> ball = Sphere::chord(ray), cone = Cone::chord(ray);
+        CHECK(ball.hit);
+        CHECK(ball.entry == 2 * unit);
+        CHECK(ball.exit == 4 * unit);
+        CHECK(cone.hit);
+        CHECK(std::abs(cone.entry - 2 * unit) <= gamma(8) * 2 * unit);
+        CHECK(std::abs(cone.exit - 3 * unit) <= gamma(8) * 3 * unit);
+    }
+}
