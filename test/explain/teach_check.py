@@ -81,7 +81,7 @@ def check_all_advice(folder):
 def check_doubling(folder):
     """Among many panes of glass each ray is reflected and refracted at the next one."""
     glass = {"color_ambient": [1, 1, 1], "reflective": True, "refractive": True, "index_of_refraction": 1,
-             "color_reflect": [0.5, 0.5, 0.5], "color_refract": [0.5, 0.5, 0.5]}
+             "color_reflect": [0.3, 0.3, 0.3], "color_refract": [0.3, 0.3, 0.3]}
     places = range(-30, 30)
     scene_with(folder, materials=[glass], lights=[{"position": [0, 9, 9]}],
                transforms=[{"name": str(z), "translate": [0, 0, z + 0.5]} for z in places],

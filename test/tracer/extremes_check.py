@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Random scenes with extreme numbers: each ends soon, with status 0, 1 or 2, and its picture is finite.
 
-    extremes_check.py RAYTRACER [--count 300] [--seed 1] [--keep FOLDER]
+    extremes_check.py RAYTRACER [--count 160] [--seed 1] [--keep FOLDER]
 
 Two kinds take turns. Of the first, numbers of a scene become 0, -0, subnormal, or 1e+-100 to 1e+-308, and so may the
 options: the picture must be finite. Where double and extended see the same thing (an extended picture of numbers that
@@ -288,7 +288,7 @@ def check_units(dice, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("raytracer", type=pathlib.Path)
-    parser.add_argument("--count", type=int, default=300)
+    parser.add_argument("--count", type=int, default=160)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="a folder for the scenes that fail")
     arguments = parser.parse_args()

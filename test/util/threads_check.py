@@ -26,7 +26,7 @@ def mirrors():
         "shapes": [plane | {"transform": "a"}, plane | {"transform": "b"}]}
 
 
-def run(folder, recursion, threads, stack, processes=None, command=("s.json", "o.pfm", "24")):
+def run(folder, recursion, threads, stack, processes=None, command=("s.json", "o.pfm", "8")):
     """How the program ends with this limit on the main thread's stack and on processes (which root has not)."""
     def limit():
         resource.setrlimit(resource.RLIMIT_STACK, (stack, resource.getrlimit(resource.RLIMIT_STACK)[1]))
@@ -49,7 +49,8 @@ def check_stack(folder):
     for stack in (resource.RLIM_INFINITY, 8 * MEBIBYTE, 4 * MEBIBYTE, MEBIBYTE // 2):
         for threads in (1, 2):
             assert picture(folder, 1000, threads, stack) == plain, (stack, threads)
-        done = run(folder, 1000, 2, stack, command=("explain", "s.json", "3", "4", "24", "--json"))
+    for stack in (resource.RLIM_INFINITY, MEBIBYTE // 2):
+        done = run(folder, 1000, 2, stack, command=("explain", "s.json", "3", "4", "8", "--json"))
         assert done.returncode == 0 and done.stdout.count('"reflection"') > 900, (stack, done.returncode, done.stderr)
 
 
