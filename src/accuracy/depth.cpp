@@ -11,8 +11,9 @@ namespace raytracer {
 namespace {
 
 constexpr double mostRays = 100;  // of a tree; where it has more, twice the recursion could square them
-constexpr double growth = 1.2;    // samples grow as error^-1.2
-constexpr double nearly = 1.02;   // in rays
+constexpr double growth = 1.2;    // samples of a pixel: about 1 + (0.013 / error)^1.2
+constexpr double oneMore = 0.013;
+constexpr double nearly = 1.02;  // in rays
 
 std::vector<double> cutoffsFor(double target) {
     std::vector<double> cutoffs{rounded(target / 4)};
@@ -43,7 +44,8 @@ Setting deepest(const Renderer& renderer, const RenderOptions& options, double t
 DepthChoice cheapest(std::span<const DepthChoice> depths, double target) {
     const auto cost = [&](const DepthChoice& depth) {
         const double left = target * target - depth.atMost();
-        return left > 0 ? depth.rays * std::pow(left, -growth / 2) : std::numeric_limits<double>::infinity();
+        if (left <= 0) return std::numeric_limits<double>::infinity();
+        return depth.rays * (1 + std::pow(oneMore / std::sqrt(left), growth));
     };
     const double enough = nearly * cost(*std::ranges::min_element(depths, {}, cost));
     return *std::ranges::min_element(depths, {}, [&](const DepthChoice& depth) {
@@ -78,19 +80,22 @@ void Depths::measure(const RayTrees& trees, std::size_t point, double cutoff, st
     }
     std::vector<glm::dvec3> light(sums.size(), glm::dvec3(0));  // that comes from this max_recursion on
     glm::dvec3 deepest(0);
+    std::size_t last = 0;
     for (const RayTreeNode& ray : trees.of(point)) {
         deepest += ray.light;
         const int least = leastRecursion(trees, ray, cutoff);
         if (least > deepest_.max_recursion) continue;
-        light[static_cast<std::size_t>(least)] += ray.light;
-        sums[static_cast<std::size_t>(least)].rays += 1 + ray.shadows;
+        const auto depth = static_cast<std::size_t>(least);
+        light[depth] += ray.light;
+        sums[depth].rays += 1 + ray.shadows;
+        last = std::max(last, depth);
     }
     glm::dvec3 color(0);
-    for (std::size_t depth = 0; depth < sums.size(); ++depth) {
+    for (std::size_t depth = 0; depth <= last; ++depth) {
         color += light[depth];
         const double error = squaredError(color, deepest);
-        sums[depth].squares += error;
-        sums[depth].fourths += error * error;
+        (depth < last ? sums[depth].squares : sums[depth].lastSquares) += error;
+        (depth < last ? sums[depth].fourths : sums[depth].lastFourths) += error * error;
     }
 }
 
@@ -98,11 +103,16 @@ DepthChoice Depths::measured(int max_recursion, double cutoff) const {
     const auto& sums =
         sums_[static_cast<std::size_t>(std::ranges::find(cutoffs_, cutoff) - cutoffs_.begin())];
     const Sums& depth = sums[static_cast<std::size_t>(max_recursion)];
-    double rays = 0;
-    for (int i = 0; i <= max_recursion; ++i) rays += sums[static_cast<std::size_t>(i)].rays;
-    const double square = depth.squares / points_;
-    return {max_recursion, cutoff, rays / points_, square,
-            std::sqrt(std::max(0.0, depth.fourths / points_ - square * square) / points_)};
+    double rays = 0, squares = depth.squares, fourths = depth.fourths;
+    for (int i = 0; i <= max_recursion; ++i) {
+        const Sums& until = sums[static_cast<std::size_t>(i)];
+        rays += until.rays;
+        squares += until.lastSquares;
+        fourths += until.lastFourths;
+    }
+    const double mean = squares / points_;
+    return {max_recursion, cutoff, rays / points_, mean,
+            std::sqrt(std::max(0.0, fourths / points_ - mean * mean) / points_)};
 }
 
 std::vector<DepthChoice> Depths::all() const {
@@ -117,7 +127,7 @@ DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, 
                         std::size_t count, RenderCounts& spent) {
     const std::vector<glm::dvec2> points = picturePoints(options.size, count, 3);
     Depths depths(
-        deepest(renderer, options, target, std::span(points).first(std::min<std::size_t>(count, 250)), spent),
+        deepest(renderer, options, target, std::span(points).first(std::min<std::size_t>(count, 100)), spent),
         cutoffsFor(target));
     depths.add(renderer, options, points);
     spent += depths.counts();

@@ -38,7 +38,10 @@ class Depths {
 
   private:
     struct Sums {
-        double rays = 0, squares = 0, fourths = 0;  // of squared errors: their sum, and that of their squares
+        double rays = 0;
+        // Of the points that change with a larger max_recursion, and of those that do not any more: the sums
+        // of squared errors, and of the squares of these.
+        double squares = 0, fourths = 0, lastSquares = 0, lastFourths = 0;
     };
     void measure(const RayTrees& trees, std::size_t point, double cutoff, std::span<Sums> sums);
 
