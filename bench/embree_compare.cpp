@@ -18,6 +18,7 @@
 
 #include <embree3/rtcore.h>
 
+#include "../test/support/ball_mesh.h"
 #include "median.h"
 #include "meet_packet.h"
 #include "raytracer/geometry/mesh.h"
@@ -45,28 +46,10 @@ double cpuSeconds(const std::function<void()>& work) {
     return now() - start;
 }
 
-// A sphere with bumps: 16 n^2 triangles, of even sizes but at the poles.
 std::shared_ptr<const MeshData> bumpySphere(std::uint32_t n) {
-    auto mesh = std::make_shared<MeshData>();
-    constexpr double pi = 3.14159265358979;
-    for (std::uint32_t row = 0; row <= 2 * n; ++row)
-        for (std::uint32_t column = 0; column < 4 * n; ++column) {
-            const double v = pi * row / (2 * n), u = 2 * pi * column / (4 * n);
-            const double r =
-                1 + 0.05 * std::sin(13 * u) * std::sin(11 * v) + 0.01 * std::sin(71 * u) * std::sin(67 * v);
-            mesh->positions.emplace_back(r * std::sin(v) * std::cos(u), r * std::sin(v) * std::sin(u),
-                                         r * std::cos(v));
-        }
-    for (std::uint32_t row = 0; row < 2 * n; ++row)
-        for (std::uint32_t column = 0; column < 4 * n; ++column) {
-            const std::uint32_t next = (column + 1) % (4 * n), top = row * 4 * n, bottom = top + 4 * n;
-            for (const std::uint32_t index : {top + column, bottom + column, bottom + next})
-                mesh->positionIndex.push_back(index);
-            for (const std::uint32_t index : {top + column, bottom + next, top + next})
-                mesh->positionIndex.push_back(index);
-        }
-    mesh->findBounds();
-    return mesh;
+    return test::ballMesh(n, [](double u, double v) {
+        return 1 + 0.05 * std::sin(13 * u) * std::sin(11 * v) + 0.01 * std::sin(71 * u) * std::sin(67 * v);
+    });
 }
 
 struct Ball {

@@ -60,17 +60,6 @@ std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
     return spatialOrder(places);
 }
 
-// Asks the memory in good time for what orderOfMaking has scattered: a shape first, then its transform.
-void prefetch(const SceneDescription& description, const std::vector<std::uint32_t>& order, std::size_t i) {
-    constexpr std::size_t ahead = 8;
-    if (i + 2 * ahead < order.size()) __builtin_prefetch(&description.shapes[order[i + 2 * ahead]]);
-    if (i + ahead >= order.size()) return;
-    const auto* transform = reinterpret_cast<const char*>(
-        &description.transforms[description.shapes[order[i + ahead]].transform]);
-    for (std::size_t byte = 0; byte < sizeof(TransformDescription); byte += 64)
-        __builtin_prefetch(transform + byte);
-}
-
 std::vector<Shape> buildShapes(const SceneDescription& description, const SceneFrame& frame,
                                const std::vector<Material>& materials, const BuildOptions& options) {
     std::vector<Shape> shapes;
@@ -78,7 +67,6 @@ std::vector<Shape> buildShapes(const SceneDescription& description, const SceneF
     MeshCache meshes;
     const std::vector<std::uint32_t> order = orderOfMaking(description);
     for (std::size_t i = 0; i < order.size(); ++i) {
-        prefetch(description, order, i);
         const ShapeDescription& shape = description.shapes[order[i]];
         // Composed anew: cheaper than to keep what was composed for the frame.
         const Transform transform(frame.toFrame(worldFromObject(description, shape)));

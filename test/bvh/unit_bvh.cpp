@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "../support/ball_mesh.h"
 #include "../support/scene_files.h"
 #include "raytracer/bvh/bvh.h"
 #include "raytracer/scene/mesh_file.h"
@@ -95,24 +96,8 @@ std::shared_ptr<const MeshData> triangleSoup(Random& random, std::uint32_t count
     return mesh;
 }
 
-// A closed sphere of 8 n^2 triangles with shared corners.
 std::shared_ptr<const MeshData> ball(std::uint32_t n) {
-    auto mesh = std::make_shared<MeshData>();
-    for (std::uint32_t row = 0; row <= 2 * n; ++row)
-        for (std::uint32_t column = 0; column < 4 * n; ++column) {
-            const double v = 3.14159265358979 * row / (2 * n), u = 2 * 3.14159265358979 * column / (4 * n);
-            mesh->positions.emplace_back(std::sin(v) * std::cos(u), std::sin(v) * std::sin(u), std::cos(v));
-        }
-    for (std::uint32_t row = 0; row < 2 * n; ++row)
-        for (std::uint32_t column = 0; column < 4 * n; ++column) {
-            const std::uint32_t next = (column + 1) % (4 * n), top = row * 4 * n, bottom = top + 4 * n;
-            for (const std::uint32_t index : {top + column, bottom + column, bottom + next})
-                mesh->positionIndex.push_back(index);
-            for (const std::uint32_t index : {top + column, bottom + next, top + next})
-                mesh->positionIndex.push_back(index);
-        }
-    mesh->findBounds();
-    return mesh;
+    return ballMesh(n, [](double, double) { return 1.0; });
 }
 
 }  // namespace

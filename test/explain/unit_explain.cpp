@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <mutex>
 
 #include "../support/scene_files.h"
+#include "raytracer/accuracy/picture_error.h"
 #include "raytracer/explain/explanation_text.h"
 
 using namespace raytracer;
@@ -13,24 +13,6 @@ using namespace raytracer::test;
 namespace {
 
 using Type = ShapeType;
-
-// The picture as the core hands it over.
-class DoubleSink final : public PixelSink {
-  public:
-    explicit DoubleSink(const ImageSize& size)
-        : width_(size.width),
-          pixels_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
-    void write(int x, int y, std::span<const glm::dvec3> colors) override {
-        std::copy(colors.begin(), colors.end(), pixels_.begin() + index(x, y));
-    }
-    const glm::dvec3& at(int x, int y) const { return pixels_[static_cast<std::size_t>(index(x, y))]; }
-
-  private:
-    std::ptrdiff_t index(int x, int y) const { return std::ptrdiff_t{y} * width_ + x; }
-
-    int width_;
-    std::vector<glm::dvec3> pixels_;
-};
 
 // The formula, in rayColor's order: the light's sum, the sum over lights, then K_R I_R, then K_T I_T.
 bool addsUp(const RayExplanation& ray, const SceneDescription& scene) {
@@ -137,13 +119,14 @@ TEST_CASE("an explanation's colours are the render's, and add up, to the bit") {
         const SceneDescription scene = loadScene(file, true).description;
         const auto renderer = makeRenderer(scene, Precision::Double);
         const RenderOptions options = wholePicture(scene, 40);
-        DoubleSink sink(options.size);
+        ColorSink sink(options.crop);
         renderer->render(options, sink);
+        auto rendered = sink.colors().begin();
         int wrong = 0;
         for (int y = 0; y < options.size.height; ++y)
             for (int x = 0; x < options.size.width; ++x) {
                 const RayExplanation ray = renderer->explain(options, x, y);
-                wrong += !(ray.color == sink.at(x, y) && addsUp(ray, scene));
+                wrong += !(ray.color == *rendered++ && addsUp(ray, scene));
             }
         CHECK(wrong == 0);
     }
@@ -154,12 +137,13 @@ TEST_CASE("an explanation's colours are the render's in every precision") {
     for (const Precision precision : {Precision::Float, Precision::Extended}) {
         const auto renderer = makeRenderer(scene, precision);
         const RenderOptions options = wholePicture(scene, 40);
-        DoubleSink sink(options.size);
+        ColorSink sink(options.crop);
         renderer->render(options, sink);
+        auto rendered = sink.colors().begin();
         int wrong = 0;
         for (int y = 0; y < options.size.height; ++y)
             for (int x = 0; x < options.size.width; ++x)
-                wrong += renderer->explain(options, x, y).color != sink.at(x, y);
+                wrong += renderer->explain(options, x, y).color != *rendered++;
         CHECK(wrong == 0);
     }
 }

@@ -76,9 +76,9 @@ std::vector<long double> sharesOfBound(Kind kind, std::shared_ptr<const MeshData
 }
 
 void check(Kind kind) {
-    if (std::numeric_limits<Real>::digits == std::numeric_limits<long double>::digits)
-        return;  // no better judge
-    constexpr bool isFloat = std::numeric_limits<Real>::digits < 32;
+    constexpr int digits = std::numeric_limits<Real>::digits;
+    if (digits == std::numeric_limits<long double>::digits) return;  // no better judge
+    constexpr bool isFloat = digits < 32;
     const Extents varied = isFloat ? Extents{2, 2, 1} : Extents{4, 4, 6},
                   wild = isFloat ? Extents{8, 2, 8} : Extents{90, 6, 90};
     for (const Extents& extents : {varied, wild}) {

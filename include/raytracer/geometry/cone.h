@@ -104,7 +104,7 @@ struct Cone : Solid<Cone> {
 
     template <class T>
     static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t face) {
-        return face == 0 ? Vec2T<T>(turn(p), p.z) : capTexCoord(p);
+        return roundTexCoord(p, face == 0);
     }
 };
 

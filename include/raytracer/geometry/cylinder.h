@@ -51,7 +51,7 @@ struct Cylinder : Solid<Cylinder> {
 
     template <class T>
     static Vec2T<T> texCoord(const Vec3T<T>& p, std::uint32_t face) {
-        return face == 0 ? Vec2T<T>(turn(p), p.z) : capTexCoord(p);
+        return roundTexCoord(p, face == 0);
     }
 };
 

@@ -102,6 +102,12 @@ Vec2T<T> capTexCoord(const Vec3T<T>& p) {
     return {(p.x + T(1)) / T(2), (p.y + T(1)) / T(2)};
 }
 
+// Of a body round about the z axis, or of its caps.
+template <class T>
+Vec2T<T> roundTexCoord(const Vec3T<T>& p, bool body) {
+    return body ? Vec2T<T>(turn(p), p.z) : capTexCoord(p);
+}
+
 // Puts a point back onto the unit sphere; one without z, onto the circle. By one Newton step for 1 / sqrt
 // where that is exact to rounding.
 template <class T>
