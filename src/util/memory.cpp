@@ -15,12 +15,12 @@
 namespace raytracer {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// The number that the file begins with; infinite where there is none ("max").
+// The number that the file begins with; unlimited where there is none ("max").
 double numberIn(const std::string& path) {
     double number = 0;
-    return std::ifstream(path) >> number ? number : infinite;
+    return std::ifstream(path) >> number ? number : unlimited;
 }
 
 double availableBytes() {
@@ -29,13 +29,13 @@ double availableBytes() {
         double kibibytes = 0;
         if (key == "MemAvailable:" && file >> kibibytes) return 1024 * kibibytes;
     }
-    return infinite;
+    return unlimited;
 }
 
 // Of a control group and of all that it is part of. Inside of a container, the outer part of the path is not
 // there.
 double groupLimit(const std::string& root, std::string path, const char* file) {
-    double least = infinite;
+    double least = unlimited;
     for (;; path.resize(path.rfind('/'))) {
         least = std::min(least, numberIn(root + path + file));
         if (path.find('/') == path.npos) return least;
@@ -44,7 +44,7 @@ double groupLimit(const std::string& root, std::string path, const char* file) {
 
 // The lines of /proc/self/cgroup are NUMBER:CONTROLLERS:PATH; version 2 has no controllers.
 double controlGroupLimit() {
-    double least = infinite;
+    double least = unlimited;
     std::ifstream file("/proc/self/cgroup");
     for (std::string line; std::getline(file, line);) {
         const std::size_t first = line.find(':'), second = line.find(':', first + 1);
@@ -69,7 +69,7 @@ std::pair<double, double> usedBytes() {
 double addressLimit() {
     rlimit limit{};
     const bool isSet = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-    return isSet ? static_cast<double>(limit.rlim_cur) : infinite;
+    return isSet ? static_cast<double>(limit.rlim_cur) : unlimited;
 }
 
 std::string inBytes(double bytes) {
