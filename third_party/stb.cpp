@@ -23,6 +23,10 @@ unsigned char* compressZlib(unsigned char* data, int length, int* outLength, int
 
 }  // namespace
 
+// For broken files stb 2.27 returns memory that it has not written.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC std::realloc
+#define STBI_FREE std::free
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_FAILURE_USERMSG

@@ -7,6 +7,7 @@
 #include <libdeflate.h>
 #include <stb_image.h>
 
+#include "jpeg_check.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
@@ -15,12 +16,6 @@ namespace raytracer {
 namespace {
 
 constexpr int rgb = 3;
-
-// stb 2.27 refuses a JPEG that stops in the middle; 2.29 reads it as if it were whole (its issue 1608). The
-// bytes 0xff 0xd9 are the end marker, and never occur in a picture's data.
-bool isTruncatedJpeg(std::string_view file) {
-    return file.starts_with("\xff\xd8") && file.find("\xff\xd9") == file.npos;
-}
 
 std::uint32_t bigEndian(std::string_view bytes) {
     std::uint32_t number = 0;
@@ -137,7 +132,7 @@ void decodePaletted(const FileBytes& file, const std::vector<std::string_view>& 
 Texture decode(const FileBytes& file) {
     const std::string_view text = file.text();
     if (text.size() > std::numeric_limits<int>::max() / 2) file.fail("cannot decode: the file is over 1 GiB");
-    if (isTruncatedJpeg(text)) file.fail("broken JPEG picture: it has no end marker");
+    if (isJpeg(file)) requireSoundJpeg(file);
     std::vector<std::string_view> chunks{{}};
     if (text.starts_with(pngSignature)) {
         chunks = readChunks(file);

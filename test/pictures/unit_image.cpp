@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 #include <thread>
+#include <utility>
 
 #include <libdeflate.h>
 #include <stb_image_write.h>
@@ -153,6 +154,121 @@ TEST_CASE("A picture that cannot be read is told") {
                       folder.file("b.png") + ": cannot read: No such file or directory");
     CHECK_THROWS_WITH(readImage(folder.file("")), folder.file("") + ": cannot read: Is a directory");
     CHECK_THROWS_AS(readImage(folder.file("")), Error);
+}
+
+namespace {
+
+// A segment of a JPEG: its marker's second byte, and what is in it.
+std::string segmentOf(int marker, const std::string& content) {
+    const std::size_t length = content.size() + 2;
+    const char head[] = {'\xff', static_cast<char>(marker), static_cast<char>(length >> 8),
+                         static_cast<char>(length)};
+    return std::string(head, sizeof head) + content;
+}
+
+// Huffman tables: class and number, how many codes of each length, their values.
+std::string tableOf(int table, const std::vector<int>& counts) {
+    std::string content(1, static_cast<char>(table));
+    std::size_t codes = 0;
+    for (std::size_t i = 0; i < 16; ++i) {
+        content += static_cast<char>(i < counts.size() ? counts[i] : 0);
+        codes += static_cast<std::size_t>(i < counts.size() ? counts[i] : 0);
+    }
+    return segmentOf(0xc4, content + std::string(codes, '\0'));
+}
+
+// A grey JPEG of 8 x 8 pixels, of which every coefficient is 0.
+struct GreyJpeg {
+    std::string quantisation = segmentOf(0xdb, std::string(1, '\0') + std::string(64, '\1'));
+    std::string frame = segmentOf(0xc0, {"\x8\0\x8\0\x8\1\1\x11\0", 9});
+    std::string constantTable = tableOf(0x00, {1}), otherTable = tableOf(0x10, {1});
+    std::string scan = segmentOf(0xda, {"\1\1\0\0\x3f\0", 6}) + '\0';
+    std::string end = "\xff\xd9";
+
+    std::string bytes() const {
+        return "\xff\xd8" + quantisation + frame + constantTable + otherTable + scan + end;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("A JPEG is read if its segments are sound") {
+    const TestFolder folder;
+    const auto read = [&](const GreyJpeg& jpeg) {
+        return readImage(folder.write("a.jpg", jpeg.bytes())).pixels;
+    };
+    const auto refused = [&](const GreyJpeg& jpeg, const std::string& why) {
+        CHECK_THROWS_WITH(read(jpeg), folder.file("a.jpg") + ": broken JPEG picture: " + why);
+    };
+    GreyJpeg jpeg;
+    const std::string thumbnail = segmentOf(0xe1, "Exif" + GreyJpeg().bytes());
+    REQUIRE(read(jpeg) == std::vector<std::uint8_t>(64 * 3, 128));
+    SECTION("with a thumbnail, fill bytes, and something behind the end") {
+        jpeg.quantisation = thumbnail + "\xff\xff\xff" + jpeg.quantisation;
+        jpeg.end += "behind";
+        CHECK(read(jpeg) == std::vector<std::uint8_t>(64 * 3, 128));
+    }
+    SECTION("an end marker in the thumbnail is not the picture's") {
+        jpeg.quantisation = thumbnail + jpeg.quantisation;
+        jpeg.end = "";
+        refused(jpeg, "it has no end marker");
+        jpeg.end = "\xff";
+        refused(jpeg, "it has no end marker");
+        jpeg.end = "\xff\xe1";
+        refused(jpeg, "it has no end marker");
+        jpeg.scan = jpeg.scan.substr(0, 5);
+        refused(jpeg, "it has no end marker");
+    }
+    SECTION("Huffman tables") {
+        jpeg.otherTable = tableOf(0x10, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 200, 57});
+        refused(jpeg, "a Huffman table has more codes than there are");  // than values of a byte
+        jpeg.otherTable = tableOf(0x10, {2});
+        refused(jpeg, "a Huffman table has more codes than there are");  // of ones alone there is none
+        jpeg.otherTable = tableOf(0x10, {1, 0, 4});
+        refused(jpeg, "a Huffman table has more codes than there are");
+        jpeg.otherTable = tableOf(0x24, {1});
+        refused(jpeg, "a Huffman table has no such number");
+        jpeg.otherTable = segmentOf(0xc4, tableOf(0x10, {1, 1}).substr(4, 18));
+        refused(jpeg, "a segment has not the length that it says");
+        jpeg.otherTable = "\xff\xc4" + std::string("\0\1", 2);
+        refused(jpeg, "a segment has not the length that it says");
+    }
+    SECTION("quantisation tables") {
+        jpeg.quantisation = segmentOf(0xdb, std::string(1, '\4') + std::string(64, '\1'));
+        refused(jpeg, "a quantisation table has no such number");
+        jpeg.quantisation = segmentOf(0xdb, std::string(1, '\0') + std::string(63, '\1'));
+        refused(jpeg, "a segment has not the length that it says");
+    }
+    SECTION("tables that are not there") {
+        for (std::string* part : {&jpeg.quantisation, &jpeg.constantTable, &jpeg.otherTable}) {
+            const std::string whole = std::exchange(*part, "");
+            refused(jpeg, "a table that it uses is missing");
+            *part = whole;
+        }
+    }
+    SECTION("frame and scans") {
+        const std::string whole = std::exchange(jpeg.scan, "");
+        refused(jpeg, "it has no data for one of its components");
+        jpeg.scan = segmentOf(0xda, {"\1\2\0\0\x3f\0", 6});
+        refused(jpeg, "a scan is of a component that it does not have");
+        jpeg.scan = segmentOf(0xda, {"\1\1\0\0\x3f", 5});
+        refused(jpeg, "a segment has not the length that it says");
+        jpeg.scan = whole;
+        jpeg.frame += jpeg.frame;
+        refused(jpeg, "it has two frame headers");
+        jpeg.frame = segmentOf(0xc0, {"\x8\0\x8\0\x8\1\1\x11\0\0", 10});
+        refused(jpeg, "a segment has not the length that it says");
+        jpeg.frame = segmentOf(0xc2, {"\x8\0\x8\0\x8\1\1\x11\0", 9});
+        jpeg.scan = segmentOf(0xda, {"\1\1\0\1\x3f\0", 6});  // its first scan without the constant terms
+        refused(jpeg, "its scans are not in order");
+        jpeg.frame = segmentOf(0xc9, "");
+        CHECK_THROWS_WITH(
+            read(jpeg), folder.file("a.jpg") + ": cannot decode: neither a baseline nor a progressive JPEG");
+    }
+    SECTION("no frame") {
+        jpeg.frame = jpeg.scan = "";
+        refused(jpeg, "it has no frame header");
+    }
 }
 
 TEST_CASE("A PNG with any bit flipped is refused") {

@@ -1,0 +1,181 @@
+#include "jpeg_check.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace raytracer {
+namespace {
+
+// The second byte of a marker, after 0xff.
+enum Marker : std::uint8_t {
+    progressiveFrame = 0xc2,
+    huffmanTables = 0xc4,
+    restart0 = 0xd0,
+    restart7 = 0xd7,
+    startOfImage = 0xd8,
+    endOfImage = 0xd9,
+    startOfScan = 0xda,
+    quantisationTables = 0xdb,
+};
+
+// Frame headers, but for three of these that mean other things.
+bool isFrame(std::uint8_t marker) {
+    return marker >= 0xc0 && marker <= 0xcf && marker != huffmanTables && marker != 0xc8 && marker != 0xcc;
+}
+
+std::uint8_t byteAt(std::string_view text, std::size_t at) { return static_cast<std::uint8_t>(text[at]); }
+
+class JpegCheck {
+  public:
+    explicit JpegCheck(const FileBytes& file) : file_(file), rest_(file.text()) {}
+
+    void check() {
+        for (std::uint8_t marker = nextMarker(); marker != endOfImage; marker = nextMarker()) {
+            if (marker == startOfImage) continue;
+            segment_ = takeSegment();
+            if (marker == huffmanTables) checkHuffmanTables();
+            else if (marker == quantisationTables) checkQuantisationTables();
+            else if (isFrame(marker)) checkFrame(marker);
+            else if (marker == startOfScan) checkScan();
+        }
+        for (const Component& component : components_)
+            require(component.isScanned, "it has no data for one of its components");
+        require(!components_.empty(), "it has no frame header");
+    }
+
+  private:
+    struct Component {
+        std::uint8_t name, quantisation;
+        bool isScanned = false;
+    };
+
+    void require(bool holds, const char* what) const {
+        if (!holds) file_.fail(std::string("broken JPEG picture: ") + what);
+    }
+    void requireWhole(bool holds) const { require(holds, "a segment has not the length that it says"); }
+
+    // Skips compressed data, in which 0xff is followed by 0 or is a restart marker, and what fills gaps.
+    std::uint8_t nextMarker() {
+        for (;;) {
+            rest_.remove_prefix(std::min(rest_.find('\xff'), rest_.size()));
+            rest_.remove_prefix(std::min(rest_.find_first_not_of('\xff'), rest_.size()));
+            require(!rest_.empty(), "it has no end marker");
+            const std::uint8_t marker = byteAt(rest_, 0);
+            rest_.remove_prefix(1);
+            if (marker != 0 && (marker < restart0 || marker > restart7)) return marker;
+        }
+    }
+
+    // A length in two bytes, which counts itself, and so many bytes.
+    std::string_view takeSegment() {
+        require(rest_.size() >= 2, "it has no end marker");
+        const std::size_t length = std::size_t{byteAt(rest_, 0)} << 8 | byteAt(rest_, 1);
+        requireWhole(length >= 2);
+        require(length <= rest_.size(), "it has no end marker");
+        const std::string_view segment = rest_.substr(2, length - 2);
+        rest_.remove_prefix(length);
+        return segment;
+    }
+
+    std::uint8_t takeByte() {
+        requireWhole(!segment_.empty());
+        const std::uint8_t byte = byteAt(segment_, 0);
+        segment_.remove_prefix(1);
+        return byte;
+    }
+
+    void skip(std::size_t count) {
+        requireWhole(count <= segment_.size());
+        segment_.remove_prefix(count);
+    }
+
+    // Class and number; of each length from 1 to 16 bits, how many codes; their values. No code is the
+    // beginning of another, nor all ones.
+    void checkHuffmanTables() {
+        while (!segment_.empty()) {
+            const std::uint8_t table = takeByte();
+            require((table & 0xf) < 4 && table >> 4 < 2, "a Huffman table has no such number");
+            std::size_t codes = 0, room = 1;
+            for (int length = 1; length <= 16; ++length) {
+                const std::size_t ofThisLength = takeByte();
+                room *= 2;
+                require(ofThisLength < room, "a Huffman table has more codes than there are");
+                room -= ofThisLength;
+                codes += ofThisLength;
+            }
+            require(codes <= 256, "a Huffman table has more codes than there are");
+            skip(codes);
+            huffman_.set(table);
+        }
+    }
+
+    void checkQuantisationTables() {
+        while (!segment_.empty()) {
+            const std::uint8_t table = takeByte();
+            require((table & 0xf) < 4 && table >> 4 < 2, "a quantisation table has no such number");
+            skip(table >> 4 == 0 ? 64 : 128);
+            quantisation_.set(table & 0xf);
+        }
+    }
+
+    // Bits a sample, height, width; of each component its name, sampling and quantisation table.
+    void checkFrame(std::uint8_t marker) {
+        if (marker > progressiveFrame) file_.fail("cannot decode: neither a baseline nor a progressive JPEG");
+        require(components_.empty(), "it has two frame headers");
+        isProgressive_ = marker == progressiveFrame;
+        skip(5);
+        for (std::size_t count = takeByte(); count > 0; --count) {
+            const std::uint8_t name = takeByte();
+            skip(1);
+            components_.push_back({name, takeByte()});
+        }
+        requireWhole(segment_.empty());
+    }
+
+    // Of each component its name and Huffman tables, for the constant terms (class 0) and the others; the
+    // first and the last term, and which of their bits.
+    void checkScan() {
+        const std::size_t count = takeByte();
+        requireWhole(segment_.size() == 2 * count + 3);
+        const std::uint8_t firstTerm = byteAt(segment_, 2 * count),
+                           lastTerm = byteAt(segment_, 2 * count + 1), bits = byteAt(segment_, 2 * count + 2);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto found = std::ranges::find(components_, takeByte(), &Component::name);
+            require(found != components_.end(), "a scan is of a component that it does not have");
+            const std::uint8_t tables = takeByte();
+            const auto hasHuffman = [&](int table) {
+                return table < 32 && huffman_[static_cast<std::size_t>(table)];
+            };
+            const bool isFirstScan = !isProgressive_ || bits >> 4 == 0;
+            require((firstTerm != 0 || !isFirstScan || hasHuffman(tables >> 4)) &&
+                        ((isProgressive_ && lastTerm == 0) || hasHuffman(0x10 | (tables & 0xf))) &&
+                        found->quantisation < 4 && quantisation_[found->quantisation],
+                    "a table that it uses is missing");
+            require(found->isScanned || (firstTerm == 0 && isFirstScan), "its scans are not in order");
+            found->isScanned = true;
+        }
+    }
+
+    const FileBytes& file_;
+    std::string_view rest_, segment_;
+    std::vector<Component> components_;
+    bool isProgressive_ = false;
+    std::bitset<32> huffman_;      // by class and number
+    std::bitset<4> quantisation_;  // by number
+};
+
+}  // namespace
+
+// stb skips any number of 0xff before a marker.
+bool isJpeg(const FileBytes& file) {
+    const std::string_view text = file.text();
+    const std::size_t marker = text.find_first_not_of('\xff');
+    return marker > 0 && marker != text.npos && byteAt(text, marker) == startOfImage;
+}
+
+void requireSoundJpeg(const FileBytes& file) { JpegCheck(file).check(); }
+
+}  // namespace raytracer

@@ -1,0 +1,44 @@
+// Any bytes as a PNG or JPEG. Checksums are made right first, or hardly anything would get behind them.
+#include <libdeflate.h>
+
+#include <string_view>
+
+#include "memory_file.h"
+#include "raytracer/pictures/image.h"
+#include "raytracer/util/error.h"
+
+// What a picture may take: an input of some bytes may ask for gigabytes.
+extern "C" const char* __asan_default_options() {
+    return "allocator_may_return_null=1:max_allocation_size_mb=8";
+}
+
+namespace {
+
+void setChecksums(std::string& png) {
+    constexpr std::size_t signature = 8, frame = 12;
+    for (std::size_t chunk = signature; chunk + frame <= png.size();) {
+        std::size_t length = 0;
+        for (std::size_t i = chunk; i < chunk + 4; ++i)
+            length = length << 8 | static_cast<std::uint8_t>(png[i]);
+        if (length > png.size() - chunk - frame) return;
+        const std::uint32_t checksum = libdeflate_crc32(0, &png[chunk + 4], length + 4);
+        for (std::size_t i = 0; i < 4; ++i)
+            png[chunk + 8 + length + i] = static_cast<char>(checksum >> (24 - 8 * i));
+        chunk += length + frame;
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(Bytes data, std::size_t size) {
+    static const MemoryFile file;
+    std::string bytes(reinterpret_cast<const char*>(data), size);
+    if (bytes.starts_with("\x89PNG")) setChecksums(bytes);
+    try {
+        const raytracer::Texture texture = raytracer::readTexture(file.write(bytes));
+        const std::size_t channels = std::size_t{3} * texture.width * texture.height;
+        MemoryFile::require(channels > 0 && texture.texels.size() + texture.deepTexels.size() == channels);
+    } catch (const raytracer::Error&) {
+    }
+    return 0;
+}
