@@ -19,7 +19,7 @@ double errorOf(double result, long double exact) {
     return static_cast<double>(std::abs(result - exact) / unit);
 }
 
-struct Random {
+struct RandomNumber {
     std::mt19937_64 bits{29};
     double operator()(double low, double high) { return std::uniform_real_distribution<>(low, high)(bits); }
 };
@@ -27,7 +27,7 @@ struct Random {
 }  // namespace
 
 TEST_CASE("the arc tangent is wrong by less than 1.2 units in the last place, at any magnitude") {
-    Random random;
+    RandomNumber random;
     double worst = 0;
     for (int i = 0; i < 300'000; ++i) {
         const double exponent = random(-1020, 1020);
@@ -52,7 +52,7 @@ TEST_CASE("the arc tangent of axes, diagonals, zeros, infinities and NaN is std:
 }
 
 TEST_CASE("the arc cosine is wrong by less than 2.5 units in the last place, and exact at -1, 0 and 1") {
-    Random random;
+    RandomNumber random;
     double worst = 0;
     for (int i = 0; i < 300'000; ++i) {
         const double small = std::exp2(random(-50, 0)), z = i % 3 == 0   ? small
