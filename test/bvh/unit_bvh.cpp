@@ -8,6 +8,7 @@
 
 #include "../support/ball_mesh.h"
 #include "../support/scene_files.h"
+#include "../support/slowness.h"
 #include "raytracer/bvh/bvh.h"
 #include "raytracer/scene/mesh_file.h"
 
@@ -105,7 +106,7 @@ std::shared_ptr<const MeshData> ball(std::uint32_t n) {
 TEST_CASE("the scenes are the same with and without a tree") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        checkAll(loadScene(file, true).description, 40);
+        checkAll(loadScene(file, true).description, shortened(40));
     }
 }
 
@@ -117,12 +118,7 @@ TEST_CASE("packets are the same whatever the samples, the depth and the terms") 
         std::vector<std::unique_ptr<Renderer>> with;
         for (const InstructionSet set : supportedInstructionSets())
             with.push_back(makeRenderer(scene, Precision::Double, {Accelerator::Bvh, 0, set}));
-#if defined(__OPTIMIZE__)
-        const int edge = 30;  // pixels
-#else
-        const int edge = 10;  // minutes else
-#endif
-        RenderOptions several = wholePicture(scene, edge), deep = several, plain = several;
+        RenderOptions several = wholePicture(scene, shortened(30)), deep = several, plain = several;
         several.samples = 16, several.adaptive = 0.02, several.bilinear = true;
         deep.max_recursion = 8, deep.cutoff = 0.01;
         plain.shadows = plain.refraction = false;
