@@ -4,6 +4,7 @@
 // is their squared error, without bias. The depth is chosen before that, from ray trees of points all over
 // the picture.
 #include "raytracer/accuracy/target_error.h"
+#include "raytracer/pictures/color_sink.h"
 
 #include <algorithm>
 #include <cmath>

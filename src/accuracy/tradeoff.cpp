@@ -1,4 +1,5 @@
 #include "raytracer/accuracy/tradeoff.h"
+#include "raytracer/pictures/color_sink.h"
 
 #include <algorithm>
 #include <cmath>

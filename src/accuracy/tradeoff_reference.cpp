@@ -1,5 +1,6 @@
 // The converged picture that errors are measured against.
 #include "raytracer/accuracy/tradeoff.h"
+#include "raytracer/pictures/color_sink.h"
 
 #include "picture_points.h"
 

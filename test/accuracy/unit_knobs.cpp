@@ -9,6 +9,7 @@
 #include "../support/scene_files.h"
 #include "raytracer/accuracy/picture_error.h"
 #include "raytracer/accuracy/setting.h"
+#include "raytracer/pictures/color_sink.h"
 #include "raytracer/tracer/sample_sequence.h"
 
 using namespace raytracer;

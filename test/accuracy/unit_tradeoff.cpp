@@ -10,6 +10,7 @@
 #include "../support/scene_files.h"
 #include "raytracer/accuracy/target_error.h"
 #include "raytracer/accuracy/tradeoff_report.h"
+#include "raytracer/pictures/color_sink.h"
 
 using namespace raytracer;
 using namespace raytracer::test;

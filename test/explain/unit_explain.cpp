@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "../support/scene_files.h"
-#include "raytracer/accuracy/picture_error.h"
 #include "raytracer/explain/explanation_text.h"
+#include "raytracer/pictures/color_sink.h"
 
 using namespace raytracer;
 using namespace raytracer::test;

@@ -193,5 +193,5 @@ TEST_CASE("bilinear look-ups stop at the border, or go round") {
             CHECK(at(0, 1, u, v) == is((u ? 40 : 0) + (v ? 80 : 0)));
         }
     const Texture single{1, 1, {51, 51, 51}};
-    CHECK(lookUpBilinear(single, {1, 0}, {true, true}) == Color(Real(0.2)));
+    CHECK(lookUpBilinear(single, {1, 0}, {true, true}) == Color(Real(51) / 255));
 }
