@@ -27,16 +27,22 @@ sigset_t endingSet() {
 
 std::atomic<Leftover*> newest = nullptr;
 
-// SA_RESETHAND: the second time, the signal does what it did without the handler.
+// The handler stays until all is cleared: a second signal (timeout sends two) may reach another thread
+// meanwhile. The first process of a container outlives the default action.
 void clearAndEnd(int signal) {
     for (const Leftover* left = newest; left; left = left->older()) left->clear();
+    std::signal(signal, SIG_DFL);
+    sigset_t own;
+    sigemptyset(&own);
+    sigaddset(&own, signal);
+    ::pthread_sigmask(SIG_UNBLOCK, &own, nullptr);
     ::raise(signal);
+    ::_exit(128 + signal);
 }
 
 bool handleEndingSignals() {
     struct sigaction clearing {};
     clearing.sa_handler = clearAndEnd;
-    clearing.sa_flags = SA_RESETHAND;
     clearing.sa_mask = endingSet();
     for (const int signal : endingSignals) {
         struct sigaction before {};

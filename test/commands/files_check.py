@@ -188,8 +188,9 @@ def check_signals(folder):
     before = (folder / "old.pfm").read_bytes()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT) * 4:
         for out in ("old.pfm", "new.pfm"):
-            program = subprocess.Popen([RAYTRACER, SCENE, folder / out, "1200", "--quiet"])
+            program = subprocess.Popen([RAYTRACER, SCENE, folder / out, "1200", "--quiet", "--threads", "8"])
             time.sleep(random.uniform(0.001, 0.12))
+            program.send_signal(number)  # as `timeout` does: to the process, and to its group
             program.send_signal(number)
             status = program.wait(60)
             if status == 0:
@@ -263,6 +264,18 @@ def check_mounts(folder):
     check("a full disk", (b"2 x.pfm old\n", f"{folder}/small/x.pfm: cannot write: No space left on device\n"), (out, error))
 
 
+def check_first_process(folder):
+    """A container's first process outlives a signal's default action."""
+    command = ["unshare", "--pid", "--fork", RAYTRACER, SCENE, folder / "x.pfm", "8000", "--samples", "64", "--quiet"]
+    outer = subprocess.Popen(command)
+    children = pathlib.Path(f"/proc/{outer.pid}/task/{outer.pid}/children")
+    while not names(folder):
+        time.sleep(0.01)
+    os.kill(int(children.read_text()), signal.SIGTERM)
+    check("a container's first process ends", 128 + signal.SIGTERM, outer.wait(60))
+    check("nothing is left", [], names(folder))
+
+
 def check_same_numbers(folder):
     """Two processes with the same number write to one folder, as two containers do."""
     for _ in range(3):
@@ -282,7 +295,8 @@ def main():
         if os.geteuid() != 0 or subprocess.run(able, capture_output=True).returncode:
             print("skipped: not root, without unshare or setpriv, or nobody may not run the program")
             return 77
-        checks = [check_other_users, check_locked_folder, check_mounts, check_same_numbers]
+        checks = [check_other_users, check_locked_folder, check_mounts, check_first_process,
+                  check_same_numbers]
     for one in checks:
         with tempfile.TemporaryDirectory() as name:
             os.chmod(name, 0o755)
