@@ -127,7 +127,7 @@ DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, 
                         std::size_t count, RenderCounts& spent) {
     const std::vector<glm::dvec2> points = picturePoints(options.size, count, 3);
     Depths depths(
-        deepest(renderer, options, target, std::span(points).first(std::min<std::size_t>(count, 100)), spent),
+        deepest(renderer, options, target, std::span(points).first(std::min<std::size_t>(count, 250)), spent),
         cutoffsFor(target));
     depths.add(renderer, options, points);
     spent += depths.counts();

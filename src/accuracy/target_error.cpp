@@ -4,7 +4,6 @@
 // is their squared error, without bias. The depth is chosen before that, from ray trees of points all over
 // the picture.
 #include "raytracer/accuracy/target_error.h"
-#include "raytracer/pictures/color_sink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 
 #include "depth.h"
 #include "picture_points.h"
+#include "raytracer/pictures/color_sink.h"
 #include "raytracer/tracer/pixel_estimate.h"
 
 namespace raytracer {
@@ -23,14 +23,14 @@ namespace {
 
 // Pixels looked at: as many as find what lies in few of them, 0.05 off. As many again while these do not tell
 // whether the target is reached, and while all their samples are few to the picture's.
-double firstPixels(double target) { return std::clamp(std::pow(0.05 / target, 2), 300.0, 2500.0); }
+double firstPixels(double target) { return std::clamp(std::pow(0.05 / target, 2), 500.0, 2500.0); }
 constexpr double lookPart = 0.15;
 // Pixels are drawn by the error that they may have, a third of them evenly: then none counts more than three
 // times (Hesterberg 1995).
 constexpr double evenPart = 0.5;  // to the others
-// Points whose ray trees are traced: about 1 % of the picture's samples.
+// Points whose ray trees are traced: about 2 % of the picture's samples.
 std::size_t treesTraced(double area, double target) {
-    return static_cast<std::size_t>(std::clamp(0.0003 * area / target, 600.0, 100000.0));
+    return static_cast<std::size_t>(std::clamp(0.0005 * area / target, 1000.0, 100000.0));
 }
 // The mean squared error plus so many standard errors must reach the target: it is taken from a skew sample,
 // and the first `adaptive` that seems to reach it is chosen.
@@ -38,7 +38,7 @@ constexpr double margin = 3;
 // The first `adaptive` that is tried, as a multiple of the target: errors are 0.1 to 1.1 of it, and where it
 // is larger, those of single pixels are too. Each next one is smaller by a twelfth; so 4 % of the error are
 // lost.
-constexpr double coarsest = 5, finer = 1 / 1.09;
+constexpr double coarsest = 4, finer = 1 / 1.09;
 constexpr int mostSamples = 4096;      // leave an error of 0.001 at an edge from black to white
 constexpr double mostFirst = 1 << 24;  // pixels whose first samples are kept: 400 MB
 

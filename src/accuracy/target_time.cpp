@@ -2,7 +2,6 @@
 // to it, until the whole picture would take too long; between the last two the time is interpolated. The
 // tiles rendered again with other samples tell the error.
 #include "raytracer/accuracy/target_time.h"
-#include "raytracer/pictures/color_sink.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +13,7 @@
 
 #include "depth.h"
 #include "picture_points.h"
+#include "raytracer/pictures/color_sink.h"
 #include "raytracer/util/parallel.h"
 
 namespace raytracer {

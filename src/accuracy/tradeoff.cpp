@@ -1,5 +1,4 @@
 #include "raytracer/accuracy/tradeoff.h"
-#include "raytracer/pictures/color_sink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include "raytracer/pictures/color_sink.h"
 #include "raytracer/pictures/picture.h"
 
 namespace raytracer {

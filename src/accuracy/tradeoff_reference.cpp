@@ -1,8 +1,8 @@
 // The converged picture that errors are measured against.
 #include "raytracer/accuracy/tradeoff.h"
-#include "raytracer/pictures/color_sink.h"
 
 #include "picture_points.h"
+#include "raytracer/pictures/color_sink.h"
 
 namespace raytracer {
 
