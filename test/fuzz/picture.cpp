@@ -7,9 +7,10 @@
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/error.h"
 
-// What a picture may take: an input of some bytes may ask for gigabytes.
+// What a picture may take: an input of some bytes may ask for gigabytes. libFuzzer itself takes 20 MB at
+// once.
 extern "C" const char* __asan_default_options() {
-    return "allocator_may_return_null=1:max_allocation_size_mb=8";
+    return "allocator_may_return_null=1:max_allocation_size_mb=32";
 }
 
 namespace {
