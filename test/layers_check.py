@@ -20,7 +20,6 @@ wrapped = {
     r"nlohmann/": {"json"},
     r"stb_image": {"pictures"},
     r"libdeflate": {"pictures"},
-    r"CLI/": {"src/commands/command_line.cpp"},
 }
 
 # The plain tracer that the tests compare the tracer with shares no more with it than the description of a scene.

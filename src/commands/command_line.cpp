@@ -3,35 +3,17 @@
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
-
-#include <CLI/CLI.hpp>
 
 #include "raytracer/json/json_document.h"
+#include "raytracer/json/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
+#include "version.h"
 
 namespace raytracer::commands {
 
 namespace {
-
-constexpr std::size_t columns = 80;      // what a terminal shows of a line
-constexpr std::size_t nameColumns = 26;  // the help's left column: "  --max-recursion N=3" and blanks
-
-// The text in lines that fit the help's right column.
-std::string wrapped(const std::string& text) {
-    std::string lines;
-    std::size_t used = 0;
-    for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
-        end = std::min(text.find(' ', start), text.size());
-        const bool fits = used + 1 + (end - start) <= columns - nameColumns;
-        if (start > 0) lines += fits ? ' ' : '\n';
-        used = (fits && start > 0 ? used + 1 : 0) + (end - start);
-        lines.append(text, start, end - start);
-    }
-    return lines;
-}
 
 // Empty for any number.
 std::string inWords(const Range& range) {
@@ -41,16 +23,21 @@ std::string inWords(const Range& range) {
     return (range.open ? " above " : " not below ") + formatted("%.6g", range.least);
 }
 
-[[noreturn]] void refuse(const char* name, const std::string& expected, const std::string& found) {
-    throw CLI::ValidationError(name, "expected " + expected + ", found " + inQuotes(found));
+[[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& found) {
+    throw WrongUsage{name + ": expected " + expected + ", found " + found};
+}
+
+template <class Number>
+std::string expectedNumber(const Range& range) {
+    return (std::is_integral_v<Number> ? "a whole number" : "a number") + inWords(range);
 }
 
 template <class Number>
 Number numberIn(const char* name, const std::string& text, const Range& range) {
-    const std::optional<Number> number = raytracer::numberOf<Number>(text);
+    const std::optional<Number> number = numberOf<Number>(text);
     const double value = number ? static_cast<double>(*number) : range.least - 1;
     if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
-        refuse(name, (std::is_integral_v<Number> ? "a whole number" : "a number") + inWords(range), text);
+        refuse(name, expectedNumber<Number>(range), inQuotes(text));
     return *number;
 }
 
@@ -59,81 +46,88 @@ std::string helpWithRange(const std::string& help, const Range& range) {
     return words.empty() ? help : help + " (" + words.substr(1) + ")";
 }
 
-std::string listed(const std::vector<std::string>& choices) {
-    std::string list;
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (i > 0) list += i + 1 < choices.size() ? ", " : " or ";
-        list += choices[i];
-    }
-    return list;
+// A list that is too long for a line is in the help.
+std::string expectedOf(const std::vector<std::string>& choices) {
+    constexpr std::size_t longest = 60;
+    const std::string list = listed(choices);
+    return list.size() <= longest ? list : "a name that --help lists";
+}
+
+std::string chosen(const char* name, const std::string& text, const std::vector<std::string>& choices) {
+    if (std::ranges::find(choices, text) != choices.end()) return text;
+    NearestName nearest(text);
+    for (const std::string& choice : choices) nearest.consider(choice);
+    refuse(name, expectedOf(choices), inQuotes(text) + nearest.question());
 }
 
 template <class Number>
 constexpr const char* placeholderOf = std::is_integral_v<Number> ? "N" : "NUMBER";
 
+std::string withDefault(const std::string& placeholder, const std::string& value) {
+    return value.empty() ? placeholder : placeholder + "=" + value;
+}
+
+// "-" is the name of a file, and -1 a number.
+bool looksLikeOption(const std::string& word) {
+    return word.size() > 1 && word[0] == '-' && !numberOf<double>(word);
+}
+
 }  // namespace
 
+std::string listed(const std::vector<std::string>& choices, const std::string& last) {
+    std::string list;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (i > 0) list += i + 1 < choices.size() ? ", " : " " + last + " ";
+        list += choices[i];
+    }
+    return list;
+}
+
 CommandLine::CommandLine(const std::string& command, const std::string& purpose)
-    : app_(std::make_unique<CLI::App>(purpose, command)) {
-    app_->get_formatter()->column_width(nameColumns);
-}
+    : command_(command), purpose_(purpose) {}
 
-CommandLine::~CommandLine() = default;
-
-CLI::Option& CommandLine::add(const char* name, const std::string& placeholder, const std::string& help,
-                              Read read) {
-    CLI::Option& option = *app_->add_option(
-        name,
-        [read = std::move(read)](const CLI::results_t& texts) {
-            for (const std::string& text : texts) read(text);
-            return true;
-        },
-        wrapped(help));
-    const bool isArgument = option.get_positional();
-    option.required(isArgument);
-    option.option_text(isArgument ? " " : placeholder);
-    return option;
-}
+void CommandLine::add(Word word) { words_.push_back(std::move(word)); }
 
 // Where nothing is the default, an empty text would pass for that: "$VARIABLE" of a variable that is not set.
-void CommandLine::text(const char* name, std::string& value, const std::string& help) {
-    add(name, value.empty() ? "TEXT" : "TEXT=" + value, help, [=, &value](const std::string& text) {
-        if (text.find_first_not_of(" \t\n") == text.npos) refuse(name, "a text", text);
+void CommandLine::text(const char* name, std::string& value, const std::string& help, Looks looks) {
+    const auto read = [=, &value](const std::string& text) {
+        if (text.find_first_not_of(" \t\n") == text.npos) refuse(name, "a text", inQuotes(text));
         value = text;
-    });
+    };
+    add({name, withDefault("TEXT", value), "a text", help, read, looks});
 }
 
-void CommandLine::texts(const char* name, std::vector<std::string>& values, const std::string& help) {
-    add(name, "TEXT ...", help, [&values](const std::string& text) { values.push_back(text); })
-        .expected(1, CLI::detail::expected_max_vector_size)
-        ->allow_extra_args();
+void CommandLine::texts(const char* name, std::vector<std::string>& values, const std::string& help,
+                        Looks looks) {
+    const auto read = [&values](const std::string& text) { values.push_back(text); };
+    add({name, "TEXT", "a text", help, read, looks, {}, true});
 }
 
 void CommandLine::choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                          const std::string& help) {
-    add(name, value.empty() ? "NAME" : "NAME=" + value, help, [=, &value](const std::string& text) {
-        if (std::find(choices.begin(), choices.end(), text) == choices.end())
-            refuse(name, listed(choices), text);
-        value = text;
-    });
+    const auto read = [=, &value](const std::string& text) { value = chosen(name, text, choices); };
+    add({name, withDefault("NAME", value), expectedOf(choices), help, read, Looks::Any, choices});
 }
 
 void CommandLine::flag(const char* name, bool& value, const std::string& help) {
-    app_->add_flag(name, value, wrapped(help));
+    add({name, "", "", help, [&value](const std::string&) { value = true; }});
 }
 
 template <class Number>
 void CommandLine::number(const char* name, Number& value, const Range& range, const std::string& help) {
-    add(name, placeholderOf<Number> + ("=" + formatted("%.6g", static_cast<double>(value))),
-        helpWithRange(help, range),
-        [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); });
+    const std::string usual = formatted("%.6g", static_cast<double>(value));
+    add({name, withDefault(placeholderOf<Number>, usual), expectedNumber<Number>(range),
+         helpWithRange(help, range),
+         [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); },
+         Looks::Number});
 }
 
 template <class Number>
 void CommandLine::number(const char* name, std::optional<Number>& value, const Range& range,
                          const std::string& help) {
-    add(name, placeholderOf<Number>, helpWithRange(help, range),
-        [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); });
+    add({name, placeholderOf<Number>, expectedNumber<Number>(range), helpWithRange(help, range),
+         [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); },
+         Looks::Number});
 }
 
 template void CommandLine::number(const char*, int&, const Range&, const std::string&);
@@ -144,22 +138,85 @@ template void CommandLine::number(const char*, std::optional<std::uint64_t>&, co
                                   const std::string&);
 
 void CommandLine::exclude(const char* option, std::initializer_list<const char*> others) {
-    for (const char* other : others) app_->get_option(option)->excludes(app_->get_option(other));
+    for (const char* other : others) excluded_.emplace_back(option, other);
 }
 
-void CommandLine::footer(const char* text) { app_->footer(text); }
+void CommandLine::needs(const char* option, const char* other) { needed_.emplace_back(option, other); }
+
+void CommandLine::lacks(std::initializer_list<const char*> options, const char* reason) {
+    for (const char* option : options) lacking_.emplace_back(option, reason);
+}
+
+const Word* CommandLine::find(std::string_view option) const {
+    const auto found = std::ranges::find(words_, option, &Word::name);
+    return found != words_.end() && found->isOption() ? &*found : nullptr;
+}
+
+bool CommandLine::given(std::string_view option) const {
+    return std::ranges::any_of(given_, [&](const Given& one) { return one.word->name == option; });
+}
+
+// The option at line[at], "--samples 4" or "--samples=4"; `at` is left at its last word.
+void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& at) {
+    const std::size_t equals = line[at].find('=');
+    const std::string name = line[at].substr(0, equals);
+    const Word* const option = find(name);
+    if (!option) failUnknown(name);
+    const bool hasValue = equals != std::string::npos;
+    if (option->isFlag()) {
+        if (hasValue) refuse(name, "no value", inQuotes(line[at].substr(equals + 1)));
+        return given_.push_back({option, ""});
+    }
+    if (hasValue) return given_.push_back({option, line[at].substr(equals + 1)});
+    if (at + 1 == line.size() || find(line[at + 1])) refuse(name, option->expected, "nothing");
+    given_.push_back({option, line[++at]});
+}
+
+// The line's words into options and the rest; all that is behind "--" is rest.
+void CommandLine::sort(const std::vector<std::string>& line) {
+    const auto end = std::ranges::find(line, "--");
+    for (std::size_t at = 0; at < std::size_t(end - line.begin()); ++at) {
+        if (looksLikeOption(line[at])) takeOption(line, at);
+        else rest_.push_back(line[at]);
+    }
+    if (end != line.end()) rest_.insert(rest_.end(), end + 1, line.end());
+}
+
+void CommandLine::giveArguments() {
+    requireOrder();
+    const std::vector<const Word*> expected = arguments();
+    for (std::size_t i = 0; i < rest_.size(); ++i)
+        given_.push_back({expected[std::min(i, expected.size() - 1)], rest_[i]});
+}
+
+void CommandLine::requireTogether() const {
+    for (const auto& [option, other] : excluded_)
+        if (given(option) && given(other))
+            throw WrongUsage{option + " and " + other + " exclude each other: give one of them"};
+    for (const auto& [option, other] : needed_)
+        if (given(option) && !given(other)) throw WrongUsage{option + " has no effect without " + other};
+}
 
 std::optional<int> CommandLine::parse(int argc, char** argv) {
-    try {
-        app_->parse(argc, argv);
-    } catch (const CLI::ParseError& end) {
-        const std::string& command = app_->get_name();
-        if (end.get_exit_code() != 0) {
-            tell(command + ": " + end.what() + " (" + command + " --help tells more)");
-            return 2;
+    const std::vector<std::string> line(argv + 1, argv + argc);
+    for (const std::string& word : line) {
+        if (word == "--help" || word == "-h") {
+            print(help());
+            return 0;
         }
-        print(app_->help());
-        return 0;
+        if (word == "--version" || word == "-V") {
+            print(versionText());
+            return 0;
+        }
+    }
+    try {
+        sort(line);
+        giveArguments();
+        for (const auto& [word, text] : given_) word->read(text);
+        requireTogether();
+    } catch (const WrongUsage& wrong) {
+        tell(command_ + ": " + wrong.message + (wrong.hint ? " (see --help)" : ""));
+        return 2;
     }
     return std::nullopt;
 }

@@ -1,18 +1,14 @@
-// What a command's line may say. Only command_line.cpp knows CLI11.
+// What a command's line may say, what it says wrong, and its help.
 #pragma once
 
 #include <functional>
 #include <initializer_list>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
 
 namespace raytracer::commands {
 
@@ -25,17 +21,38 @@ struct Range {
 constexpr Range atLeast(double least) { return {.least = least}; }
 constexpr Range above(double least) { return {.least = least, .open = true}; }
 
+// What an argument is, as far as its text shows that: so that arguments in a wrong order are recognised.
+enum class Looks { Any, Scene, Picture, Number, Folder };
+
+// An option or an argument, as it was declared.
+struct Word {
+    using Read = std::function<void(const std::string& text)>;
+
+    std::string name;                    // "--samples", or an argument: "SCENE"
+    std::string placeholder;             // of the value: "N=3"; empty: a flag
+    std::string expected;                // the value in words: "a whole number from 1 to 65536"
+    std::string help;                    // one paragraph
+    Read read;                           // takes a text, or throws WrongUsage
+    Looks looks = Looks::Any;            // of the text
+    std::vector<std::string> choices{};  // all that the text may be, where it is one of few
+    bool isMany = false;                 // an argument that may be repeated
+
+    bool isOption() const { return name.starts_with("--"); }
+    bool isFlag() const { return placeholder.empty(); }
+};
+
 // A name with dashes is an option. Any other is an argument: it must be given, in the order of the
-// declarations. The variables must outlive `parse`, which fills them. Help is wrapped to 80 columns; it shows
-// their values as the defaults.
+// declarations. The variables must outlive `parse`, which fills them; of a repeated option, with the last
+// value. Help is wrapped to 80 columns; it shows the variables' values as the defaults.
 class CommandLine {
   public:
     // The command as its user calls it, and what it does.
     CommandLine(const std::string& command, const std::string& purpose);
-    ~CommandLine();
 
-    void text(const char* name, std::string& value, const std::string& help);                 // not blank
-    void texts(const char* name, std::vector<std::string>& values, const std::string& help);  // one or more
+    void text(const char* name, std::string& value, const std::string& help,
+              Looks looks = Looks::Any);  // not blank
+    void texts(const char* name, std::vector<std::string>& values, const std::string& help,
+               Looks looks = Looks::Any);  // one or more
     void choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                 const std::string& help);
     void flag(const char* name, bool& value, const std::string& help);
@@ -46,21 +63,66 @@ class CommandLine {
     template <class Number>
     void number(const char* name, std::optional<Number>& value, const Range& range, const std::string& help);
 
-    // The option and any of the others, all declared before, can't be given together.
+    // The option and any of the others can't be given together.
     void exclude(const char* option, std::initializer_list<const char*> others);
 
-    // What the help ends with: lines of at most 80 columns.
-    void footer(const char* text);
+    // The option has no effect without the other.
+    void needs(const char* option, const char* other);
 
-    // Where the process is to end with the command line, its exit status: 0 for --help, 2 for wrong usage, of
-    // which a line on stderr says what was expected and what was found.
+    // Options that other commands have and this one has not, for a reason.
+    void lacks(std::initializer_list<const char*> options, const char* reason);
+
+    // What the help ends with: lines of at most 80 columns.
+    void footer(const char* text) { footer_ = text; }
+
+    // Where the process is to end with the command line, its exit status: 0 for --help and --version, 2 for
+    // wrong usage, of which a line on stderr says what was expected and what was found.
     std::optional<int> parse(int argc, char** argv);
 
-  private:
-    using Read = std::function<void(const std::string& text)>;
-    CLI::Option& add(const char* name, const std::string& placeholder, const std::string& help, Read read);
+    // Whether the option was given.
+    bool given(std::string_view option) const;
 
-    std::unique_ptr<CLI::App> app_;
+    std::string help() const;
+    const std::string& command() const { return command_; }
+    const std::string& purpose() const { return purpose_; }
+    const std::string& footer() const { return footer_; }
+    const std::vector<Word>& words() const { return words_; }
+    std::string order() const;  // "SCENE IMAGE_OUT LONG_EDGE_PIXELS"
+
+  private:
+    // What a line gives to a word.
+    struct Given {
+        const Word* word;
+        std::string text;
+    };
+    using Pair = std::pair<std::string, std::string>;
+
+    void add(Word word);
+    void sort(const std::vector<std::string>& line);
+    void takeOption(const std::vector<std::string>& line, std::size_t& at);
+    void giveArguments();
+    void requireTogether() const;
+
+    const Word* find(std::string_view option) const;
+    std::vector<const Word*> arguments() const;
+    [[noreturn]] void failUnknown(const std::string& option) const;
+    void requireOrder() const;
+
+    std::string command_, purpose_, footer_;
+    std::vector<Word> words_;
+    std::vector<Pair> excluded_, needed_, lacking_;
+
+    std::vector<Given> given_;
+    std::vector<std::string> rest_;  // the line's words that are no options
 };
+
+// A line that cannot be followed. what() says what is wrong; with a hint, parse names --help too.
+struct WrongUsage {
+    std::string message;
+    bool hint = false;
+};
+
+// "a, b or c".
+std::string listed(const std::vector<std::string>& choices, const std::string& last = "or");
 
 }  // namespace raytracer::commands

@@ -45,10 +45,11 @@ struct CompareArguments {
     Thresholds thresholds;
 
     void addTo(CommandLine& line) {
-        line.text("A", a, "A picture: .png, or .pfm (linear float32)");
-        line.text("B", b, "A picture of the same size");
+        line.text("A", a, "A picture: .png, or .pfm (linear float32)", Looks::Picture);
+        line.text("B", b, "A picture of the same size", Looks::Picture);
         line.text("--diff", diff,
-                  "Write the difference as a picture: black where equal, 64 + 8 d where off by d");
+                  "Write the difference as a picture: black where equal, 64 + 8 d where off by d",
+                  Looks::Picture);
         line.flag("--json", json, "Print the numbers as JSON");
         addThresholds(line, thresholds);
         line.footer(compareFooter);

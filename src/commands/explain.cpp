@@ -16,15 +16,14 @@ constexpr const char* explainFooter = R"(Prints the ray tree of a pixel, in the 
     + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L)
 Options that change the picture change the explanation too.
 
+Exit status: 0, or 2 for a wrong command line or scene.
+
 Examples:
   raytracer explain scenes/spheres_cylinder.json 300 200 600
   raytracer explain scenes/refraction.json 300 200 600 --max-recursion 1
   raytracer explain scenes/texture.json 10 590 600 --json)";
 
 int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
-    if (arguments.pass != "color" || arguments.samples.value_or(1) != 1)
-        throw usageError(
-            "explain follows the light along the ray through the pixel's centre: no --pass, no --samples");
     SceneDescription scene = arguments.load();
     const RenderOptions options = arguments.prepare(scene);
     if (x < 0 || y < 0 || x >= options.size.width || y >= options.size.height)
@@ -49,8 +48,11 @@ int explain(int argc, char** argv) {
     line.number("Y", y, {}, "The pixel's row; 0 is the top one");
     arguments.addLongEdgeTo(line);
     line.flag("--json", json, "Print the rays as JSON");
+    line.lacks({"--pass", "--samples", "--adaptive", "--crop"},
+               "explain follows the one ray through the pixel's centre");
     line.footer(explainFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
+    arguments.check(line);
     return explainPixel(arguments, x, y, json);
 }
 

@@ -48,14 +48,16 @@ struct GradeArguments {
     Thresholds thresholds;
 
     void addTo(CommandLine& line) {
-        line.text("DIR", scenes, "The folder of the scenes");
-        line.text("--references", references, "The folder of the reference pictures, where it is not DIR");
+        line.text("DIR", scenes, "The folder of the scenes", Looks::Folder);
+        line.text("--references", references, "The folder of the reference pictures, where it is not DIR",
+                  Looks::Folder);
         line.number("--size", size, longEdgeRange,
                     "Pixels along the longer side; without it: the reference's");
         line.choice("--stage", stage, stageNames(), "Grade only the pictures of this stage");
         line.text("--report", report, "Write a page with all pictures: .html, complete in itself");
         line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
         line.number("--timeout", timeout, above(0), "Seconds after which the program is stopped");
+        line.needs("--timeout", "--program");
         addThresholds(line, thresholds);
         line.footer(gradeFooter);
     }

@@ -1,12 +1,8 @@
 // raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS: the picture of a scene.
-#include <chrono>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
-
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include "arguments.h"
 #include "raytracer/accuracy/ray_growth.h"
@@ -17,6 +13,7 @@
 #include "raytracer/util/output_file.h"
 #include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
+#include "raytracer/util/stopwatch.h"
 #include "raytracer/util/text.h"
 #include "render_arguments.h"
 #include "target_error.h"
@@ -32,6 +29,9 @@ The picture is written whole or not at all: as a new file, with the mode and the
 owner of the file that it replaces. A symbolic link is followed. A hard link is
 broken: the other names keep the old picture.
 
+Exit status: 0; 1 where --target-error is not reached, though the picture is
+written; 2 for a wrong command line, scene or place of the picture.
+
 Examples:
   raytracer scenes/spheres_cylinder.json out.png 600
   # two terms of the light model
@@ -46,33 +46,6 @@ Examples:
   raytracer scenes/refraction.json out.pfm 600 --stats
   raytracer scenes/texture.json - 300 | display)";
 
-// Wall time, and CPU time of all threads, in seconds.
-struct Seconds {
-    double wall = 0, cpu = 0;
-};
-
-Seconds now() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& time) {
-        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-    };
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
-    return {wall.count(), seconds(usage.ru_utime) + seconds(usage.ru_stime)};
-}
-
-// Time between calls.
-class Stopwatch {
-  public:
-    Seconds lap() {
-        const Seconds before = std::exchange(last_, now());
-        return {last_.wall - before.wall, last_.cpu - before.cpu};
-    }
-
-  private:
-    Seconds last_ = now();
-};
-
 struct Timings {
     Seconds load, build, choose, render, write;
 };
@@ -85,12 +58,6 @@ void printTimes(JsonWriter& json, const Timings& timings, const char* name, doub
     json.key("render").value(timings.render.*kind);
     json.key("write").value(timings.write.*kind);
     json.endObject();
-}
-
-long peakMemoryBytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss * 1024;  // Linux counts KiB
 }
 
 void printStats(const RenderCounts& counts, const Timings& timings, const RenderOptions& options) {
@@ -141,9 +108,18 @@ OutputFile openOutput(const PictureArguments& wanted) {
         return {wanted.out};
     }
     if (wanted.stats) throw usageError("the picture - and --stats both go to standard output");
-    if (::isatty(STDOUT_FILENO))
-        throw usageError("the picture - is no text for a terminal: write - > out.png");
+    if (printsOnTerminal()) throw usageError("the picture - is no text for a terminal: write - > out.png");
     return OutputFile::standardOutput();
+}
+
+// "out.png: 600 × 600, 0.06 s", for who waits at a terminal.
+void tellDone(const std::string& out, const PixelRectangle& crop, const Timings& timings) {
+    double seconds = 0;
+    for (const Seconds* part :
+         {&timings.load, &timings.build, &timings.choose, &timings.render, &timings.write})
+        seconds += part->wall;
+    tell(formatted("%s: %d × %d, %s s", out.c_str(), crop.width(), crop.height(),
+                   shortNumber(seconds).c_str()));
 }
 
 struct Picture {
@@ -172,12 +148,12 @@ void renderTo(Picture& picture, OutputFile& out, Write write) {
     Stopwatch watch;
     Sink sink(picture.options.crop);
     if (const auto target = picture.wanted.targetError)
-        picture.choice = chooseAndTell(picture.renderer, picture.options, *target);
+        picture.choice = chooseAndTell(picture.renderer, picture.options, *target, picture.arguments.quiet);
     if (const auto seconds = picture.wanted.targetTime)
         picture.counts +=
             chooseForTimeAndTell(picture.renderer, picture.options,
                                  *seconds - picture.timings.load.wall - picture.timings.build.wall,
-                                 picture.wanted.command)
+                                 picture.arguments.quiet ? "" : picture.wanted.command)
                 .counts;
     picture.timings.choose = watch.lap();
     picture.counts += renderInto(sink, picture);
@@ -227,6 +203,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     else renderTo<ByteSink>(picture, out, writePng);
     if (!arguments.quiet) tellLimited(picture.counts, options);
     if (wanted.stats) printStats(picture.counts, timings, options);
+    if (!arguments.quiet && terminalColumns() > 0) tellDone(wanted.out, options.crop, timings);
     return picture.choice && !picture.choice->reached ? 1 : 0;
 }
 
@@ -238,8 +215,10 @@ int render(int argc, char** argv) {
     PictureArguments wanted;
     arguments.addTo(line);
     line.text("IMAGE_OUT", wanted.out,
-              "The picture: .png, .pfm (linear float32, not clamped), or - for a PNG on standard output");
+              "The picture: .png, .pfm (linear float32, not clamped), or - for a PNG on standard output",
+              Looks::Picture);
     arguments.addLongEdgeTo(line);
+    arguments.addPictureTo(line);
     line.number("--target-error", wanted.targetError, above(0),
                 "Choose --samples, --adaptive, --max-recursion and --cutoff such that the error (RMSE, of 1, "
                 "of linear "
@@ -254,6 +233,7 @@ int render(int argc, char** argv) {
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.footer(renderFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
+    arguments.check(line);
     wanted.command = without("--target-time", {argv, static_cast<std::size_t>(argc)});
     return renderPicture(arguments, wanted);
 }

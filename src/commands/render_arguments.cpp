@@ -7,6 +7,7 @@
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/explain/scene_advice.h"
 #include "raytracer/json/json_document.h"
+#include "raytracer/json/nearest_name.h"
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
@@ -25,11 +26,26 @@ constexpr TermName termNames[] = {
     {"textures", &Terms::textures},
 };
 
+bool Terms::*termNamed(const std::string& name) {
+    std::vector<std::string> names;
+    NearestName nearest(name);
+    for (const TermName& known : termNames) {
+        if (name == known.name) return known.term;
+        names.emplace_back(known.name);
+        nearest.consider(known.name);
+    }
+    if (nearest.found()) throw usageError("--only: no term " + inQuotes(name) + nearest.question());
+    throw usageError("--only: no term " + inQuotes(name) + "; there are " + listed(names, "and"));
+}
+
+// The parts of a comma-separated list, without the blanks around them.
 std::vector<std::string> split(const std::string& list) {
     std::vector<std::string> parts;
     for (std::size_t start = 0, end = 0; end != list.npos; start = end + 1) {
         end = list.find(',', start);
-        parts.push_back(list.substr(start, end - start));
+        const std::string part = list.substr(start, end - start);
+        const std::size_t first = std::min(part.find_first_not_of(' '), part.size());
+        parts.push_back(part.substr(first, part.find_last_not_of(' ') + 1 - first));
     }
     return parts;
 }
@@ -50,30 +66,31 @@ PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
 }  // namespace
 
 void RenderArguments::addTo(CommandLine& line) {
-    line.text("SCENE", scene, "The scene: a JSON file");
+    line.text("SCENE", scene, "The scene: a JSON file", Looks::Scene);
     line.number("--max-recursion", max_recursion, {0, 1000},
                 "How many times a ray is reflected or refracted");
     line.text("--only", only,
               "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
               "refraction, textures");
     line.flag("--opaque", opaque, "Read every material as not refractive");
-    line.choice("--pass", pass, {"color", "raycast", "normals"},
-                "What a pixel shows: color (the light), raycast (color_diffuse) or normals");
     line.choice("--precision", precision, {"float", "double", "extended"},
                 "Arithmetic: float, double or extended (long double)");
-    addSamplingTo(line);
+    line.number("--cutoff", cutoff, atLeast(0),
+                "Do not cast a ray that changes its pixel by less than this, of 1");
     line.choice("--texture-filter", textureFilter, {"nearest", "bilinear"},
                 "Texture look-up: nearest or bilinear");
-    line.text("--crop", crop,
-              "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
     addThreads(line, threads);
     line.choice("--accelerator", accelerator, {"bvh", "none"},
                 "How rays find shapes: bvh, or none to test them all (the picture is the same)");
     line.flag("--strict", strict, "Warnings about the scene are errors");
-    line.flag("--quiet", quiet, "No warnings and no progress bar");
+    line.flag("--quiet", quiet, "Print nothing but errors");
 }
 
-void RenderArguments::addSamplingTo(CommandLine& line) {
+void RenderArguments::addPictureTo(CommandLine& line) {
+    line.choice("--pass", pass, {"color", "raycast", "normals"},
+                "What a pixel shows: color (the light), raycast (color_diffuse) or normals");
+    line.text("--crop", crop,
+              "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
     line.number(
         "--samples", samples, {1, 65536},
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");
@@ -81,8 +98,18 @@ void RenderArguments::addSamplingTo(CommandLine& line) {
         "--adaptive", adaptive, atLeast(0),
         "Take more samples in a pixel until its error is estimated to be at most this, of 1, or there "
         "are --samples; 0.02 makes a nice picture");
-    line.number("--cutoff", cutoff, atLeast(0),
-                "Do not cast a ray that changes its pixel by less than this, of 1");
+}
+
+void RenderArguments::check(const CommandLine& line) const {
+    terms();
+    const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> options) {
+        for (const char* option : options)
+            if (line.given(option)) throw usageError(option + (" has no effect with " + cause));
+    };
+    if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff"});
+    if (pass == "normals") refuse("--pass normals", {"--texture-filter"});
+    if (max_recursion == 0) refuse("--max-recursion 0", {"--cutoff"});
+    if (samples == 1) refuse("--samples 1", {"--adaptive"});
 }
 
 void RenderArguments::addLongEdgeTo(CommandLine& line) {
@@ -92,16 +119,7 @@ void RenderArguments::addLongEdgeTo(CommandLine& line) {
 Terms RenderArguments::terms() const {
     if (only.empty()) return {};
     Terms terms{false, false, false, false, false, false, false};
-    for (const std::string& name : split(only)) {
-        const auto* known = std::find_if(std::begin(termNames), std::end(termNames),
-                                         [&](const TermName& term) { return name == term.name; });
-        if (known == std::end(termNames))
-            throw usageError(
-                "--only: expected some of ambient, diffuse, specular, shadows, reflections, refraction, "
-                "textures, found " +
-                inQuotes(name));
-        terms.*known->term = true;
-    }
+    for (const std::string& name : split(only)) terms.*termNamed(name) = true;
     return terms;
 }
 

@@ -28,8 +28,9 @@ struct RenderArguments {
     bool strict = false;
     bool quiet = false;
 
-    // All but LONG_EDGE_PIXELS, which not every command has next.
+    // What every command that renders has, but for LONG_EDGE_PIXELS, which not every command has next.
     void addTo(CommandLine& line);
+    void addPictureTo(CommandLine& line);  // what concerns many pixels
     void addLongEdgeTo(CommandLine& line);
 
     // The terms named by `only`. Throws Error.
@@ -55,8 +56,8 @@ struct RenderArguments {
     // Applies `only` and `opaque` to the scene and fills in the options for it. Throws Error.
     RenderOptions prepare(SceneDescription& scene) const;
 
-  private:
-    void addSamplingTo(CommandLine& line);
+    // Throws Error for terms that are not there, and for an option that was given and can change nothing.
+    void check(const CommandLine& line) const;
 };
 
 }  // namespace raytracer::commands

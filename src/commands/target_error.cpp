@@ -6,9 +6,10 @@
 
 namespace raytracer::commands {
 
-TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target) {
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
     const TargetChoice choice = chooseSetting(renderer, options, target);
     options = withSetting(options, choice.setting);
+    if (quiet) return choice;
     const std::string head = "--target-error " + shortNumber(target) + ": ";
     tell(head + commandLine(choice.setting));
     tell(head + "the error is about " + shortNumber(choice.sampleError) + " between samples and " +
@@ -20,6 +21,7 @@ TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options
                                 const std::string& command) {
     const TimeChoice choice = chooseForTime(renderer, options, seconds);
     options = withSetting(options, choice.setting);
+    if (command.empty()) return choice;
     Setting told = choice.setting;
     told.bilinear = false;  // the command says it already
     tell("--target-time: about " + shortNumber(choice.seconds) + " s more; the error is about " +

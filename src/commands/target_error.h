@@ -6,9 +6,9 @@
 
 namespace raytracer::commands {
 
-// Chooses the setting, says which, and puts it into the options.
-TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target);
-// `command`: the command line without --target-time.
+// Chooses the setting, says which unless `quiet`, and puts it into the options.
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet);
+// `command`: the command line without --target-time; empty: says nothing.
 TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options, double seconds,
                                 const std::string& command);
 

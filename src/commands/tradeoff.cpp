@@ -24,6 +24,8 @@ Writes tradeoff.html (charts, tables, pictures; one file), tradeoff.svg (the
 charts) and tradeoff.csv (every number) into the folder --out. Times are CPU
 seconds of all threads together.
 
+Exit status: 0, or 2 for a wrong command line or scene.
+
 Examples:
   raytracer tradeoff scenes/refraction.json
   raytracer tradeoff scenes/*.json --out results --size 200 --repeats 5)";
@@ -35,15 +37,15 @@ struct TradeoffArguments {
     bool quiet = false;
 
     void addTo(CommandLine& line) {
-        line.texts("SCENE", scenes, "Scenes: JSON files");
-        line.text("--out", out, "The folder to write to; made where there is none");
+        line.texts("SCENE", scenes, "Scenes: JSON files", Looks::Scene);
+        line.text("--out", out, "The folder to write to; made where there is none", Looks::Folder);
         line.number("--size", options.size, {16, 4096}, "Pixels along the longer side of the film");
         line.number("--samples", options.samples, {2, 256},
                     "The most samples of a pixel; the reference has four times as many");
         line.number("--repeats", options.repeats, {1, 1000},
                     "Timings of each setting near the front; the median counts");
         addThreads(line, options.threads);
-        line.flag("--quiet", quiet, "No progress on stderr");
+        line.flag("--quiet", quiet, "Print nothing but the tables and errors");
         line.footer(tradeoffFooter);
     }
 };

@@ -1,6 +1,7 @@
 #include "raytracer/json/nearest_name.h"
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 #include "raytracer/json/json_document.h"
@@ -38,6 +39,17 @@ std::size_t lengthDifference(std::string_view a, std::string_view b) {
     return std::max(a.size(), b.size()) - std::min(a.size(), b.size());
 }
 
+// Whether `part` is made of whole words of `all`: letters stand neither before nor behind it.
+bool hasWords(std::string_view all, std::string_view part) {
+    constexpr std::size_t least = 4;  // letters; fewer are in many names
+    if (part.size() < least || part.size() >= all.size()) return false;
+    const auto same = [](char a, char b) { return lower(a) == lower(b); };
+    const auto at = std::ranges::search(all, part, same);
+    const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    return !at.empty() && (at.begin() == all.begin() || !isLetter(at.begin()[-1])) &&
+           (at.end() == all.end() || !isLetter(*at.end()));
+}
+
 }  // namespace
 
 NearestName::NearestName(std::string_view name)
@@ -46,6 +58,10 @@ NearestName::NearestName(std::string_view name)
 }
 
 void NearestName::consider(std::string_view candidate) {
+    if (name_.size() <= longestName && (hasWords(candidate, name_) || hasWords(name_, candidate))) {
+        ++kin_;
+        kinName_ = candidate;
+    }
     if (lengthDifference(name_, candidate) >= limit_) return;
     const std::size_t errors = distance(name_, candidate);
     if (errors >= limit_) return;
@@ -55,7 +71,7 @@ void NearestName::consider(std::string_view candidate) {
 }
 
 std::string NearestName::question() const {
-    return found_ ? "; did you mean " + inQuotes(nearest_) + "?" : "";
+    return found() ? "; did you mean " + inQuotes(name()) + "?" : "";
 }
 
 }  // namespace raytracer

@@ -13,12 +13,6 @@ namespace {
 // "scalar,sse2" and so on.
 constexpr std::string_view names = RAYTRACER_TEXT_OF(RAYTRACER_INSTRUCTION_SETS);
 
-std::string_view nameOf(InstructionSet set) {
-    std::string_view rest = names;
-    for (auto before = static_cast<int>(set); before > 0; --before) rest.remove_prefix(rest.find(',') + 1);
-    return rest.substr(0, rest.find(','));
-}
-
 // What every processor of its kind has needs no line here.
 bool isSupported([[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
@@ -28,6 +22,12 @@ bool isSupported([[maybe_unused]] InstructionSet set) {
 }
 
 }  // namespace
+
+std::string_view nameOf(InstructionSet set) {
+    std::string_view rest = names;
+    for (auto before = static_cast<int>(set); before > 0; --before) rest.remove_prefix(rest.find(',') + 1);
+    return rest.substr(0, rest.find(','));
+}
 
 std::vector<InstructionSet> supportedInstructionSets() {
     using enum InstructionSet;

@@ -1,21 +1,21 @@
 #include "raytracer/util/progress_bar.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include <unistd.h>
-
+#include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
 
 namespace {
-constexpr int barWidth = 40;                           // characters
+constexpr std::size_t widestBar = 40;                  // characters
 constexpr std::chrono::milliseconds quietStart{1000};  // shorter work needs no bar
 constexpr std::chrono::milliseconds betweenFrames{100};
 }  // namespace
 
-TerminalLine::TerminalLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
+TerminalLine::TerminalLine() : terminal_(canOverwrite()) {}
 
 TerminalLine::~TerminalLine() {
     if (drawn_) std::fputs("\r\033[K", stderr);
@@ -26,11 +26,13 @@ bool TerminalLine::isDue() const {
     return terminal_ && now - start_ >= quietStart && now - last_ >= betweenFrames;
 }
 
+// A character in the last column would make some terminals begin a new line.
 void TerminalLine::show(const std::string& text) {
     if (!isDue()) return;
     last_ = Clock::now();
     drawn_ = true;
-    std::fprintf(stderr, "\r\033[K%s", text.c_str());
+    const std::size_t columns = terminalColumns();
+    std::fprintf(stderr, "\r\033[K%s", text.substr(0, columns > 0 ? columns - 1 : 0).c_str());
     std::fflush(stderr);
 }
 
@@ -39,16 +41,19 @@ double TerminalLine::elapsedSeconds() const {
 }
 
 void ProgressBar::progress(double fraction) {
-    if (line_.isDue()) line_.show(line(fraction, line_.elapsedSeconds()));
+    if (line_.isDue()) line_.show(line(fraction, line_.elapsedSeconds(), terminalColumns()));
 }
 
-std::string ProgressBar::line(double fraction, double elapsedSeconds) {
-    const int filled = static_cast<int>(fraction * barWidth);
+std::string ProgressBar::line(double fraction, double elapsedSeconds, std::size_t columns) {
     const double left = fraction > 0 ? elapsedSeconds * (1 - fraction) / fraction : 0;
     const long seconds = std::lround(left);
-    std::string bar(static_cast<std::size_t>(barWidth), ' ');
-    bar.replace(0, static_cast<std::size_t>(filled), static_cast<std::size_t>(filled), '#');
-    return '[' + bar + formatted("] %3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
+    const std::string numbers =
+        formatted("%3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
+    constexpr std::size_t others = 4;  // "[", "] " and the last column, which stays empty
+    if (columns < numbers.size() + others + 1) return numbers;
+    const std::size_t width = std::min(widestBar, columns - numbers.size() - others);
+    const auto filled = static_cast<std::size_t>(fraction * static_cast<double>(width));
+    return '[' + std::string(filled, '#') + std::string(width - filled, ' ') + "] " + numbers;
 }
 
 }  // namespace raytracer

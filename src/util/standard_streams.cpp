@@ -1,9 +1,12 @@
 #include "raytracer/util/standard_streams.h"
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdlib>
 
 #include "descriptor.h"
 #include "raytracer/util/error.h"
@@ -24,7 +27,25 @@ void print(std::string_view text) {
 }
 
 void tell(std::string_view text) {
-    writeAll(STDERR_FILENO, printable(text) + "\n");  // where this fails, nobody can be told
+    constexpr std::size_t mostColumns = 100, indent = 4;
+    std::string line = printable(text);
+    if (const std::size_t columns = terminalColumns())
+        line = wrapped(line, std::min(columns, mostColumns), indent);
+    writeAll(STDERR_FILENO, line + "\n");  // where this fails, nobody can be told
 }
+
+std::size_t terminalColumns() {
+    constexpr std::size_t usual = 80;  // where the terminal does not know
+    winsize size{};
+    if (!::isatty(STDERR_FILENO)) return 0;
+    return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+}
+
+bool canOverwrite() {
+    const char* const kind = std::getenv("TERM");
+    return terminalColumns() > 0 && kind && std::string_view(kind) != "dumb";
+}
+
+bool printsOnTerminal() { return ::isatty(STDOUT_FILENO) == 1; }
 
 }  // namespace raytracer

@@ -51,6 +51,25 @@ std::string printable(std::string_view text, std::string_view kept) {
     return shown;
 }
 
+std::size_t characterCount(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used) {
+    std::string lines;
+    for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
+        end = std::min(text.find(' ', start), text.size());
+        const std::string_view word = text.substr(start, end - start);
+        const std::size_t width = characterCount(word);
+        const bool isFirst = start == 0, fits = used + !isFirst + width <= columns;
+        if (!isFirst) lines += fits ? " " : "\n" + std::string(indent, ' ');
+        used = (fits ? used + !isFirst : indent) + width;
+        lines += word;
+    }
+    return lines;
+}
+
 bool endsIn(std::string_view name, std::string_view ending) {
     const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
     return name.size() >= ending.size() &&

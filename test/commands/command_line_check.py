@@ -28,6 +28,7 @@ def run(*arguments):
 def check_help(command):
     done = run(*COMMANDS[command], "--help")
     check(f"{command} --help", (0, ""), (done.returncode, done.stderr))
+    check(f"{command} --help: exit status", True, "\nExit status: 0" in done.stdout)
     check(f"{command} --help ends with examples", True, "Examples:\n  raytracer " in done.stdout)
     for line in done.stdout.splitlines():
         if len(line) > 80:
@@ -37,7 +38,7 @@ def check_help(command):
 
 def check_refused(arguments, text, command="raytracer"):
     done = run(*arguments)
-    line = f"{command}: {text} ({command} --help tells more)\n"
+    line = f"{command}: {text}\n"
     check(f"{arguments}", (2, "", line), (done.returncode, done.stdout, done.stderr))
 
 
@@ -70,8 +71,6 @@ NUMBERS = {
         "X": ("a whole number", ["0"]),
         "Y": ("a whole number", ["0"]),
         "--max-recursion": ("a whole number from 0 to 1000", ["0"]),
-        "--samples": ("a whole number from 1 to 65536", ["1"]),
-        "--adaptive": ("a number not below 0", ["0"]),
         "--cutoff": ("a number not below 0", ["0"]),
         "--threads": ("a whole number from 0 to 4096", ["0"]),
     },
@@ -94,7 +93,8 @@ ARGUMENTS = {
 
 def with_number(command, name, text):
     arguments = ARGUMENTS[command] | ({} if name.startswith("-") else {name: text})
-    return [*COMMANDS[command], *arguments.values(), *([name, text] if name.startswith("-") else [])]
+    others = ["--program", "no"] if name == "--timeout" else []
+    return [*COMMANDS[command], *arguments.values(), *([name, text] if name.startswith("-") else []), *others]
 
 
 def just_outside(expected):
@@ -109,8 +109,6 @@ def just_outside(expected):
 def check_numbers(command, name, expected, good):
     full = " ".join(["raytracer", *COMMANDS[command]])
     for text in just_outside(expected) + ["nan", "inf", "-inf", "0x10", "1e", "", " 1", "1 ", "1,5", "++1", "ten"]:
-        if text == "-inf" and not name.startswith("-"):
-            continue  # looks like an option
         check_refused(with_number(command, name, text), f'{name}: expected {expected}, found "{text}"', full)
     for text in good:
         done = run(*with_number(command, name, text))
@@ -121,18 +119,91 @@ def check_numbers(command, name, expected, good):
 def check_other_refusals():
     render = list(ARGUMENTS["render"].values())
     check_refused([*render, "--pass", "depth"], '--pass: expected color, raycast or normals, found "depth"')
-    check_refused([*render, "--accelerator", "BVH"], '--accelerator: expected bvh or none, found "BVH"')
-    check_refused([*render, "--colour"], "The following argument was not expected: --colour")
-    check_refused([*render, "more"], "The following argument was not expected: more")
-    check_refused(render[:2], "LONG_EDGE_PIXELS is required")
-    check_refused([], "SCENE is required")
-    check_refused([*render, "--samples", "1", "--samples", "2"], "--samples: At Most 1 required but received 2")
-    check_refused(["compare", "a"], "B is required", "raytracer compare")
+    check_refused([*render, "--accelerator", "BHV"], '--accelerator: expected bvh or none, found "BHV"; did you mean "bvh"?')
+    check_refused(["grade", "/no", "--stage", "difuse"],
+                  '--stage: expected a name that --help lists, found "difuse"; did you mean "diffuse"?', "raytracer grade")
+    check_refused([*render, "--colour"], "unknown option --colour (see --help)")
+    check_refused([*render, "--sample", 4], "unknown option --sample; did you mean --samples?")
+    check_refused(["--recursion", 4], "unknown option --recursion; did you mean --max-recursion?")
+    check_refused(["--quite", "/no.json"], "unknown option --quite; did you mean --quiet?")
+    check_refused(["--depth=4"], "unknown option --depth; did you mean --max-recursion?")
+    check_refused(["/no.json", "-o", "out.png", 600], "unknown option -o; the order is " + ORDER)
+    check_refused([*render, "--samples"], "--samples: expected a whole number from 1 to 65536, found nothing")
+    check_refused([*render, "--crop", "--stats"], "--crop: expected a text, found nothing")
+    check_refused([*render, "--quiet=yes"], '--quiet: expected no value, found "yes"')
+    check_refused([*render, "--samples", "1", "--samples", "x"], '--samples: expected a whole number from 1 to 65536, found "x"')
     for target in ("--target-error", "--target-time"):
         for other in ("--samples", "--adaptive", "--max-recursion", "--cutoff"):
-            done = run(*render, target, "1", other, "1")
-            check(f"{target} and {other}", 2, done.returncode)
-            check(f"{target} and {other}", True, " excludes " in done.stderr and done.stderr.count("\n") == 1)
+            check_refused([*render, target, "1", other, "1"], f"{target} and {other} exclude each other: give one of them")
+
+
+ORDER = "SCENE IMAGE_OUT LONG_EDGE_PIXELS"
+
+
+def check_order():
+    render = list(ARGUMENTS["render"].values())
+    check_refused([], f"SCENE is missing; the order is {ORDER} (see --help)")
+    check_refused(["a.json", "600"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
+    check_refused(render[:2], f"LONG_EDGE_PIXELS is missing; the order is {ORDER} (see --help)")
+    check_refused(["compare", "a"], "B is missing; the order is A B (see --help)", "raytracer compare")
+    check_refused(["tradeoff"], "SCENE is missing; the order is SCENE... (see --help)", "raytracer tradeoff")
+    check_refused([*render, "more"], f'unexpected argument "more"; the order is {ORDER}')
+    check_refused([*render, "400"], f'unexpected argument "400"; the order is {ORDER}')
+    check_refused(["a.png", "a.json", "600"], f"is a.png the picture? The order is {ORDER}")
+    check_refused(["600", "a.json", "a.png"], f"is a.json the scene? The order is {ORDER}")
+    check_refused(["a.json", "600", "a.png"], f"is a.png the picture? The order is {ORDER}")
+    check_refused(["a.png", "a.json"], f"is a.png the picture? The order is {ORDER}")
+    check_refused(["explain", "1", "2", "a.json", "600"], "is a.json the scene? The order is SCENE X Y LONG_EDGE_PIXELS",
+                  "raytracer explain")
+
+
+def check_commands():
+    check_refused(["comapre", "a.png", "b.png"], 'unknown command "comapre"; did you mean "compare"?')
+    check_refused(["render", "a.json"], 'unknown command "render"; write raytracer ' + ORDER)
+    check_refused(["help"], 'unknown command "help"; write raytracer --help')
+    check_refused(["frobnicate"],
+                  "unknown command \"frobnicate\"; there are compare, explain, grade, tradeoff, or a scene's name first")
+    check_refused(["/frobnicate"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
+
+
+def check_without_effect():
+    render = list(ARGUMENTS["render"].values())
+    for value, options in (("raycast", ["--only", "--opaque", "--max-recursion", "--cutoff"]),
+                           ("normals", ["--only", "--opaque", "--max-recursion", "--cutoff", "--texture-filter"])):
+        for option in options:
+            text = {"--only": ["diffuse"], "--texture-filter": ["bilinear"], "--opaque": []}.get(option, ["1"])
+            check_refused([*render, "--pass", value, option, *text], f"{option} has no effect with --pass {value}")
+    check_refused([*render, "--max-recursion", 0, "--cutoff", 1], "--cutoff has no effect with --max-recursion 0")
+    check_refused([*render, "--samples", 1, "--adaptive", 0.1], "--adaptive has no effect with --samples 1")
+    check_refused(["grade", "/no", "--timeout", 1], "--timeout has no effect without --program", "raytracer grade")
+    for option in ("--pass", "--samples", "--adaptive", "--crop"):
+        check_refused(["explain", "/no.json", 0, 0, 8, option, 1],
+                      f"there is no {option}: explain follows the one ray through the pixel's centre", "raytracer explain")
+
+
+def check_only():
+    """Blanks around a term's name are taken; the last of a repeated option wins."""
+    render = list(ARGUMENTS["render"].values())
+    check_refused([*render, "--only", ""], '--only: expected a text, found ""')
+    check_refused([*render, "--only", "diffuse,"], '--only: no term ""; there are ambient, diffuse, specular, shadows, '
+                                                  "reflections, refraction and textures")
+    check_refused([*render, "--only", "difuse, specular"], '--only: no term "difuse"; did you mean "diffuse"?')
+    with tempfile.TemporaryDirectory() as folder:
+        pictures = []
+        for terms in (["diffuse,specular"], [" diffuse , specular"], ["ambient", "--only", "specular,diffuse"]):
+            out = pathlib.Path(folder, "out.png")
+            check(f"--only {terms}", 0, run(SCENE, out, 8, "--quiet", "--only", *terms).returncode)
+            pictures.append(out.read_bytes())
+        check("--only with blanks, and twice", pictures[:1] * 3, pictures)
+
+
+def check_version():
+    for words in (["--version"], ["-V"], ["compare", "--version"]):
+        done = run(*words)
+        check("--version", (0, ""), (done.returncode, done.stderr))
+        check("--version", True, bool(re.fullmatch(
+            r"raytracer \d+\.\d+ \((commit [0-9a-f]{10}|no commit known)\)\n"
+            r"instruction sets: scalar[a-z0-9, ]*; used: \w+\nprecisions: float, double, extended\n", done.stdout)))
 
 
 def check_shown():
@@ -141,7 +212,7 @@ def check_shown():
     expected = "--texture-filter: expected nearest or bilinear, found"
     check_refused([*render, "9" * 400], f'{expected} "{"9" * 60}"...')
     check_refused([*render, "\x1b[31m\x9b\n\x7f"], f'{expected} "\\u001b[31m\\u009b\\n\\u007f"')
-    check_refused([*render, "nearest", b"\x1b[2J\xff\xc2\x9b"], "The following argument was not expected: \\x1b[2J\\xff\\xc2\\x9b")
+    check_refused([*render, "nearest", b"--\x1b[2J\xff\xc2\x9b"], "unknown option --\\x1b[2J\\xff\\xc2\\x9b (see --help)")
     check("a file's name", (2, "/no\\x0a\\x1b.json: cannot read: No such file or directory\n"),
           (lambda done: (done.returncode, done.stderr))(run("explain", "/no\n\x1b.json", 0, 0, 8)))
     long = run(SCENE, "/tmp/no.png", 8, "--crop", "1," * 400).stderr
@@ -177,6 +248,11 @@ def main():
         for name, (expected, good) in NUMBERS[command].items():
             check_numbers(command, name, expected, good)
     check_other_refusals()
+    check_order()
+    check_commands()
+    check_without_effect()
+    check_only()
+    check_version()
     check_crop()
     check_shown()
     check_decimal()

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "raytracer/util/progress_bar.h"
 #include "raytracer/util/text.h"
 
 using namespace raytracer;
@@ -32,4 +33,22 @@ TEST_CASE("A name's ending counts in large and small letters") {
     CHECK(endsIn(".png", ".png"));
     CHECK_FALSE(endsIn("png", ".png"));
     CHECK_FALSE(endsIn("a.png.txt", ".png"));
+}
+
+TEST_CASE("text is wrapped at blanks, to columns of characters") {
+    CHECK(wrapped("", 10, 2) == "");
+    CHECK(wrapped("one two three", 20, 2) == "one two three");
+    CHECK(wrapped("one two three", 7, 2) == "one two\n  three");
+    CHECK(wrapped("one two three", 6, 0) == "one\ntwo\nthree");
+    CHECK(wrapped("8 × 8 × 8", 5, 1) == "8 × 8\n × 8");
+    CHECK(wrapped("a_word_of_its_own and", 8, 2) == "a_word_of_its_own\n  and");
+    CHECK(wrapped("one two", 30, 24, 24) == "one\n" + std::string(24, ' ') + "two");
+}
+
+TEST_CASE("the progress bar fits its columns") {
+    CHECK(ProgressBar::line(0.5, 10, 80) ==
+          "[" + std::string(20, '#') + std::string(20, ' ') + "]  50 %  0:10 left");
+    CHECK(ProgressBar::line(0.5, 10, 40) == "[##########          ]  50 %  0:10 left");
+    CHECK(ProgressBar::line(1, 10, 21) == "[#] 100 %  0:00 left");
+    CHECK(ProgressBar::line(1, 10, 20) == "100 %  0:00 left");
 }

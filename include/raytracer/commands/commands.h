@@ -4,6 +4,9 @@
 
 namespace raytracer::commands {
 
+// The whole command line: finds the command and calls it.
+int run(int argc, char** argv);
+
 // raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS [options]: the default, without a name of its own.
 int render(int argc, char** argv);
 

@@ -15,6 +15,9 @@ enum class InstructionSet { RAYTRACER_INSTRUCTION_SETS };
 // Those that this processor has, the best last.
 std::vector<InstructionSet> supportedInstructionSets();
 
+// As CMakeLists.txt has it: "avx2".
+std::string_view nameOf(InstructionSet set);
+
 // The one of this name among these, or else the best.
 InstructionSet supportedInstructionSet(std::string_view name);
 

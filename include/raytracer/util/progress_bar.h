@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 #include "raytracer/util/progress.h"
@@ -9,7 +10,7 @@
 namespace raytracer {
 
 // A line on stderr that is overwritten. It shows nothing in the first second, or where stderr is not a
-// terminal.
+// terminal that can overwrite it.
 class TerminalLine {
   public:
     TerminalLine();
@@ -33,8 +34,9 @@ class ProgressBar final : public ProgressListener {
   public:
     void progress(double fraction) override;
 
-    // One line, without the carriage return: "[#####     ]  50 %  0:07 left".
-    static std::string line(double fraction, double elapsedSeconds);
+    // One line, without the carriage return: "[#####     ]  50 %  0:07 left". The bar is as long as fits in
+    // these columns, and left out where none does.
+    static std::string line(double fraction, double elapsedSeconds, std::size_t columns);
 
   private:
     TerminalLine line_;

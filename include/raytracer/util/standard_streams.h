@@ -2,6 +2,7 @@
 // UTF-8 without control characters (printable, text.h), whatever names and graded programs say.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -16,7 +17,17 @@ void prepareStandardStreams();
 // space left on device".
 void print(std::string_view text);
 
-// Writes one line, of which `text` has no end, to standard error.
+// Writes one line, of which `text` has no end, to standard error. On a terminal it is wrapped to the
+// terminal's width and to at most 100 columns.
 void tell(std::string_view text);
+
+// What standard error is: the columns of a terminal, or 0 where it is none.
+std::size_t terminalColumns();
+
+// Whether that terminal can overwrite its last line (TERM is not dumb).
+bool canOverwrite();
+
+// Whether standard output is a terminal.
+bool printsOnTerminal();
 
 }  // namespace raytracer

@@ -24,6 +24,13 @@ std::size_t printableBytes(std::string_view text);
 // byte, but for the characters in `kept`.
 std::string printable(std::string_view text, std::string_view kept = {});
 
+// The text in lines of at most so many columns, broken at blanks; all lines but the first begin with `indent`
+// blanks. `used`: what the first line has already. A longer word has a line of its own.
+std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used = 0);
+
+// How many characters of UTF-8 the text has.
+std::size_t characterCount(std::string_view text);
+
 // Whether a file's name ends so, in large or small letters (ASCII).
 bool endsIn(std::string_view name, std::string_view ending);
 

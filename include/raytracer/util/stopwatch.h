@@ -1,0 +1,30 @@
+// What the process has taken so far: time and memory.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+namespace raytracer {
+
+// Wall time, and CPU time of all threads, in seconds.
+struct Seconds {
+    double wall = 0, cpu = 0;
+    static Seconds now();
+};
+
+// The most that the process has had in memory at once.
+std::uint64_t peakMemoryBytes();
+
+// Time between calls.
+class Stopwatch {
+  public:
+    Seconds lap() {
+        const Seconds before = std::exchange(last_, Seconds::now());
+        return {last_.wall - before.wall, last_.cpu - before.cpu};
+    }
+
+  private:
+    Seconds last_ = Seconds::now();
+};
+
+}  // namespace raytracer

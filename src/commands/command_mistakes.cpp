@@ -1,0 +1,153 @@
+// What is wrong with a command line, as its author would like to be told.
+#include <algorithm>
+
+#include "command_line.h"
+#include "raytracer/json/json_document.h"
+#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/number.h"
+#include "raytracer/util/text.h"
+
+namespace raytracer::commands {
+
+namespace {
+
+// What other programs, and people, call our options and arguments.
+struct OtherName {
+    std::string_view name, ours;
+};
+constexpr OtherName otherNames[] = {
+    {"depth", "--max-recursion"},
+    {"bounces", "--max-recursion"},
+    {"max-depth", "--max-recursion"},
+    {"spp", "--samples"},
+    {"antialiasing", "--samples"},
+    {"aa", "--samples"},
+    {"jobs", "--threads"},
+    {"j", "--threads"},
+    {"verbose", "--stats"},
+    {"q", "--quiet"},
+    {"silent", "--quiet"},
+    {"normals", "--pass"},
+    {"o", "IMAGE_OUT"},
+    {"out", "IMAGE_OUT"},
+    {"output", "IMAGE_OUT"},
+    {"size", "LONG_EDGE_PIXELS"},
+    {"width", "LONG_EDGE_PIXELS"},
+    {"height", "LONG_EDGE_PIXELS"},
+    {"s", "LONG_EDGE_PIXELS"},
+    {"resolution", "LONG_EDGE_PIXELS"},
+    {"w", "LONG_EDGE_PIXELS"},
+    {"scene", "SCENE"},
+    {"input", "SCENE"},
+    {"i", "SCENE"},
+};
+
+std::string_view withoutDashes(std::string_view name) {
+    name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
+    return name;
+}
+
+bool hasLooks(const std::string& text, Looks looks) {
+    switch (looks) {
+        case Looks::Scene: return endsIn(text, ".json");
+        case Looks::Picture: return text == "-" || endsIn(text, ".png") || endsIn(text, ".pfm");
+        case Looks::Number: return numberOf<double>(text).has_value();
+        case Looks::Any:
+        case Looks::Folder: break;
+    }
+    return false;
+}
+
+const char* nounOf(Looks looks) {
+    switch (looks) {
+        case Looks::Scene: return "the scene";
+        case Looks::Picture: return "the picture";
+        case Looks::Any:
+        case Looks::Number:
+        case Looks::Folder: break;
+    }
+    return "";
+}
+
+bool isAnywhere(const std::string& text, const std::vector<const Word*>& expected) {
+    return std::ranges::any_of(expected, [&](const Word* word) { return hasLooks(text, word->looks); });
+}
+
+// For each text the place of the argument that it looks like, behind those of the texts before it. Ends
+// before the first text for which no place is left.
+std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
+                                       const std::vector<const Word*>& expected) {
+    std::vector<std::size_t> places;
+    std::size_t next = 0;
+    for (const std::string& text : texts) {
+        if (isAnywhere(text, expected))
+            while (next < expected.size() && !hasLooks(text, expected[next]->looks)) ++next;
+        if (next >= expected.size()) break;
+        places.push_back(next);
+        if (!expected[next]->isMany) ++next;
+    }
+    return places;
+}
+
+// The argument that the text is the picture or the scene of, if it is another one than `here`.
+const Word* meantInstead(const std::string& text, const Word* here,
+                         const std::vector<const Word*>& expected) {
+    const auto isMeant = [&](const Word* word) {
+        return word->looks != Looks::Number && hasLooks(text, word->looks);
+    };
+    const auto meant = std::ranges::find_if(expected, isMeant);
+    return meant == expected.end() || (here && isMeant(here)) ? nullptr : *meant;
+}
+
+}  // namespace
+
+std::vector<const Word*> CommandLine::arguments() const {
+    std::vector<const Word*> found;
+    for (const Word& word : words_)
+        if (!word.isOption()) found.push_back(&word);
+    return found;
+}
+
+std::string CommandLine::order() const {
+    std::string names;
+    for (const Word* argument : arguments())
+        names += (names.empty() ? "" : " ") + argument->name + (argument->isMany ? "..." : "");
+    return names;
+}
+
+void CommandLine::failUnknown(const std::string& option) const {
+    for (const auto& [lacking, reason] : lacking_)
+        if (lacking == option) throw WrongUsage{"there is no " + option + ": " + reason};
+    const std::string_view bare = withoutDashes(option);
+    NearestName nearest(bare);
+    for (const Word& word : words_)
+        if (word.isOption()) nearest.consider(withoutDashes(word.name));
+    std::string ours = nearest.found() ? "--" + nearest.name() : "";
+    for (const OtherName& other : otherNames) {
+        const bool isHere = std::ranges::find(words_, other.ours, &Word::name) != words_.end();
+        if (other.name == bare && isHere) ours = other.ours;
+    }
+    const std::string unknown = "unknown option " + option;
+    if (ours.empty()) throw WrongUsage{unknown, true};
+    if (ours.starts_with("--")) throw WrongUsage{unknown + "; did you mean " + ours + "?"};
+    throw WrongUsage{unknown + "; the order is " + order()};
+}
+
+// Throws where there are too few arguments, too many, or they are in another order.
+void CommandLine::requireOrder() const {
+    const std::vector<const Word*> expected = arguments();
+    const std::vector<std::size_t> places = placesInOrder(rest_, expected);
+    const std::string theOrder = "the order is " + order();
+    for (std::size_t i = 0; places.size() < rest_.size() && i < rest_.size(); ++i) {
+        const Word* const here = i < expected.size() ? expected[i] : nullptr;
+        if (const Word* const meant = meantInstead(rest_[i], here, expected))
+            throw WrongUsage{"is " + rest_[i] + " " + nounOf(meant->looks) + "? T" + theOrder.substr(1)};
+    }
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        if (std::ranges::find(places, i) == places.end())
+            throw WrongUsage{expected[i]->name + " is missing; " + theOrder, true};
+    if (places.size() < rest_.size())
+        throw WrongUsage{"unexpected argument " + inQuotes(rest_[places.size()]) + "; " + theOrder};
+}
+
+}  // namespace raytracer::commands

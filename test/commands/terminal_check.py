@@ -1,0 +1,94 @@
+"""What the program says on a terminal: wrapped to its width, a line on success, a bar that fits; nothing more when quiet.
+
+Usage: terminal_check.py RAYTRACER, from the source folder.
+"""
+import fcntl
+import json
+import os
+import pathlib
+import pty
+import re
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import termios
+
+RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+LEAST = json.loads(pathlib.Path("test/good/least.json").read_text(encoding="utf-8"))
+failures = []
+
+
+def check(what, expected, found):
+    if expected != found:
+        failures.append(f"{what}: expected {expected!r}, found {found!r}")
+
+
+def on_terminal(columns, *words, until=None, **environment):
+    """What stands on a terminal's stderr of so many columns; ends the program where that contains `until`."""
+    master, slave = pty.openpty()
+    fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    process = subprocess.Popen([RAYTRACER, *map(str, words)], stderr=slave, stdout=subprocess.DEVNULL,
+                               env=os.environ | {"TERM": "xterm"} | environment)
+    os.close(slave)
+    text = b""
+    while True:
+        try:
+            block = os.read(master, 65536)
+        except OSError:  # Linux says so where no process has the terminal open
+            block = b""
+        text += block
+        if not block:
+            break
+        if until and re.search(until, text):
+            process.send_signal(signal.SIGINT)
+    os.close(master)
+    process.wait(timeout=60)
+    return text.decode().replace("\r\n", "\n")
+
+
+def check_done(folder):
+    out = pathlib.Path(folder, "out.png")
+    said = on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient")
+    check("success", True, bool(re.fullmatch(re.escape(str(out)) + r": 8 × 8, 0\.\d+ s\n", said)))
+    check("success, quiet", "", on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient", "--quiet"))
+    done = subprocess.run([RAYTRACER, "test/good/least.json", out, "8", "--only", "ambient"], capture_output=True, check=False)
+    check("success, no terminal", (0, b"", b""), (done.returncode, done.stdout, done.stderr))
+
+
+def check_wrapped(folder):
+    scene = pathlib.Path(folder, "scene.json")
+    scene.write_text(json.dumps(LEAST | {"camera": LEAST["camera"] | {"up": [0, 2, 0]}}), encoding="utf-8")
+    words = ("explain", scene, 4, 4, 8)
+    expected = (f"warning: {scene}: /camera: look and up are taken as given, and these distort the picture: expected lengths "
+                "1 and 1 at 90 degrees, found lengths 1 and 2 at 90 degrees")
+    for columns in (40, 80, 100, 200):
+        lines = on_terminal(columns, *words).splitlines()
+        check(f"{columns} columns", expected, " ".join(line.strip() for line in lines))
+        check(f"{columns} columns: width", [], [line for line in lines if len(line) > min(columns, 100) and str(scene) not in line])
+        check(f"{columns} columns: continued", {"    "}, {line[:4] for line in lines[1:]})
+    lines = subprocess.run([RAYTRACER, *map(str, words)], capture_output=True, text=True, check=False).stderr.splitlines()
+    check("no terminal", [expected], lines)
+
+
+def check_bar(folder):
+    words = ("scenes/refraction.json", pathlib.Path(folder, "out.png"), 2000, "--samples", 1000, "--threads", 1)
+    for columns, widths in ((40, "18,20"), (100, "40")):
+        bars = re.findall(r"\r\033\[K([^\r\033]+)", on_terminal(columns, *words, until=rb"left"))
+        wrong = [bar for bar in bars if len(bar) >= columns or not re.fullmatch(
+            r"\[[# ]{%s}\] {2,3}\d{1,2} %%  \d+:\d\d left" % widths, bar)]
+        check(f"bar in {columns} columns", (True, []), (bool(bars), wrong))
+
+
+def check_dumb(folder):
+    words = ("scenes/refraction.json", pathlib.Path(folder, "out.png"), 300, "--samples", 60, "--threads", 1)
+    said = on_terminal(80, *words, TERM="dumb")
+    check("a dumb terminal", True, bool(re.fullmatch(r"\S+: 300 × 300, [\d.]+ s\n", said)))
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    for checked in (check_done, check_wrapped, check_bar, check_dumb):
+        checked(temporary)
+print("\n".join(failures) if failures else "the terminal shows what it should")
+sys.exit(1 if failures else 0)

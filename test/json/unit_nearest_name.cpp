@@ -1,0 +1,27 @@
+#include <catch2/catch.hpp>
+
+#include "raytracer/json/nearest_name.h"
+
+using raytracer::NearestName;
+
+namespace {
+
+std::string questionFor(const char* name, std::initializer_list<const char*> candidates) {
+    NearestName nearest(name);
+    for (const char* candidate : candidates) nearest.consider(candidate);
+    return nearest.question();
+}
+
+}  // namespace
+
+TEST_CASE("the nearest name has the fewest errors, or shares whole words") {
+    CHECK(questionFor("colour", {"specular", "color"}) == "; did you mean \"color\"?");
+    CHECK(questionFor("colour", {"specular", "shininess"}) == "");
+    CHECK(questionFor("recursion", {"precision", "max-recursion"}) == "; did you mean \"max-recursion\"?");
+    CHECK(questionFor("samples-per-pixel", {"samples", "only"}) == "; did you mean \"samples\"?");
+    CHECK(questionFor("diffuse", {"color_diffuse", "diffused"}) == "; did you mean \"diffused\"?");
+    CHECK(questionFor("diffuse", {"color_diffuse", "color_ambient"}) == "; did you mean \"color_diffuse\"?");
+    CHECK(questionFor("color", {"color_diffuse", "color_ambient"}) == "");  // either could be meant
+    CHECK(questionFor("use", {"color_use", "diffuse"}) == "");
+    CHECK(questionFor("fuse_", {"color_diffuse"}) == "");
+}
