@@ -200,7 +200,10 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
         warnOfExcess(arguments, description, *renderer, options);
     Picture picture{arguments, wanted, description, *renderer, options, timings};
     if (wanted.isPfm()) renderTo<FloatSink>(picture, out, writePfm);
-    else renderTo<ByteSink>(picture, out, writePng);
+    else
+        renderTo<ByteSink>(picture, out, [&](OutputFile&& file, const ByteImage& image) {
+            writePng(std::move(file), image, arguments.threads);
+        });
     if (!arguments.quiet) tellLimited(picture.counts, options);
     if (wanted.stats) printStats(picture.counts, timings, options);
     if (!arguments.quiet && terminalColumns() > 0) tellDone(wanted.out, options.crop, timings);

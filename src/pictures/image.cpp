@@ -11,6 +11,7 @@
 
 #include <stb_image_write.h>
 
+#include "deflate.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/number.h"
@@ -103,11 +104,12 @@ bool fitsPng(int width, int height) {
     return rowBytes * static_cast<std::size_t>(height) <= largestStbSize / 2;
 }
 
-std::vector<char> encodePng(const ByteImage& image, const std::string& path) {
+std::vector<char> encodePng(const ByteImage& image, const std::string& path, int threads) {
     if (!fitsPng(image.width, image.height))
         throw Error({path}, "cannot write: the picture is too large for PNG");
     stbi_write_force_png_filter = pngFilter;
     stbi_write_png_compression_level = deflateLevel;
+    setDeflateThreads(threads);
     std::vector<char> png;
     const auto append = [](void* to, void* bytes, int count) {
         const auto* const begin = static_cast<const char*>(bytes);
@@ -119,7 +121,9 @@ std::vector<char> encodePng(const ByteImage& image, const std::string& path) {
     return png;
 }
 
-void writePng(OutputFile&& file, const ByteImage& image) { file.write(encodePng(image, file.name())); }
+void writePng(OutputFile&& file, const ByteImage& image, int threads) {
+    file.write(encodePng(image, file.name(), threads));
+}
 
 void writePfm(OutputFile&& file, const FloatImage& image) {
     const char* const scale = std::endian::native == std::endian::little ? "-1.0" : "1.0";

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 #include <limits>
+#include <random>
 #include <thread>
 #include <utility>
 
@@ -108,6 +109,30 @@ TEST_CASE("A PNG comes back as it was written") {
         CHECK(read.pixels == image.pixels);
     }
     CHECK(folder.fileCount() == 1);
+}
+
+// 128 KiB of rows are deflated together.
+TEST_CASE("A PNG of several deflated pieces comes back, the same from any number of threads") {
+    const TestFolder folder;
+    const auto check = [&](const ByteImage& image) {
+        writePng(folder.file("a.png"), image, 3);
+        CHECK((readImage(folder.file("a.png")).pixels == image.pixels));
+        CHECK((encodePng(image, {}, 1) == encodePng(image, {}, 3)));
+    };
+    ByteImage image{500, 301, std::vector<std::uint8_t>(500 * 301 * 3)};
+    SECTION("of one colour: fixed codes") { check(image); }
+    SECTION("like a render: codes of each block's own") { check(testPicture(500, 301)); }
+    SECTION("noise: stored blocks") {
+        std::mt19937 random(1);
+        for (std::uint8_t& channel : image.pixels) channel = static_cast<std::uint8_t>(random());
+        check(image);
+    }
+    SECTION("noise among what repeats: blocks of several kinds in a piece") {
+        std::mt19937 random(1);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            image.pixels[i] = static_cast<std::uint8_t>(i / 20000 % 2 ? random() : i % 7);
+        check(image);
+    }
 }
 
 TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
