@@ -1,16 +1,16 @@
 #include "arguments.h"
 
+#include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/memory.h"
 
 namespace raytracer::commands {
 
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm) {
-    const std::string pixels = pixelsInWords(crop.width(), crop.height());
-    if (isPfm) return requireMemory(file, {{pixels, 3 * sizeof(float) * crop.area()}});
-    if (!fitsPng(crop.width(), crop.height()))
-        throw Error({file}, pixels + " are too many for a PNG: take a part with --crop, or write a .pfm");
+    const PixelRectangle band = largestBand(crop, isPfm);
+    const std::string pixels = pixelsInWords(band.width(), band.height());
+    if (isPfm) return requireMemory(file, {{pixels, 3 * sizeof(float) * band.area()}});
     // The rows as they are filtered, and their compressed form.
-    requireMemory(file, {{pixels, 3 * crop.area()}, {"the PNG", 6 * crop.area()}});
+    requireMemory(file, {{pixels, 3 * band.area()}, {"the PNG", 6 * band.area()}});
 }
 
 void addThreads(CommandLine& line, int& threads) {

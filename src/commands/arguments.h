@@ -12,7 +12,7 @@ inline Error usageError(const std::string& message) { return {{"raytracer"}, mes
 
 constexpr Range longEdgeRange{1, 65536};
 
-// Throws Error, about the file, where the format or the memory is too small for the picture.
+// Throws Error, about the file, where the memory is too small for a band of the picture.
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm);
 
 // --threads.

@@ -184,9 +184,8 @@ void CommandLine::sort(const std::vector<std::string>& line) {
 
 void CommandLine::giveArguments() {
     requireOrder();
-    const std::vector<const Word*> expected = arguments();
-    for (std::size_t i = 0; i < rest_.size(); ++i)
-        given_.push_back({expected[std::min(i, expected.size() - 1)], rest_[i]});
+    const std::vector<const Word*> expected = expectedArguments();
+    for (std::size_t i = 0; i < rest_.size(); ++i) given_.push_back({expected[i], rest_[i]});
 }
 
 void CommandLine::requireTogether() const {

@@ -105,6 +105,7 @@ class CommandLine {
 
     const Word* find(std::string_view option) const;
     std::vector<const Word*> arguments() const;
+    std::vector<const Word*> expectedArguments() const;
     [[noreturn]] void failUnknown(const std::string& option) const;
     void requireOrder() const;
 

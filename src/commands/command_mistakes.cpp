@@ -84,7 +84,7 @@ std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
             while (next < expected.size() && !hasLooks(text, expected[next]->looks)) ++next;
         if (next >= expected.size()) break;
         places.push_back(next);
-        if (!expected[next]->isMany) ++next;
+        ++next;
     }
     return places;
 }
@@ -133,9 +133,18 @@ void CommandLine::failUnknown(const std::string& option) const {
     throw WrongUsage{unknown + "; the order is " + order()};
 }
 
+// One for each that is given: the one that may be repeated, as often as leaves the others one each.
+std::vector<const Word*> CommandLine::expectedArguments() const {
+    std::vector<const Word*> expected = arguments();
+    const auto many = std::ranges::find_if(expected, &Word::isMany);
+    if (many != expected.end() && rest_.size() > expected.size())
+        expected.insert(many, rest_.size() - expected.size(), *many);
+    return expected;
+}
+
 // Throws where there are too few arguments, too many, or they are in another order.
 void CommandLine::requireOrder() const {
-    const std::vector<const Word*> expected = arguments();
+    const std::vector<const Word*> expected = expectedArguments();
     const std::vector<std::size_t> places = placesInOrder(rest_, expected);
     const std::string theOrder = "the order is " + order();
     for (std::size_t i = 0; places.size() < rest_.size() && i < rest_.size(); ++i) {

@@ -5,17 +5,18 @@
 #include <utility>
 
 #include "arguments.h"
+#include "picture_part.h"
 #include "raytracer/accuracy/ray_growth.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/black_picture.h"
-#include "raytracer/json/json_writer.h"
 #include "raytracer/pictures/picture.h"
+#include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/output_file.h"
 #include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
-#include "raytracer/util/stopwatch.h"
 #include "raytracer/util/text.h"
 #include "render_arguments.h"
+#include "render_report.h"
 #include "target_error.h"
 
 namespace raytracer::commands {
@@ -23,7 +24,7 @@ namespace raytracer::commands {
 namespace {
 
 constexpr const char* renderFooter = R"(The other commands:
-  raytracer compare|grade|explain|tradeoff --help
+  raytracer assemble|compare|grade|explain|tradeoff --help
 
 The picture is written whole or not at all: as a new file, with the mode and the
 owner of the file that it replaces. A symbolic link is followed. A hard link is
@@ -44,60 +45,22 @@ Examples:
   raytracer scenes/texture.json out.png 2000 --target-time 10
   # linear float32, and what it cost
   raytracer scenes/refraction.json out.pfm 600 --stats
-  raytracer scenes/texture.json - 300 | display)";
-
-struct Timings {
-    Seconds load, build, choose, render, write;
-};
-
-void printTimes(JsonWriter& json, const Timings& timings, const char* name, double Seconds::*kind) {
-    json.key(name).beginObject();
-    json.key("load").value(timings.load.*kind);
-    json.key("build").value(timings.build.*kind);
-    json.key("choose").value(timings.choose.*kind);
-    json.key("render").value(timings.render.*kind);
-    json.key("write").value(timings.write.*kind);
-    json.endObject();
-}
-
-void printStats(const RenderCounts& counts, const Timings& timings, const RenderOptions& options) {
-    JsonWriter json;
-    json.beginObject();
-    json.key("width").value(options.crop.width());
-    json.key("height").value(options.crop.height());
-    json.key("rays").beginObject();
-    json.key("primary").value(counts.primary);
-    json.key("shadow").value(counts.shadow);
-    json.key("reflection").value(counts.reflection);
-    json.key("refraction").value(counts.refraction);
-    json.endObject();
-    json.key("intersection_tests").value(counts.tests);
-    json.key("limited_pixels").value(counts.limited);
-    json.key("cutoff_bound").value(counts.cutoffBound);
-    printTimes(json, timings, "seconds", &Seconds::wall);
-    printTimes(json, timings, "cpu_seconds", &Seconds::cpu);
-    json.key("peak_memory_bytes").value(peakMemoryBytes());
-    json.endObject();
-    print(json.text() + "\n");
-}
-
-// Where the limit on samples decided more than a few pixels.
-void tellLimited(const RenderCounts& counts, const RenderOptions& options) {
-    const auto limited = static_cast<double>(counts.limited);
-    if (limited <= 0.001 * options.crop.area()) return;
-    tell(formatted("--adaptive %s: --samples %d stopped %.3g %% of the pixels before",
-                   shortNumber(options.adaptive).c_str(), options.samples,
-                   100 * limited / options.crop.area()));
-}
+  raytracer scenes/texture.json - 300 | display
+  # half of it here, the other half (2/2) on another machine
+  raytracer scenes/texture.json out.png 8000 --part 1/2)";
 
 // What only this command asks for.
 struct PictureArguments {
     std::string out;
     bool stats = false;
     std::optional<double> targetError, targetTime;
+    std::string part;  // K/N; empty: the whole picture
+    bool skipExisting = false;
     std::string command;  // without --target-time
 
     bool isPfm() const { return endsIn(out, ".pfm"); }
+    bool isPart() const { return !part.empty(); }
+    std::string file() const { return isPart() ? partName(out, parsePart(part)) : out; }
 };
 
 // Before any work is done.
@@ -105,21 +68,12 @@ OutputFile openOutput(const PictureArguments& wanted) {
     if (wanted.out != "-") {
         if (!wanted.isPfm() && !endsIn(wanted.out, ".png"))
             throw Error({wanted.out}, "expected a name that ends in .png or .pfm");
-        return {wanted.out};
+        return {wanted.file()};
     }
+    if (wanted.isPart()) throw usageError("the picture - goes to standard output, and --part to a file");
     if (wanted.stats) throw usageError("the picture - and --stats both go to standard output");
     if (printsOnTerminal()) throw usageError("the picture - is no text for a terminal: write - > out.png");
     return OutputFile::standardOutput();
-}
-
-// "out.png: 600 × 600, 0.06 s", for who waits at a terminal.
-void tellDone(const std::string& out, const PixelRectangle& crop, const Timings& timings) {
-    double seconds = 0;
-    for (const Seconds* part :
-         {&timings.load, &timings.build, &timings.choose, &timings.render, &timings.write})
-        seconds += part->wall;
-    tell(formatted("%s: %d × %d, %s s", out.c_str(), crop.width(), crop.height(),
-                   shortNumber(seconds).c_str()));
 }
 
 struct Picture {
@@ -129,24 +83,70 @@ struct Picture {
     const Renderer& renderer;
     RenderOptions& options;
     Timings& timings;
+    PartHead part{};
     RenderCounts counts{};
     std::optional<TargetChoice> choice{};
+    bool isBlack = true;  // as far as it is rendered
 };
 
-RenderCounts renderInto(PixelSink& sink, const Picture& picture) {
-    std::optional<ProgressBar> bar;
-    if (!picture.arguments.quiet) bar.emplace();
+// Progress of one band after the other.
+class BandProgress final : public ProgressListener {
+  public:
+    BandProgress(bool quiet, std::size_t bands) : bands_(static_cast<double>(bands)) {
+        if (!quiet) bar_.emplace();
+    }
+    void progress(double fraction) override {
+        if (bar_) bar_->progress((done_ + fraction) / bands_);
+    }
+    void next() { ++done_; }
+
+  private:
+    std::optional<ProgressBar> bar_;
+    double done_ = 0, bands_;
+};
+
+void renderBand(PixelSink& sink, Picture& picture, const PixelRectangle& band, BandProgress& progress) {
+    RenderOptions options = picture.options;
+    options.crop = band;
+    options.part = picture.part.part;
     const bool hasFirst = picture.choice && !picture.choice->first.colors.empty();
-    RenderCounts counts = picture.renderer.render(picture.options, sink, bar ? &*bar : nullptr,
-                                                  hasFirst ? &picture.choice->first : nullptr);
-    if (picture.choice) counts += picture.choice->counts;
-    return counts;
+    picture.counts +=
+        picture.renderer.render(options, sink, &progress, hasFirst ? &picture.choice->first : nullptr);
+    progress.next();
 }
 
-template <class Sink, class Write>
-void renderTo(Picture& picture, OutputFile& out, Write write) {
+void warnOfBlack(const Picture& picture) {
+    if (!picture.isBlack || picture.wanted.isPart() || !picture.arguments.isWhole() ||
+        !picture.arguments.warns())
+        return;
+    picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
+}
+
+template <class Sink, class Image>
+void renderTo(Picture& picture, PictureWriter<Image>& writer) {
     Stopwatch watch;
-    Sink sink(picture.options.crop);
+    BandProgress progress(picture.arguments.quiet, writer.bands().size());
+    for (const PixelRectangle& band : writer.bands()) {
+        Sink sink(band);
+        renderBand(sink, picture, band, progress);
+        picture.timings.render += watch.lap();
+        picture.isBlack = picture.isBlack && isAllBlack(sink.image());
+        if (&band == &writer.bands().back()) warnOfBlack(picture);
+        writer.write(sink.image());
+        picture.timings.write += watch.lap();
+    }
+    writer.finish();
+    picture.timings.write += watch.lap();
+}
+
+template <class Sink, class Image>
+void renderTo(Picture& picture, OutputFile& file, std::unique_ptr<PictureWriter<Image>> writer) {
+    if (picture.wanted.isPart()) writer = partWriter<Image>(file, picture.part);
+    renderTo<Sink>(picture, *writer);
+}
+
+void choose(Picture& picture) {
+    Stopwatch watch;
     if (const auto target = picture.wanted.targetError)
         picture.choice = chooseAndTell(picture.renderer, picture.options, *target, picture.arguments.quiet);
     if (const auto seconds = picture.wanted.targetTime)
@@ -155,13 +155,8 @@ void renderTo(Picture& picture, OutputFile& out, Write write) {
                                  *seconds - picture.timings.load.wall - picture.timings.build.wall,
                                  picture.arguments.quiet ? "" : picture.wanted.command)
                 .counts;
+    if (picture.choice) picture.counts += picture.choice->counts;
     picture.timings.choose = watch.lap();
-    picture.counts += renderInto(sink, picture);
-    picture.timings.render = watch.lap();
-    if (picture.arguments.isWhole() && picture.arguments.warns() && isAllBlack(sink.image()))
-        picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
-    write(std::move(out), sink.image());
-    picture.timings.write = watch.lap();
 }
 
 // A command line without an option and its value.
@@ -190,7 +185,8 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     OutputFile out = openOutput(wanted);
     Timings timings;
     Stopwatch watch;
-    SceneDescription description = arguments.load();
+    std::vector<std::string> files;
+    SceneDescription description = arguments.load(&files);
     timings.load = watch.lap();
     RenderOptions options = arguments.prepare(description);
     requirePictureFits(wanted.out, options.crop, wanted.isPfm());
@@ -199,15 +195,19 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     if (!wanted.targetError && !wanted.targetTime && arguments.warns())
         warnOfExcess(arguments, description, *renderer, options);
     Picture picture{arguments, wanted, description, *renderer, options, timings};
-    if (wanted.isPfm()) renderTo<FloatSink>(picture, out, writePfm);
-    else
-        renderTo<ByteSink>(picture, out, [&](OutputFile&& file, const ByteImage& image) {
-            writePng(std::move(file), image, arguments.threads);
-        });
-    if (!arguments.quiet) tellLimited(picture.counts, options);
+    choose(picture);
+    if (wanted.isPart()) {
+        picture.part = partHead(arguments, options, parsePart(wanted.part), files);
+        picture.part.isFloat = wanted.isPfm();
+        picture.part.isReached = !picture.choice || picture.choice->reached;
+    }
+    if (wanted.isPfm()) renderTo<FloatSink>(picture, out, pfmWriter(out, options.crop));
+    else renderTo<ByteSink>(picture, out, pngWriter(out, options.crop, arguments.threads));
+    if (!arguments.quiet) tellLimited(picture.counts, options, options.crop.area() / picture.part.part.count);
     if (wanted.stats) printStats(picture.counts, timings, options);
-    if (!arguments.quiet && terminalColumns() > 0) tellDone(wanted.out, options.crop, timings);
-    return picture.choice && !picture.choice->reached ? 1 : 0;
+    if (!arguments.quiet && terminalColumns() > 0) tellDone(wanted.file(), options.crop, timings);
+    const bool isJudged = picture.choice && !wanted.isPart();  // a part's picture is judged by assemble
+    return isJudged && !picture.choice->reached ? 1 : 0;
 }
 
 }  // namespace
@@ -233,10 +233,15 @@ int render(int argc, char** argv) {
     line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});
     line.exclude("--target-time",
                  {"--samples", "--adaptive", "--max-recursion", "--cutoff", "--target-error"});
+    line.text("--part", wanted.part,
+              "Render the K-th of N parts of the picture, K/N, into the file IMAGE_OUT.part-K-of-N, for "
+              "raytracer assemble; all parts take about the same time");
+    line.exclude("--part", {"--target-time"});
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.footer(renderFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
     arguments.check(line);
+    if (wanted.isPart()) parsePart(wanted.part);
     wanted.command = without("--target-time", {argv, static_cast<std::size_t>(argc)});
     return renderPicture(arguments, wanted);
 }

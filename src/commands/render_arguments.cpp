@@ -140,8 +140,9 @@ void RenderArguments::warn(const std::string& warning) const {
     if (!quiet) tell(std::string("warning: ") + error.what());
 }
 
-SceneDescription RenderArguments::load() const {
+SceneDescription RenderArguments::load(std::vector<std::string>* files) const {
     LoadedScene loaded = loadScene(scene, strict);
+    if (files) *files = std::move(loaded.files);
     if (!warns()) return std::move(loaded.description);
     if (!quiet)
         for (const std::string& warning : loaded.warnings) tell("warning: " + warning);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "arguments.h"
 #include "raytracer/tracer/renderer.h"
@@ -40,8 +41,8 @@ struct RenderArguments {
     std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene) const;
 
     // The scene of the file. Its warnings, the loader's and sceneAdvice's, go to stderr unless `quiet`; where
-    // `strict`, the first is an Error.
-    SceneDescription load() const;
+    // `strict`, the first is an Error. `files` gets the names of the scene and of all files that it names.
+    SceneDescription load(std::vector<std::string>* files = nullptr) const;
 
     // Whether anyone hears what `warn` is told.
     bool warns() const { return strict || !quiet; }

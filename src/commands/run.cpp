@@ -18,10 +18,8 @@ struct Command {
     int (*run)(int argc, char** argv);
 };
 constexpr Command commandTable[] = {
-    {"compare", compare},
-    {"explain", explain},
-    {"grade", grade},
-    {"tradeoff", tradeoff},
+    {"assemble", assemble}, {"compare", compare},   {"explain", explain},
+    {"grade", grade},       {"tradeoff", tradeoff},
 };
 
 // What people write for a command that has no name.

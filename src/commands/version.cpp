@@ -7,6 +7,7 @@ namespace raytracer {
 namespace build {
 extern const char* const version;  // made by cmake/version.cmake
 extern const char* const commit;
+extern const char* const sources;
 }  // namespace build
 
 std::string commands::versionText() {
@@ -16,6 +17,10 @@ std::string commands::versionText() {
     return std::string("raytracer ") + build::version + " (" + build::commit +
            ")\ninstruction sets: " + sets + "; used: " + std::string(nameOf(defaultInstructionSet())) +
            "\nprecisions: float, double, extended\n";
+}
+
+std::string commands::programVersion() {
+    return std::string(build::version) + " (sources " + build::sources + ")";
 }
 
 }  // namespace raytracer

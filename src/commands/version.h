@@ -8,4 +8,7 @@ namespace raytracer::commands {
 // Lines: version and commit, the instruction sets that there is code for, the precisions.
 std::string versionText();
 
+// Of the code: two programs of one version make the same pictures.
+std::string programVersion();
+
 }  // namespace raytracer::commands

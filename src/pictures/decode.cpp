@@ -8,6 +8,7 @@
 #include <stb_image.h>
 
 #include "jpeg_check.h"
+#include "png_format.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
@@ -24,7 +25,6 @@ std::uint32_t bigEndian(std::string_view bytes) {
 }
 
 // A chunk of a PNG: length, type, data of that length, and a CRC of type and data.
-constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t chunkFrame = 12;
 
 // The whole chunk that the text begins with; empty where it is cut short or its checksum is wrong. stb

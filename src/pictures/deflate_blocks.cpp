@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace raytracer {
 namespace {
@@ -59,7 +61,8 @@ class BlockReader {
     // At least 57 of them.
     std::uint64_t bits() const {
         std::uint64_t word = 0;
-        for (int i = 0; i < 8; ++i) word |= std::uint64_t{stream_[position_ / 8 + i]} << 8 * i;
+        std::memcpy(&word, stream_ + position_ / 8, sizeof word);
+        if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap64(word);
         return word >> position_ % 8;
     }
     std::size_t take(std::size_t count) {

@@ -12,16 +12,13 @@
 #include <stb_image_write.h>
 
 #include "deflate.h"
+#include "png_format.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/number.h"
 
 namespace raytracer {
 namespace {
-
-// Measured by bench/png_levels (bench/README.md).
-constexpr int pngFilter = 2;
-constexpr int deflateLevel = 1;
 
 constexpr std::size_t channels = 3;
 constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
@@ -93,16 +90,16 @@ FloatImage decodePfm(const FileBytes& file) {
     return image;
 }
 
-}  // namespace
-
-FloatImage readPfm(const std::string& path) { return decodePfm(FileBytes(path)); }
-
 // stb counts in int: the pixels, one filter byte for each row, and the compressed stream, which is at most a
 // little larger than both. Half the range of int leaves room for that.
 bool fitsPng(int width, int height) {
     const std::size_t rowBytes = static_cast<std::size_t>(width) * channels + 1;
     return rowBytes * static_cast<std::size_t>(height) <= largestStbSize / 2;
 }
+
+}  // namespace
+
+FloatImage readPfm(const std::string& path) { return decodePfm(FileBytes(path)); }
 
 std::vector<char> encodePng(const ByteImage& image, const std::string& path, int threads) {
     if (!fitsPng(image.width, image.height))
@@ -123,18 +120,6 @@ std::vector<char> encodePng(const ByteImage& image, const std::string& path, int
 
 void writePng(OutputFile&& file, const ByteImage& image, int threads) {
     file.write(encodePng(image, file.name(), threads));
-}
-
-void writePfm(OutputFile&& file, const FloatImage& image) {
-    const char* const scale = std::endian::native == std::endian::little ? "-1.0" : "1.0";
-    const std::string header =
-        "PF\n" + std::to_string(image.width) + ' ' + std::to_string(image.height) + '\n' + scale + '\n';
-    const std::size_t rowFloats = static_cast<std::size_t>(image.width) * channels;
-    std::vector<std::span<const char>> parts{header};
-    for (auto y = static_cast<std::size_t>(image.height); y-- > 0;)
-        parts.emplace_back(reinterpret_cast<const char*>(image.pixels.data() + y * rowFloats),
-                           rowFloats * sizeof(float));
-    file.write(parts);
 }
 
 }  // namespace raytracer

@@ -46,16 +46,16 @@ std::shared_ptr<const Texture> SceneFiles::texture(JsonView path) {
     return texture;
 }
 
-void SceneFiles::requireTexture(JsonView path) const {
+void SceneFiles::requireTexture(JsonView path) {
     readNamed(path, resolve(path), aPicture,
               [](const std::string& file) { FileBytes(file, FileKind::Regular); });
 }
 
 // The operating system would read a path only up to a NUL.
-std::string SceneFiles::resolve(JsonView path) const {
+std::string SceneFiles::resolve(JsonView path) {
     const std::string_view written = path.string();
     if (written.empty() || written.find('\0') != written.npos) path.failExpected("the path of a file");
-    return (folder_ / written).string();
+    return *names_.insert((folder_ / written).string()).first;
 }
 
 }  // namespace raytracer

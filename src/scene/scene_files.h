@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 
@@ -22,12 +23,15 @@ class SceneFiles {
     std::shared_ptr<const Texture> texture(JsonView path);
 
     // Throws unless the texture's file can be opened; does not read it.
-    void requireTexture(JsonView path) const;
+    void requireTexture(JsonView path);
+
+    const std::set<std::string>& names() const { return names_; }  // of all that the scene has named
 
   private:
-    std::string resolve(JsonView path) const;
+    std::string resolve(JsonView path);
 
     std::filesystem::path folder_;
+    std::set<std::string> names_;
     std::unordered_map<std::string, std::shared_ptr<const MeshData>> meshes_;  // by resolved path
     std::unordered_map<std::string, std::shared_ptr<const Texture>> textures_;
 };

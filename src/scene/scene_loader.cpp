@@ -25,6 +25,7 @@ class SceneReader {
     void read(JsonView scene);
 
     SceneDescription& description() { return description_; }
+    std::vector<std::string> files() const { return {files_.names().begin(), files_.names().end()}; }
     std::vector<std::string> warnings(const std::string& path) const { return keys_.warnings(path); }
 
   private:
@@ -121,7 +122,9 @@ LoadedScene loadScene(const std::string& path, bool strict) {
     const JsonDocument document(path, file.text());
     SceneReader reader(path, strict);
     reader.read(JsonView(document));
-    return {std::move(reader.description()), reader.warnings(path)};
+    std::vector<std::string> files = reader.files();
+    files.insert(files.begin(), path);
+    return {std::move(reader.description()), reader.warnings(path), std::move(files)};
 }
 
 }  // namespace raytracer

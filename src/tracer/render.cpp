@@ -13,19 +13,9 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-constexpr int tileEdge = 32;  // pixels: small enough to share out evenly, large enough to keep rays coherent
-
 // More than a reflection or refraction takes of the stack (test/tracer/core_stack.cpp measures it): 6 KB for
 // a packet, 2 KB for a ray alone; several times as much where nothing is inlined, or a sanitizer guards it.
 constexpr std::size_t recursionStack = std::size_t{64} << 10;
-
-int tileCount(int edge) { return (edge + tileEdge - 1) / tileEdge; }
-
-PixelRectangle tileOf(const PixelRectangle& crop, int index) {
-    const int columns = tileCount(crop.width());
-    const int x0 = crop.x0 + index % columns * tileEdge, y0 = crop.y0 + index / columns * tileEdge;
-    return {x0, y0, std::min(x0 + tileEdge, crop.x1), std::min(y0 + tileEdge, crop.y1)};
-}
 
 constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
 
@@ -77,11 +67,10 @@ void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
 
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
                            ProgressListener* progress, const FirstSamples* first) {
-    const PixelRectangle& crop = options.crop;
-    const auto tiles = static_cast<std::size_t>(tileCount(crop.width()) * tileCount(crop.height()));
-    return shareOut(scene, options, tiles, progress, unlimited,
+    const std::vector<PixelRectangle> tiles = tilesOf(options.crop, options.part);
+    return shareOut(scene, options, tiles.size(), progress, unlimited,
                     [&](std::uint32_t job, const RenderContext& context) {
-                        renderTile(scene, tileOf(crop, static_cast<int>(job)), context, first, sink);
+                        renderTile(scene, tiles[job], context, first, sink);
                     });
 }
 

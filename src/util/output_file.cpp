@@ -10,17 +10,18 @@
 #include <filesystem>
 #include <optional>
 #include <random>
+#include <utility>
 
 #include "descriptor.h"
 #include "leftover.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/file_bytes.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
 
 namespace fs = std::filesystem;
-using Parts = std::span<const std::span<const char>>;
 using Status = struct stat;
 
 // A link there is to an open file, which no rename can replace.
@@ -77,8 +78,9 @@ struct OutputFile::State {
     void open();
     void openBeside(mode_t mode);
     void discardBeside();
-    bool replaceTarget(const Parts& parts);
-    void writeTo(Descriptor& file, const Parts& parts) const;
+    bool replaceTarget();
+    void append(std::span<const char> bytes);
+    void finish();
 };
 
 void OutputFile::State::open() {
@@ -108,18 +110,27 @@ void OutputFile::State::discardBeside() {
     beside = {};
 }
 
-void OutputFile::State::writeTo(Descriptor& file, const Parts& parts) const {
-    for (const std::span<const char> part : parts) require(writeAll(file.get(), part));
-    require(file.close());
+void OutputFile::State::append(std::span<const char> bytes) {
+    if (!beside && std::exchange(isCut, false)) require(::ftruncate(inPlace.get(), 0) == 0);
+    require(writeAll(beside ? beside.get() : inPlace.get(), bytes));
 }
 
-bool OutputFile::State::replaceTarget(const Parts& parts) {
-    writeTo(beside, parts);
+bool OutputFile::State::replaceTarget() {
+    require(beside.close());
     const bool renamed = std::rename(temporary.c_str(), target.c_str()) == 0;
     require(renamed || inPlace);
     if (renamed) leftover.reset();
-    else discardBeside();
     return renamed;
+}
+
+void OutputFile::State::finish() {
+    if (beside) {
+        if (replaceTarget()) return;
+        const FileBytes written(temporary);
+        discardBeside();
+        append(written.text());
+    }
+    require(inPlace.close());
 }
 
 OutputFile::OutputFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -144,10 +155,7 @@ OutputFile::~OutputFile() = default;
 
 const std::string& OutputFile::name() const { return state_->name; }
 
-void OutputFile::write(Parts parts) {
-    if (state_->beside && state_->replaceTarget(parts)) return;
-    if (state_->isCut) state_->require(::ftruncate(state_->inPlace.get(), 0) == 0);
-    state_->writeTo(state_->inPlace, parts);
-}
+void OutputFile::append(std::span<const char> bytes) { state_->append(bytes); }
+void OutputFile::finish() { state_->finish(); }
 
 }  // namespace raytracer

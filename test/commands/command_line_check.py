@@ -11,7 +11,7 @@ import tempfile
 
 RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
 SCENE = str(pathlib.Path("test/good/least.json").resolve())
-COMMANDS = {"render": [], "compare": ["compare"], "grade": ["grade"], "explain": ["explain"], "tradeoff": ["tradeoff"]}
+COMMANDS = {"render": [], "assemble": ["assemble"], "compare": ["compare"], "grade": ["grade"], "explain": ["explain"], "tradeoff": ["tradeoff"]}
 failures = []
 
 
@@ -54,6 +54,7 @@ NUMBERS = {
         "--target-error": ("a number above 0", ["1e-300"]),
         "--target-time": ("a number above 0", ["1e-300"]),
     },
+    "assemble": {"--threads": ("a whole number from 0 to 4096", ["0", "4096"])},
     "compare": {
         "--max-pixels": ("a whole number not below 0", ["0", "18446744073709551615"]),
         "--tolerance": ("a whole number from 0 to 255", ["0", "255"]),
@@ -84,6 +85,7 @@ NUMBERS = {
 # The arguments of each command; none of them is there, so that a command line that is read ends all the same.
 ARGUMENTS = {
     "render": {"SCENE": "/no.json", "IMAGE_OUT": "/no/no.png", "LONG_EDGE_PIXELS": "8"},
+    "assemble": {"PART": "/no.part", "IMAGE_OUT": "/no/no.png"},
     "compare": {"A": "/no.png", "B": "/no.png"},
     "grade": {"DIR": "/no"},
     "explain": {"SCENE": "/no.json", "X": "0", "Y": "0", "LONG_EDGE_PIXELS": "8"},
@@ -162,7 +164,7 @@ def check_commands():
     check_refused(["render", "a.json"], 'unknown command "render"; write raytracer ' + ORDER)
     check_refused(["help"], 'unknown command "help"; write raytracer --help')
     check_refused(["frobnicate"],
-                  "unknown command \"frobnicate\"; there are compare, explain, grade, tradeoff, or a scene's name first")
+                  "unknown command \"frobnicate\"; there are assemble, compare, explain, grade, tradeoff, or a scene's name first")
     check_refused(["/frobnicate"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
 
 

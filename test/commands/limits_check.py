@@ -60,16 +60,16 @@ LEFT = r"ulimit -v leaves [\d.]+ [MG]B\n"
 
 
 def too_large(out):
-    return re.escape(f"{out}: not enough memory for 18000 × 18000 pixels (972 MB) and the PNG (1.94 GB): ")
+    return re.escape(f"{out}: not enough memory for 5700 × 5700 pixels (97.5 MB) and the PNG (195 MB): ")
 
 
 def check_pictures(folder):
     out = folder / "out.png"
-    check("a PNG", too_large(out) + LEFT, LEAST, out, 18000, "--quiet", script=addresses(2000000))
+    check("a PNG", too_large(out) + LEFT, LEAST, out, 5700, "--quiet", script=addresses(200000))
     pfm = folder / "out.pfm"
-    check("a PFM", re.escape(f"{pfm}: not enough memory for 18000 × 18000 pixels (3.89 GB): ") + LEFT, LEAST, pfm, 18000,
-          "--quiet", script=addresses(2000000))
-    check("a part of it", "", LEAST, out, 18000, "--quiet", "--crop", "0,0,9,9", script=addresses(2000000), status=0)
+    check("a PFM", re.escape(f"{pfm}: not enough memory for 65536 × 128 pixels (101 MB): ") + LEFT, LEAST, pfm, 65536,
+          "--quiet", script=addresses(80000))
+    check("a part of it", "", LEAST, out, 5700, "--quiet", "--crop", "0,0,9,9", script=addresses(200000), status=0)
 
 
 def check_files(folder):
@@ -118,18 +118,18 @@ def check_json(folder):
 def check_mounted(folder):
     """The same limits by files of ours, mounted over the system's."""
     out, meminfo, own = folder / "out.png", folder / "meminfo", folder / "own"
-    meminfo.write_text("MemTotal: 1 kB\nMemAvailable:    500000 kB\n")
+    meminfo.write_text("MemTotal: 1 kB\nMemAvailable:    200000 kB\n")
 
     def check_limit(what, words, setup):
-        check(what, too_large(out) + words + "\n", LEAST, out, 18000, "--quiet",
+        check(what, too_large(out) + words + "\n", LEAST, out, 5700, "--quiet",
               script=f"unshare -m sh -c 'set -e; {setup}; exec \"$@\"' sh \"$@\"")
 
-    check_limit("available memory", "the machine has left 512 MB", f"mount --bind {meminfo} /proc/meminfo")
+    check_limit("available memory", "the machine has left 205 MB", f"mount --bind {meminfo} /proc/meminfo")
     groups = "mount -t tmpfs none /sys/fs/cgroup; cd /sys/fs/cgroup; mkdir -p a/b memory/a"
     for line, place in (("0::/a/b", "a/memory.max"), ("0::/", "memory.max"), ("5:cpu,memory:/a", "memory/memory.limit_in_bytes")):
         own.write_text(line + "\n")
-        check_limit(f"the control group {line}", r"the control group's limit leaves 49\d MB",
-                    f"{groups}; echo 500000000 > {place}; mount --bind {own} /proc/$$/cgroup")
+        check_limit(f"the control group {line}", r"the control group's limit leaves 19\d MB",
+                    f"{groups}; echo 200000000 > {place}; mount --bind {own} /proc/$$/cgroup")
 
 
 def main():

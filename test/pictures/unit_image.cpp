@@ -17,6 +17,7 @@
 
 #include "../support/test_folder.h"
 #include "raytracer/pictures/image.h"
+#include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/error.h"
 
 using namespace raytracer;
@@ -340,7 +341,10 @@ TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
     const float inf = std::numeric_limits<float>::infinity();
     const FloatImage image{
         2, 2, {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
-    writePfm(folder.file("a.pfm"), image);
+    OutputFile file(folder.file("a.pfm"));
+    const auto writer = pfmWriter(file, {0, 0, 2, 2});
+    writer->write(image);
+    writer->finish();
     const std::string bytes = bytesOf(folder.file("a.pfm"));
     const std::string header = "PF\n2 2\n-1.0\n";
     REQUIRE(bytes.size() == header.size() + 48);

@@ -13,6 +13,9 @@ int render(int argc, char** argv);
 // raytracer compare A B [options]: how much two pictures differ.
 int compare(int argc, char** argv);
 
+// raytracer assemble PART... IMAGE_OUT: a picture of all its parts, rendered with --part.
+int assemble(int argc, char** argv);
+
 // raytracer tradeoff SCENE... [options]: what speed costs in accuracy, measured.
 int tradeoff(int argc, char** argv);
 

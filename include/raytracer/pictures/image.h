@@ -48,15 +48,11 @@ void requireMemoryToDecode(const FileBytes& file, std::size_t channelBytes = 1);
 
 std::string pixelsInWords(int width, int height);  // "18000 × 18000 pixels"
 
-// Whether a picture of this size is not too large for the encoder of PNGs.
-bool fitsPng(int width, int height);
-
-// A PNG file's bytes. Throws Error, about the file `path`, where the picture does not fit. Its bytes do not
-// depend on the number of threads (0: one for each processor).
+// A PNG file's bytes, by stb. Throws Error, about the file `path`, where the picture does not fit. Its bytes
+// do not depend on the number of threads (0: one for each processor).
 std::vector<char> encodePng(const ByteImage& image, const std::string& path = {}, int threads = 1);
 
-// Throw Error. A path is made a file here; a file that is open already is given as std::move(file).
+// Throws Error. A path is made a file here; a file that is open already is given as std::move(file).
 void writePng(OutputFile&& file, const ByteImage& image, int threads = 1);
-void writePfm(OutputFile&& file, const FloatImage& image);
 
 }  // namespace raytracer

@@ -11,6 +11,7 @@ namespace raytracer {
 struct LoadedScene {
     SceneDescription description;
     std::vector<std::string> warnings;  // one line each, in the form of Error's what()
+    std::vector<std::string> files{};   // the scene's, and those that it names
 };
 
 // Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). An

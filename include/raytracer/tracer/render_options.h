@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "raytracer/pictures/pixels.h"
+#include "raytracer/pictures/tiles.h"
 
 namespace raytracer {
 
@@ -26,7 +27,8 @@ struct Terms {
 
 struct RenderOptions {
     ImageSize size;       // of the whole picture
-    PixelRectangle crop;  // the part to render
+    PixelRectangle crop;  // the rectangle to render
+    PicturePart part{};   // its tiles to render
     int max_recursion = 3;
     Pass pass = Pass::Color;
     bool shadows = true, refraction = true;  // the terms that are not a matter of the materials' colours

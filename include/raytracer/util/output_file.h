@@ -29,9 +29,13 @@ class OutputFile {
 
     const std::string& name() const;  // for errors
 
-    // The whole file: the parts one after the other. Once.
-    void write(std::span<const std::span<const char>> parts);
-    void write(std::span<const char> whole) { write(std::span(&whole, 1)); }
+    // The file's next bytes. It is there once it is finished; nothing comes after that.
+    void append(std::span<const char> bytes);
+    void finish();
+    void write(std::span<const char> whole) {
+        append(whole);
+        finish();
+    }
 
   private:
     struct State;

@@ -10,6 +10,11 @@ namespace raytracer {
 struct Seconds {
     double wall = 0, cpu = 0;
     static Seconds now();
+    Seconds& operator+=(const Seconds& more) {
+        wall += more.wall;
+        cpu += more.cpu;
+        return *this;
+    }
 };
 
 // The most that the process has had in memory at once.

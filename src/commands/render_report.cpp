@@ -1,0 +1,61 @@
+#include "render_report.h"
+
+#include "raytracer/accuracy/setting.h"
+#include "raytracer/json/json_writer.h"
+#include "raytracer/util/standard_streams.h"
+#include "raytracer/util/text.h"
+
+namespace raytracer::commands {
+
+namespace {
+
+void printTimes(JsonWriter& json, const Timings& timings, const char* name, double Seconds::*kind) {
+    json.key(name).beginObject();
+    json.key("load").value(timings.load.*kind);
+    json.key("build").value(timings.build.*kind);
+    json.key("choose").value(timings.choose.*kind);
+    json.key("render").value(timings.render.*kind);
+    json.key("write").value(timings.write.*kind);
+    json.endObject();
+}
+
+}  // namespace
+
+void printStats(const RenderCounts& counts, const Timings& timings, const RenderOptions& options) {
+    JsonWriter json;
+    json.beginObject();
+    json.key("width").value(options.crop.width());
+    json.key("height").value(options.crop.height());
+    json.key("rays").beginObject();
+    json.key("primary").value(counts.primary);
+    json.key("shadow").value(counts.shadow);
+    json.key("reflection").value(counts.reflection);
+    json.key("refraction").value(counts.refraction);
+    json.endObject();
+    json.key("intersection_tests").value(counts.tests);
+    json.key("limited_pixels").value(counts.limited);
+    json.key("cutoff_bound").value(counts.cutoffBound);
+    printTimes(json, timings, "seconds", &Seconds::wall);
+    printTimes(json, timings, "cpu_seconds", &Seconds::cpu);
+    json.key("peak_memory_bytes").value(peakMemoryBytes());
+    json.endObject();
+    print(json.text() + "\n");
+}
+
+void tellLimited(const RenderCounts& counts, const RenderOptions& options, double pixels) {
+    const auto limited = static_cast<double>(counts.limited);
+    if (limited <= 0.001 * pixels) return;
+    tell(formatted("--adaptive %s: --samples %d stopped %.3g %% of the pixels before",
+                   shortNumber(options.adaptive).c_str(), options.samples, 100 * limited / pixels));
+}
+
+void tellDone(const std::string& out, const PixelRectangle& crop, const Timings& timings) {
+    double seconds = 0;
+    for (const Seconds* part :
+         {&timings.load, &timings.build, &timings.choose, &timings.render, &timings.write})
+        seconds += part->wall;
+    tell(formatted("%s: %d × %d, %s s", out.c_str(), crop.width(), crop.height(),
+                   shortNumber(seconds).c_str()));
+}
+
+}  // namespace raytracer::commands

@@ -1,0 +1,161 @@
+"""Parts of a picture: put together they have the bytes of one run; what does not fit is named, and leaves no picture.
+
+Usage: parts_check.py RAYTRACER, from the source folder.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import zlib
+
+RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+SCENE = "scenes/refraction.json"
+failures = []
+
+
+def check(what, expected, found):
+    if expected != found:
+        failures.append(f"{what}: expected {expected!r}, found {found!r}")
+
+
+def run(*arguments):
+    """(status, stderr)"""
+    done = subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, timeout=100)
+    return done.returncode, done.stderr.decode()
+
+
+def render_parts(out, count, *arguments, scene=SCENE, size=97):
+    for number in range(1, count + 1):
+        check(f"part {number} of {count} {arguments}", (0, ""), run(scene, out, size, "--quiet", "--part", f"{number}/{count}", *arguments))
+    return [f"{out}.part-{number}-of-{count}" for number in range(1, count + 1)]
+
+
+def check_same(folder, ending, count, *arguments, scene=SCENE, size=97, status=0):
+    whole, out = folder / f"whole{ending}", folder / f"out{ending}"
+    check(f"one run {arguments}", status, run(scene, whole, size, "--quiet", *arguments)[0])
+    parts = render_parts(out, count, *arguments, scene=scene, size=size)
+    check(f"{count} parts {arguments}", (status, ""), run("assemble", *reversed(parts), out, "--quiet"))
+    check(f"{count} parts {arguments}: the bytes", True, out.exists() and whole.read_bytes() == out.read_bytes())
+    for path in (whole, out, *map(pathlib.Path, parts)):
+        path.unlink(missing_ok=True)
+
+
+def check_knobs(folder):
+    for count in (1, 2, 7, 16, 64):
+        check_same(folder, ".png", count)
+    for arguments in (["--samples", 5], ["--adaptive", 0.05], ["--cutoff", 0.1], ["--precision", "float"], ["--precision", "extended"],
+                      ["--crop", "31,7,96,40"], ["--max-recursion", 6], ["--only", "ambient,diffuse"], ["--pass", "normals"],
+                      ["--texture-filter", "bilinear"], ["--opaque"]):
+        check_same(folder, ".png", 2, *arguments)
+    check_same(folder, ".pfm", 7, "--samples", 3)
+    check_same(folder, ".png", 2, "--target-error", 0.02)
+
+
+def check_fault(folder, what, paths, *lines, out="out.png"):
+    (folder / out).unlink(missing_ok=True)
+    status, error = run("assemble", *paths, folder / out)
+    check(what, (2, [line.replace("FOLDER", str(folder)) for line in lines]), (status, error.splitlines()))
+    check(f"{what}: no picture", False, (folder / out).exists())
+
+
+def changed(path, old, new, folder):
+    """A part with other text in its head, and the checksum of that."""
+    data = pathlib.Path(path).read_bytes()[:-8]
+    size = int(data[17:25], 16)
+    head = data[26:26 + size]
+    assert old in head, (old, head)
+    head = head.replace(old, new)
+    data = data[:17] + b"%08x\n" % len(head) + head + data[26 + size:]
+    other = folder / "changed.part"
+    other.write_bytes(data + b"%08x" % zlib.crc32(data))
+    return other
+
+
+def check_faults(folder):
+    a, b, c = render_parts(folder / "a.png", 3)
+    check_fault(folder, "one is missing", [a, c], "part 2 of 3 is missing")
+    check_fault(folder, "twice", [a, b, c, b], "FOLDER/a.png.part-2-of-3: part 2 of 3 again, as FOLDER/a.png.part-2-of-3")
+    many = render_parts(folder / "m.png", 9)
+    check_fault(folder, "many are missing", [many[i] for i in (1, 5, 6)], "parts 1, 3 to 5 and 8 to 9 of 9 are missing")
+    whole = pathlib.Path(a).read_bytes()
+    broken = folder / "broken.part"
+    for what, data, line in (
+            ("cut short", whole[:-1], "broken part of a picture: it is cut short"),
+            ("cut to its head", whole[:300], "broken part of a picture: it is cut short"),
+            ("cut in its head", whole[:40], "broken part of a picture: it is cut short"),
+            ("cut to nothing", b"", 'not a part of a picture: it does not begin with "raytracer part 1"'),
+            ("longer", whole + b"\0", "broken part of a picture: it goes on behind its end"),
+            ("a bit of a pixel", whole[:-50] + bytes([whole[-50] ^ 1]) + whole[-49:], "broken part of a picture: its checksum is wrong"),
+            ("a bit of its head", whole.replace(b"max-recursion 3", b"max-recursion 7"), "broken part of a picture: its checksum is wrong"),
+            ("no JSON", whole.replace(b'"version"', b'"version '), "broken part of a picture: its head cannot be read"),
+            ("a picture", pathlib.Path("test/expected/mesh.png").read_bytes(),
+             'not a part of a picture: it does not begin with "raytracer part 1"')):
+        broken.write_bytes(data)
+        check_fault(folder, what, [broken, b, c], f"FOLDER/broken.part: {line}", "part 1 of 3 is missing")
+    check_fault(folder, "no file", ["/no/x.part", b, c], "/no/x.part: cannot read: No such file or directory", "part 1 of 3 is missing")
+    check_fault(folder, "a folder", [folder, b, c], "FOLDER: cannot read: it is no regular file", "part 1 of 3 is missing")
+    check_others(folder, a, b, c)
+
+
+def check_others(folder, a, b, c):
+    """Parts of something else."""
+    does_not_fit = "does not fit to FOLDER/a.png.part-2-of-3: it is"
+    version = re.search(rb'"version": "([^"]*)"', pathlib.Path(a).read_bytes()).group(1)
+    check_fault(folder, "another version", [changed(a, version, b"0.1", folder), b, c],
+                f"FOLDER/changed.part: {does_not_fit} of version 0.1 of raytracer, not {version.decode()}", "part 1 of 3 is missing")
+    for what, line, options in (
+            ("another size", "of a picture of 98 x 98 pixels, not 97 x 97", {"size": 98}),
+            ("another crop", "of --crop 0,0,97,70, not 0,0,97,97", {"more": ("--crop", "0,0,97,70")}),
+            ("another scene", "of another scene", {"scene": "scenes/spheres_cylinder.json"}),
+            ("other options", "of a picture with --max-recursion 3 --samples 2 --adaptive 0 --cutoff 0 --texture-filter nearest --precision "
+             "double --pass color, not with --max-recursion 3 --samples 1 --adaptive 0 --cutoff 0 --texture-filter nearest --precision "
+             "double --pass color", {"more": ("--samples", 2)})):
+        other = render_parts(folder / "o.png", 3, *options.pop("more", ()), **options)
+        check_fault(folder, what, [other[0], b, c], f"FOLDER/o.png.part-1-of-3: {does_not_fit} {line}", "part 1 of 3 is missing")
+    other = render_parts(folder / "o.png", 4)
+    check_fault(folder, "another count", [other[0], b, c], f"FOLDER/o.png.part-1-of-4: {does_not_fit} part 1 of 4, not of 3", "part 1 of 3 is missing")
+    other = render_parts(folder / "o.pfm", 3)
+    check_fault(folder, "another format", [other[0], b, c], f"FOLDER/o.pfm.part-1-of-3: {does_not_fit} of a .pfm, not of a .png",
+                "part 1 of 3 is missing")
+    check_fault(folder, "a wrong name", [a, b, c], "FOLDER/out.pfm: expected a name that ends in .png: the parts were rendered for that", out="out.pfm")
+    check_fault(folder, "no name of a picture", [a, b, c], "FOLDER/out.gif: expected a name that ends in .png or .pfm", out="out.gif")
+
+
+def check_scene_files(folder):
+    """A scene is another one where a mesh of it is."""
+    mesh = folder / "m.obj"
+    mesh.write_text("v 0 0 -3\nv 1 0 -3\nv 0 1 -3\nf 1 2 3\n")
+    scene = folder / "scene.json"
+    scene.write_text(pathlib.Path("test/good/least.json").read_text().replace('"materials": []', '"materials": [{"name": "m"}]')
+                     .replace('"transforms": []', '"transforms": [{"name": "t"}]')
+                     .replace('"shapes": []', '"shapes": [{"type": "mesh", "path": "m.obj", "material": "m", "transform": "t"}]'))
+    assert "m.obj" in scene.read_text()
+    out = folder / "s.png"
+    check("a part with the mesh", 0, run(scene, out, 40, "--part", "1/2")[0])
+    mesh.write_text("v 0 0 -3\nv 1 0 -3\nv 0 2 -3\nf 1 2 3\n")
+    check("a part with another mesh", 0, run(scene, out, 40, "--part", "2/2")[0])
+    check_fault(folder, "another mesh", [f"{out}.part-1-of-2", f"{out}.part-2-of-2"],
+                "FOLDER/s.png.part-2-of-2: does not fit to FOLDER/s.png.part-1-of-2: it is of another scene", "part 2 of 2 is missing")
+
+
+def check_refusals(folder):
+    expected = "raytracer: --part: expected K/N, two whole numbers with 1 <= K <= N <= 1048576, found "
+    for text in ("0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2", "1/1048577"):
+        check(f"--part {text}", (2, f'{expected}"{text}"\n'), run(SCENE, folder / "x.png", 8, "--part", text))
+    check("--part and -", (2, "raytracer: the picture - goes to standard output, and --part to a file\n"), run(SCENE, "-", 8, "--part", "1/2"))
+    check("--part and --target-time", (2, "raytracer: --part and --target-time exclude each other: give one of them\n"),
+          run(SCENE, folder / "x.png", 8, "--part", "1/2", "--target-time", 1))
+    check("nothing is left", False, any(path.name.startswith("x.png") for path in folder.iterdir()))
+
+
+def main():
+    for test in (check_knobs, check_faults, check_scene_files, check_refusals):
+        with tempfile.TemporaryDirectory() as folder:
+            test(pathlib.Path(folder))
+    print("\n".join(failures) if failures else "parts make the pictures of one run; what does not fit is named")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
