@@ -138,6 +138,7 @@ std::vector<Exhibit> exhibits(const Renderer& renderer, const RenderOptions& opt
         if (nearest && (chosen.empty() || chosen.back() != nearest)) chosen.push_back(nearest);
     }
     std::vector<Exhibit> shown;
+    shown.reserve(chosen.size());
     for (const Trial* trial : chosen) shown.push_back(exhibit(renderer, options, *trial, measured.reference));
     return shown;
 }

@@ -20,6 +20,7 @@ std::vector<DepthChoice> depthsToTry(const Renderer& renderer, const RenderOptio
     depths.add(renderer, options, picturePoints(options.size, 2500, 5));
     const std::vector<DepthChoice> all = depths.all();
     std::vector<CostAndError> points;
+    points.reserve(all.size());
     for (const DepthChoice& choice : all) points.push_back({choice.rays, choice.squaredError});
     std::vector<DepthChoice> chosen;
     for (const std::size_t i : paretoFront(points))

@@ -135,9 +135,8 @@ std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& 
 }
 
 void RenderArguments::warn(const std::string& warning) const {
-    const Error error({scene}, warning);
-    if (strict) throw error;
-    if (!quiet) tell(std::string("warning: ") + error.what());
+    if (strict) throw Error({scene}, warning);
+    if (!quiet) tell(std::string("warning: ") + Error({scene}, warning).what());
 }
 
 SceneDescription RenderArguments::load(std::vector<std::string>* files) const {

@@ -7,7 +7,7 @@
 namespace raytracer::commands {
 
 TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
-    const TargetChoice choice = chooseSetting(renderer, options, target);
+    TargetChoice choice = chooseSetting(renderer, options, target);
     options = withSetting(options, choice.setting);
     if (quiet) return choice;
     const std::string head = "--target-error " + shortNumber(target) + ": ";

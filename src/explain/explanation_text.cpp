@@ -49,7 +49,7 @@ class Writer {
     }
 
     void line(int depth, const std::string& text) {
-        text_.append(static_cast<std::size_t>(4 * depth), ' ').append(text).append("\n");
+        text_.append(4 * static_cast<std::size_t>(depth), ' ').append(text).append("\n");
     }
 
     const std::string& text() const { return text_; }

@@ -1,6 +1,7 @@
 #include "raytracer/numerics/elementary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -47,7 +48,7 @@ Sum subtract(const Sum& a, const Sum& b) { return add(a, {-b.high, -b.low}); }
 // atan(c) + atan(r), r = (small - c large) / (large + c small), |r| <= 1/32, whose series ends where it is
 // rounded.
 Sum arcTangentOfQuotient(double small, double large) {
-    const int k = static_cast<int>(steps * (small / large) + 0.5);
+    const long k = std::lround(steps * (small / large));
     const double c = static_cast<double>(k) / steps;
     const double r = std::fma(-c, large, small) / std::fma(c, small, large);
     const double r2 = r * r;

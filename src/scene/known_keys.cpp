@@ -36,9 +36,8 @@ void KnownKeys::report(const JsonObject& object, std::string_view key) {
     NearestName nearest(key);
     for (const std::string_view name : object.known()) nearest.consider(name);
     const std::string message = "unknown key " + inQuotes(key) + nearest.question();
-    const Error error = object.json().error(message);
-    if (strict_) throw error;
-    warnings_.emplace_back(error.what());
+    if (strict_) throw object.json().error(message);
+    warnings_.emplace_back(object.json().error(message).what());
 }
 
 std::vector<std::string> KnownKeys::warnings(const std::string& path) const {

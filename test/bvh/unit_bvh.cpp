@@ -120,7 +120,7 @@ TEST_CASE("packets are the same whatever the samples, the depth and the terms") 
             with.push_back(makeRenderer(scene, Precision::Double, {Accelerator::Bvh, 0, set}));
         RenderOptions several = wholePicture(scene, shortened(30)), deep = several, plain = several;
         several.samples = 16, several.adaptive = 0.02, several.bilinear = true;
-        deep.max_recursion = 8, deep.cutoff = 0.01;
+        deep.max_recursion = slowness > 1 ? 5 : 8, deep.cutoff = 0.01;
         plain.shadows = plain.refraction = false;
         plain.crop = {1, 1, plain.size.width * 2 / 3, std::max(2, plain.size.height / 2)};
         for (const RenderOptions& options : {several, deep, plain}) {
