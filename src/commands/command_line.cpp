@@ -143,6 +143,10 @@ void CommandLine::exclude(const char* option, std::initializer_list<const char*>
 
 void CommandLine::needs(const char* option, const char* other) { needed_.emplace_back(option, other); }
 
+void CommandLine::spares(const char* option, std::initializer_list<const char*> arguments) {
+    spared_.push_back({option, {arguments.begin(), arguments.end()}});
+}
+
 void CommandLine::lacks(std::initializer_list<const char*> options, const char* reason) {
     for (const char* option : options) lacking_.emplace_back(option, reason);
 }

@@ -69,6 +69,9 @@ class CommandLine {
     // The option has no effect without the other.
     void needs(const char* option, const char* other);
 
+    // With the option, these arguments may be left out, all together: numbers in a std::optional.
+    void spares(const char* option, std::initializer_list<const char*> arguments);
+
     // Options that other commands have and this one has not, for a reason.
     void lacks(std::initializer_list<const char*> options, const char* reason);
 
@@ -96,6 +99,10 @@ class CommandLine {
         std::string text;
     };
     using Pair = std::pair<std::string, std::string>;
+    struct Spared {
+        std::string option;
+        std::vector<std::string> arguments;
+    };
 
     void add(Word word);
     void sort(const std::vector<std::string>& line);
@@ -112,6 +119,7 @@ class CommandLine {
     std::string command_, purpose_, footer_;
     std::vector<Word> words_;
     std::vector<Pair> excluded_, needed_, lacking_;
+    std::vector<Spared> spared_;
 
     std::vector<Given> given_;
     std::vector<std::string> rest_;  // the line's words that are no options

@@ -139,6 +139,11 @@ std::vector<const Word*> CommandLine::expectedArguments() const {
     const auto many = std::ranges::find_if(expected, &Word::isMany);
     if (many != expected.end() && rest_.size() > expected.size())
         expected.insert(many, rest_.size() - expected.size(), *many);
+    for (const Spared& spared : spared_)
+        if (given(spared.option) && rest_.size() + spared.arguments.size() <= expected.size())
+            std::erase_if(expected, [&](const Word* word) {
+                return std::ranges::find(spared.arguments, word->name) != spared.arguments.end();
+            });
     return expected;
 }
 

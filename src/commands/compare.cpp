@@ -1,4 +1,5 @@
 // raytracer compare A B: how much two pictures differ.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -15,7 +16,11 @@ namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* compareFooter = R"(What the numbers mean:
+constexpr const char* compareFooter =
+    R"(Pictures are PNG or JPEG files, of 8 or 16 bits a channel, grey or in colour,
+or PFM (linear float32). Alpha is ignored.
+
+What the numbers mean:
   score    the course autograder's: each pixel is compared with the 3 x 3 pixels
            around it in the other picture, so an edge may be off by one pixel;
            100 - 1000 * mean / 255
@@ -45,7 +50,7 @@ struct CompareArguments {
     Thresholds thresholds;
 
     void addTo(CommandLine& line) {
-        line.text("A", a, "A picture: .png, or .pfm (linear float32)", Looks::Picture);
+        line.text("A", a, "A picture: PNG, JPEG or PFM", Looks::Picture);
         line.text("B", b, "A picture of the same size", Looks::Picture);
         line.text("--diff", diff,
                   "Write the difference as a picture: black where equal, 64 + 8 d where off by d",
@@ -97,6 +102,32 @@ void printText(const Comparison& c) {
           formatted("  %-20s %10d\n", "score", c.score));
 }
 
+std::string colorAt(const Picture& picture, const Comparison& c) {
+    const auto at = 3 * (static_cast<std::size_t>(c.worstY) * static_cast<std::size_t>(c.width) +
+                         static_cast<std::size_t>(c.worstX));
+    if (const auto* floats = std::get_if<FloatImage>(&picture)) {
+        const float* p = &floats->pixels[at];
+        return formatted("(%.6g, %.6g, %.6g)", static_cast<double>(p[0]), static_cast<double>(p[1]),
+                         static_cast<double>(p[2]));
+    }
+    const std::uint8_t* p = &std::get<ByteImage>(picture).pixels[at];
+    return formatted("(%d, %d, %d)", p[0], p[1], p[2]);
+}
+
+// The verdict in words, and what to do next.
+void printVerdict(const CompareArguments& arguments, const Picture& a, const Picture& b, const Comparison& c,
+                  bool same) {
+    if (c.maximum > 0)
+        print(formatted("at (%d, %d): ", c.worstX, c.worstY) + colorAt(a, c) + " in " +
+              printable(arguments.a) + ", " + colorAt(b, c) + " in " + printable(arguments.b) + "\n" +
+              formatted("why: raytracer explain SCENE.json %d %d %d --picture ", c.worstX, c.worstY,
+                        std::max(c.width, c.height)) +
+              printable(arguments.a) + "\n");
+    print(c.maximum == 0 ? "the pictures are equal\n"
+          : same         ? "the pictures are the same, within the limits given\n"
+                         : "the pictures are not the same\n");
+}
+
 int comparePictures(const CompareArguments& arguments) {
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
@@ -109,7 +140,10 @@ int comparePictures(const CompareArguments& arguments) {
     const bool same = within(comparison, arguments.thresholds);
     if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a), toBytes(b)));
     if (arguments.json) printJson(comparison, same);
-    else printText(comparison);
+    else {
+        printText(comparison);
+        printVerdict(arguments, a, b, comparison, same);
+    }
     return same ? 0 : 1;
 }
 

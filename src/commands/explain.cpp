@@ -1,38 +1,171 @@
-// raytracer explain SCENE X Y LONG_EDGE_PIXELS: the rays behind one pixel.
+// raytracer explain SCENE X Y LONG_EDGE_PIXELS: the rays behind one pixel; with --picture, what is wrong
+// there.
+#include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/explanation_text.h"
+#include "raytracer/grading/compare.h"
+#include "raytracer/grading/diagnosis.h"
 #include "raytracer/util/standard_streams.h"
+#include "raytracer/util/text.h"
 #include "render_arguments.h"
 
 namespace raytracer::commands {
 
 namespace {
 
-constexpr const char* explainFooter = R"(Prints the ray tree of a pixel, in the symbols of the assignment:
+constexpr const char* explainFooter =
+    R"(Prints what a pixel's colour is made of in one sentence, then its ray tree in
+the symbols of the assignment:
   K_R I_R + K_T I_T
     + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L)
 Options that change the picture change the explanation too.
 
-Exit status: 0, or 2 for a wrong command line or scene.
+With --picture, the picture is held against those that known mistakes make of
+the scene. A mistake is named where it explains at least 90 % of the wrong
+pixels. Exit status: 0 the picture is right; 1 it is not.
 
 Examples:
+  raytracer explain scenes/refraction.json --picture mine.png
   raytracer explain scenes/spheres_cylinder.json 300 200 600
   raytracer explain scenes/refraction.json 300 200 600 --max-recursion 1
   raytracer explain scenes/texture.json 10 590 600 --json)";
 
-int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
-    SceneDescription scene = arguments.load();
-    const RenderOptions options = arguments.prepare(scene);
-    if (x < 0 || y < 0 || x >= options.size.width || y >= options.size.height)
-        throw usageError("expected a pixel inside of the " + std::to_string(options.size.width) + " x " +
-                         std::to_string(options.size.height) + " picture, found " + std::to_string(x) + ", " +
-                         std::to_string(y));
-    const auto renderer = arguments.makeRenderer(scene);
-    const RayExplanation explanation = renderer->explain(options, x, y);
-    print(json ? explanationJson(explanation, scene) : explanationText(explanation, scene));
+struct ExplainArguments {
+    RenderArguments render;
+    std::optional<int> x, y, longEdge;
+    std::string picture;
+    int depth = 1000;
+    bool json = false;
+
+    void addTo(CommandLine& line) {
+        render.addTo(line);
+        line.number("X", x, {}, "The pixel's column; 0 is the left one");
+        line.number("Y", y, {}, "The pixel's row; 0 is the top one");
+        line.number("LONG_EDGE_PIXELS", longEdge, longEdgeRange, "Pixels along the longer side of the film");
+        line.text(
+            "--picture", picture,
+            "Say what is wrong with this picture of SCENE, and explain its worst pixel: then no X, Y and "
+            "LONG_EDGE_PIXELS, or those of another pixel");
+        line.number("--depth", depth, {0, 1000}, "Print rays up to so many reflections and refractions");
+        line.flag("--json", json, "Print the rays as JSON");
+        line.footer(explainFooter);
+    }
+};
+
+void requirePixel(const ImageSize& size, const PixelPlace& pixel) {
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height)
+        throw usageError("expected a pixel inside of the " + std::to_string(size.width) + " x " +
+                         std::to_string(size.height) + " picture, found " + std::to_string(pixel.x) + ", " +
+                         std::to_string(pixel.y));
+}
+
+using Bytes = std::uint8_t[3];
+
+const Bytes& bytesAt(const ByteImage& image, const PixelPlace& pixel) {
+    const auto number = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(image.width) +
+                        static_cast<std::size_t>(pixel.x);
+    return *reinterpret_cast<const Bytes*>(&image.pixels[3 * number]);
+}
+
+std::string inWords(const Bytes& bytes) { return formatted("(%d, %d, %d)", bytes[0], bytes[1], bytes[2]); }
+
+// Someone's picture of the scene.
+struct Suspect {
+    ByteImage image, right;
+    Diagnosis diagnosis;
+    Comparison comparison;
+};
+
+Suspect examine(ByteImage image, const std::string& name, const SceneDescription& scene,
+                const RenderOptions& options) {
+    if (image.width != options.size.width || image.height != options.size.height)
+        throw Error({name}, "expected a picture of the scene, " + std::to_string(options.size.width) + " x " +
+                                std::to_string(options.size.height) + ", found " +
+                                std::to_string(image.width) + " x " + std::to_string(image.height));
+    const MistakeNamer namer(scene, options);
+    Diagnosis diagnosis = namer.diagnose(image);
+    const Comparison comparison = compareImages(image, namer.right());
+    return {std::move(image), namer.right(), std::move(diagnosis), comparison};
+}
+
+std::string verdict(const Suspect& suspect) {
+    const Diagnosis& found = suspect.diagnosis;
+    if (found.wrong == 0) return "equals the right picture";
+    if (!found.mistakes.empty()) return found.sentence();
+    return "differs from the right picture in " + std::to_string(found.wrong) + " of " +
+           std::to_string(found.pixels) + " pixels, as no known mistake explains";
+}
+
+void printSuspect(const Suspect& suspect, const std::string& name, const PixelPlace& pixel,
+                  const std::vector<std::string>& missing) {
+    print(name + " " + verdict(suspect) + "\n");
+    for (const NamedMistake& mistake : suspect.diagnosis.mistakes)
+        if (!mistake.hint.empty()) print("  " + mistake.hint + "\n");
+    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + inWords(bytesAt(suspect.image, pixel)) + " in " +
+          name + ", " + inWords(bytesAt(suspect.right, pixel)) + " is right\n");
+    for (const std::string& term : missing) print("without " + term + " it would be as in " + name + "\n");
+}
+
+void writeSuspect(JsonWriter& json, const Suspect& suspect, const PixelPlace& pixel,
+                  const std::vector<std::string>& missing) {
+    const auto writeBytes = [&](const char* key, const Bytes& bytes) {
+        json.key(key).beginArray();
+        for (const std::uint8_t byte : bytes) json.value(static_cast<int>(byte));
+        json.endArray();
+    };
+    json.key("verdict").value(verdict(suspect));
+    json.key("mistakes").beginArray();
+    for (const NamedMistake& mistake : suspect.diagnosis.mistakes) {
+        json.beginObject();
+        json.key("what").value(mistake.what).key("explained").value(mistake.explained);
+        json.endObject();
+    }
+    json.endArray();
+    json.key("pixel").beginArray().value(pixel.x).value(pixel.y).endArray();
+    writeBytes("theirs", bytesAt(suspect.image, pixel));
+    json.key("without").beginArray();
+    for (const std::string& term : missing) json.value(term);
+    json.endArray();
+}
+
+int explainSuspect(ExplainArguments& arguments) {
+    RenderArguments& render = arguments.render;
+    const std::string& name = arguments.picture;
+    ByteImage image = toBytes(readPicture(name));
+    SceneDescription scene = render.load();
+    render.longEdge = arguments.longEdge.value_or(std::max(image.width, image.height));
+    const RenderOptions options = render.prepare(scene);
+    const Suspect suspect = examine(std::move(image), name, scene, options);
+    const PixelPlace pixel = arguments.x ? PixelPlace{*arguments.x, *arguments.y}
+                                         : PixelPlace{suspect.comparison.worstX, suspect.comparison.worstY};
+    requirePixel(options.size, pixel);
+    const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
+    const auto missing = missingTerms(tree, scene, bytesAt(suspect.image, pixel));
+    if (arguments.json) {
+        print(explanationJson(tree, scene,
+                              [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); }));
+        return suspect.diagnosis.wrong != 0;
+    }
+    printSuspect(suspect, name, pixel, missing);
+    print(explanationSentence(tree, scene) + "\n" + explanationText(tree, scene, arguments.depth));
+    return suspect.diagnosis.wrong != 0;
+}
+
+int explainPixel(ExplainArguments& arguments) {
+    RenderArguments& render = arguments.render;
+    render.longEdge = *arguments.longEdge;
+    const PixelPlace pixel{*arguments.x, *arguments.y};
+    SceneDescription scene = render.load();
+    const RenderOptions options = render.prepare(scene);
+    requirePixel(options.size, pixel);
+    const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
+    if (arguments.json) print(explanationJson(tree, scene));
+    else print(explanationSentence(tree, scene) + "\n" + explanationText(tree, scene, arguments.depth));
     return 0;
 }
 
@@ -40,20 +173,14 @@ int explainPixel(const RenderArguments& arguments, int x, int y, bool json) {
 
 int explain(int argc, char** argv) {
     CommandLine line("raytracer explain", "Shows the rays behind one pixel.");
-    RenderArguments arguments;
-    int x = 0, y = 0;
-    bool json = false;
+    ExplainArguments arguments;
     arguments.addTo(line);
-    line.number("X", x, {}, "The pixel's column; 0 is the left one");
-    line.number("Y", y, {}, "The pixel's row; 0 is the top one");
-    arguments.addLongEdgeTo(line);
-    line.flag("--json", json, "Print the rays as JSON");
+    line.spares("--picture", {"X", "Y", "LONG_EDGE_PIXELS"});
     line.lacks({"--pass", "--samples", "--adaptive", "--crop"},
                "explain follows the one ray through the pixel's centre");
-    line.footer(explainFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
-    arguments.check(line);
-    return explainPixel(arguments, x, y, json);
+    arguments.render.check(line);
+    return arguments.picture.empty() ? explainPixel(arguments) : explainSuspect(arguments);
 }
 
 }  // namespace raytracer::commands

@@ -82,9 +82,12 @@ void writeRay(JsonWriter& json, const RayExplanation& ray, const SceneDescriptio
 
 }  // namespace
 
-std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene) {
+std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene,
+                            const std::function<void(JsonWriter&)>& before) {
     JsonWriter json;
     json.beginObject();
+    if (before) before(json);
+    json.key("sentence").value(explanationSentence(explanation, scene));
     json.key("ray");
     writeRay(json, explanation, scene);
     writeVector(json, "clamped", glm::clamp(explanation.color, 0.0, 1.0));

@@ -33,7 +33,7 @@ const char* reasonText(TerminationReason reason) {
 // Writes lines, indented by the depth of the ray.
 class Writer {
   public:
-    explicit Writer(const SceneDescription& scene) : scene_(&scene) {}
+    Writer(const SceneDescription& scene, int depth) : scene_(&scene), deepest_(depth) {}
 
     void ray(const RayExplanation& ray, int depth) {
         line(depth, heading(ray));
@@ -135,7 +135,7 @@ class Writer {
             if (next.kind != kind) continue;
             line(depth, "  " + term + " = " + triple(factor) + " " + triple(next.color) + " = " +
                             triple(factor * next.color));
-            this->ray(next, depth + 1);
+            if (depth < deepest_) this->ray(next, depth + 1);
             return " + " + term;
         }
         line(depth, "  " + term + ": " + reasonText(reason));
@@ -143,6 +143,7 @@ class Writer {
     }
 
     const SceneDescription* scene_;
+    int deepest_;
     std::string text_;
 };
 
@@ -152,8 +153,8 @@ std::string faceName(ShapeType type, std::size_t primitive) {
     return visit(type, [&](auto kind) { return kind.faceName(primitive); });
 }
 
-std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene) {
-    Writer writer(scene);
+std::string explanationText(const RayExplanation& explanation, const SceneDescription& scene, int depth) {
+    Writer writer(scene, depth);
     writer.ray(explanation, 0);
     writer.line(0, "clamped " + triple(glm::clamp(explanation.color, 0.0, 1.0)) + ", bytes " +
                        bytes(explanation.color));

@@ -71,6 +71,7 @@ NUMBERS = {
         "LONG_EDGE_PIXELS": ("a whole number from 1 to 65536", ["1", "65536"]),
         "X": ("a whole number", ["0"]),
         "Y": ("a whole number", ["0"]),
+        "--depth": ("a whole number from 0 to 1000", ["0"]),
         "--max-recursion": ("a whole number from 0 to 1000", ["0"]),
         "--cutoff": ("a number not below 0", ["0"]),
         "--threads": ("a whole number from 0 to 4096", ["0"]),

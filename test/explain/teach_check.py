@@ -100,6 +100,32 @@ def check_doubling(folder):
     check("doubling: --cutoff", (0, []), run(folder, "scene.json", out, 8, "--max-recursion", 1000, *crop, "--cutoff", 0.2)[:2])
 
 
+def check_pictures(folder):
+    """A picture of the scene: its verdict, its worst pixel, and the exit status."""
+    scene = pathlib.Path("scenes/spheres_cylinder.json").resolve()
+    out = pathlib.Path(folder, "mine.png")
+    run(folder, scene, out, 60, "--only", "ambient,diffuse,specular,reflections,refraction,textures", "--quiet")
+    status, _, text = run(folder, "explain", scene, "--picture", "mine.png", "--depth", 0)
+    lines = text.split("\n")
+    check("no shadows: status", 1, status)
+    check("no shadows: verdict", "mine.png equals the picture without shadows (0 of 3600 pixels differ; 558 differ from the right "
+          "one)", lines[0])
+    check("no shadows: hint", "  Is a ray cast from the surface to the light, and S_L 0 where it hits?", lines[1])
+    found = re.fullmatch(r"pixel \((\d+), (\d+)\): \((.*)\) in mine.png, \((.*)\) is right", lines[2])
+    check("no shadows: pixel", True, found is not None)
+    check("no shadows: term", "without any shadow it would be as in mine.png", lines[3])
+    check("no shadows: depth", 1, text.count(" ray, max_recursion"))
+    answer = json.loads(run(folder, "explain", scene, "--picture", "mine.png", "--json")[2])
+    check("as JSON", ["without shadows"], [mistake["what"] for mistake in answer["mistakes"]])
+    check("as JSON: bytes", [found[3], found[4]], [", ".join(map(str, answer[key])) for key in ("theirs", "bytes")])
+    run(folder, scene, out, 60, "--quiet")
+    check("right", (0, "mine.png equals the right picture"), (lambda done: (done[0], done[2].split("\n")[0]))(
+        run(folder, "explain", scene, "--picture", "mine.png", "--quiet")))
+    run(folder, scene, out, 60, "--crop", "0,0,60,50", "--quiet")
+    wrong = subprocess.run([RAYTRACER, "explain", scene, "--picture", out], capture_output=True, text=True)
+    check("size", (2, f"{out}: expected a picture of the scene, 60 x 60, found 60 x 50\n"), (wrong.returncode, wrong.stderr))
+
+
 def check_explanations():
     """The JSON of some pixels of every scene: its bytes are the text's."""
     for scene in sorted(pathlib.Path("scenes").glob("*.json")):
@@ -112,12 +138,17 @@ def check_explanations():
             check(f"{scene} {place}", text.rsplit("bytes ", 1)[1].strip(), str(tuple(explanation["bytes"])))
     for refused in (["--pass", "normals"], ["--samples", "2"]):
         check(f"explain {refused}", 2, run(".", "explain", "scenes/texture.json", 1, 1, 40, *refused)[0])
+    for arguments in ([1, 1], ["--picture", "a.png", 1, 1]):
+        done = subprocess.run([RAYTRACER, "explain", "scenes/texture.json", *map(str, arguments)], capture_output=True, text=True)
+        check(f"explain {arguments}", (2, "raytracer explain: LONG_EDGE_PIXELS is missing; the order is SCENE X Y "
+                                       "LONG_EDGE_PIXELS (see --help)\n"), (done.returncode, done.stderr))
     check("explain outside", 2, run(".", "explain", "scenes/texture.json", 40, 1, 40)[0])
 
 
 with tempfile.TemporaryDirectory() as temporary:
     check_all_advice(temporary)
     check_doubling(temporary)
+    check_pictures(temporary)
 check_explanations()
 print("\n".join(failures) or "as it should be")
 sys.exit(1 if failures else 0)

@@ -278,6 +278,12 @@ TEST_CASE("the text, in whole") {
     scene.add("lid", Type::Plane, {0, 0, 1}, glm::dvec3(1));
     scene.camera.focal_length = 0.5;
     SECTION("straight into the glass") {
+        CHECK(explanationSentence(scene.explain(0, 0, 1, 1), scene) ==
+              "cylinder \"pane\", lit by the light: 56 % of the red is what is seen through it, 30 % ambient "
+              "light, "
+              "14 % diffuse light");
+        CHECK(explanationText(scene.explain(0, 0, 1, 1), scene, 0).find("refracted ray") ==
+              std::string::npos);
         CHECK(explanationText(scene.explain(0, 0, 1, 1), scene) == R"(primary ray, max_recursion 1
   origin (0, 0, 0), direction (0, 0, -0.5)
   hits /shapes/1 (cylinder, transform "pane", material "glass"), top, from outside
@@ -311,6 +317,15 @@ clamped (0.84487461, 0, 0), bytes (215, 0, 0)
         scene.camera.look = {0, -1, 0};
         scene.camera.up = {0, 0, -1};
         scene.camera.eye = {0, -2, -2.5};
+        const RayExplanation seen = scene.explain(0, 0, 1, 1);
+        CHECK(explanationSentence(seen, scene) ==
+              "cube \"floor\", lit through the cylinder \"pane\" by the light: 40 % of the red is diffuse "
+              "light, 38 % "
+              "specular light, 21 % ambient light");
+        CHECK(missingTerms(seen, scene, {233, 57, 28}) == std::vector<std::string>{"its ambient light"});
+        CHECK(missingTerms(seen, scene, {255, 113, 113}) ==
+              std::vector<std::string>{"the shadow from light 0"});
+        CHECK(missingTerms(seen, scene, {1, 2, 3}).empty());
         CHECK(explanationText(scene.explain(0, 0, 1, 1), scene) == R"(primary ray, max_recursion 1
   origin (0, -2, -2.5), direction (0, -0.5, 0)
   hits /shapes/0 (cube, transform "floor", material "mirror"), y = 1, from outside
@@ -332,6 +347,7 @@ clamped (1, 0.221719457, 0.110859729), bytes (255, 57, 28)
     }
     SECTION("past everything") {
         scene.camera.look = {1, 0, 0};
+        CHECK(explanationSentence(scene.explainCentre(), scene) == "nothing is hit: black");
         CHECK(explanationText(scene.explainCentre(), scene) == R"(primary ray, max_recursion 3
   origin (0, 0, 0), direction (0.5, 0, 0)
   hits nothing: I = (0, 0, 0)

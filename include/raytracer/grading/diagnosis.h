@@ -1,0 +1,58 @@
+// What is wrong with a picture: it is held against the pictures that known mistakes make of the same scene.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "raytracer/pictures/image.h"
+#include "raytracer/scene/scene_description.h"
+#include "raytracer/tracer/render_options.h"
+
+namespace raytracer {
+
+// One or two mistakes that explain a picture.
+struct NamedMistake {
+    std::string what;        // follows "the picture": "without specular light"
+    std::string hint;        // what the author may look at: one sentence, or empty
+    double explained = 0;    // the share of the wrong pixels that have the bytes which the mistake makes
+    std::size_t looked = 0;  // pixels that the share was measured on
+    std::optional<std::uint64_t>
+        off;  // of the whole picture, where looked at: those that differ all the same
+};
+
+struct Diagnosis {
+    std::uint64_t pixels = 0, wrong = 0;  // of the picture; wrong: different from the right one
+    std::vector<NamedMistake> mistakes;   // at most three, which explain the picture equally well
+
+    // "without specular light", or "A, or B"; empty without a name.
+    std::string names() const;
+    // "equals the picture without specular light (0 of 360000 pixels differ; 41022 differ from the
+    // reference)", or "93 % of the wrong pixels are explained by the picture ..."; empty without a name.
+    std::string sentence() const;
+};
+
+// Of one scene, with the options of its right picture. The pictures of mistakes are made when they are first
+// needed, and their scenes kept for the pictures to come.
+class MistakeNamer {
+  public:
+    // `options` as for a render of the whole picture; samples and adaptive are ignored.
+    MistakeNamer(const SceneDescription& scene, const RenderOptions& options);
+    ~MistakeNamer();
+    MistakeNamer(const MistakeNamer&) = delete;
+    MistakeNamer& operator=(const MistakeNamer&) = delete;
+
+    const ByteImage& right() const;
+
+    // Names nothing where the picture is right but for roundings, and where nothing explains nearly all of
+    // it: a wrong name is worse than none. Throws Error if the sizes differ.
+    Diagnosis diagnose(const ByteImage& picture) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,187 @@
+// Mistakes of transforms and of the camera: edits of the scene's description too.
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mistake.h"
+
+namespace raytracer {
+
+namespace {
+
+glm::dmat4 part(const TransformDescription& transform, char which) {
+    const glm::dmat4 unit(1);
+    if (which == 't' && transform.translate) return glm::translate(unit, *transform.translate);
+    if (which == 's' && transform.scale) return glm::scale(unit, *transform.scale);
+    if (which == 'r' && transform.rotate)
+        return glm::rotate(unit, glm::radians(transform.rotate->degrees), transform.rotate->axis);
+    return unit;
+}
+
+// The product of the parts in this order, then the matrix.
+void reorder(TransformDescription& transform, const std::array<char, 3>& order) {
+    glm::dmat4 product = part(transform, order[0]) * part(transform, order[1]) * part(transform, order[2]);
+    if (transform.matrix) product *= *transform.matrix;
+    transform.matrix = product;
+    transform.translate.reset();
+    transform.rotate = {};
+    transform.scale.reset();
+}
+
+const char* wordOf(char part) { return part == 't' ? "translate" : part == 'r' ? "rotate" : "scale"; }
+
+std::function<void(SceneDescription&, RenderOptions&)> ofTransforms(
+    std::function<void(TransformDescription&)> change) {
+    return [=](SceneDescription& scene, RenderOptions&) {
+        for (TransformDescription& transform : scene.transforms) change(transform);
+    };
+}
+
+void turnBy(TransformDescription& transform, double (*degrees)(double)) {
+    if (transform.rotate) transform.rotate->degrees = degrees(transform.rotate->degrees);
+}
+
+// The camera is edited so that what it sees is the picture moved over its pixels.
+using CameraEdit = void (*)(CameraDescription& camera, const ImageSize& size);
+
+void flipLeftRight(CameraDescription& camera, const ImageSize&) {
+    std::swap(camera.film_left, camera.film_right);
+}
+
+void flipUpDown(CameraDescription& camera, const ImageSize&) {
+    std::swap(camera.film_bottom, camera.film_top);
+}
+
+void turnUpsideDown(CameraDescription& camera, const ImageSize& size) {
+    flipLeftRight(camera, size);
+    flipUpDown(camera, size);
+}
+
+void lookBack(CameraDescription& camera, const ImageSize&) {
+    if (camera.type == CameraDescription::Type::Perspective) {
+        camera.focal_length = -camera.focal_length;
+    } else {  // the film's u stays as it is
+        camera.look = -camera.look;
+        camera.film_left = -camera.film_left;
+        camera.film_right = -camera.film_right;
+    }
+}
+
+// The picture, turned clockwise: what was to the left is above. u = up x -look.
+void turnClockwise(CameraDescription& camera, const ImageSize&) {
+    camera.up = -glm::cross(camera.up, -camera.look);
+    const CameraDescription before = camera;
+    camera.film_left = before.film_bottom;
+    camera.film_right = before.film_top;
+    camera.film_bottom = -before.film_right;
+    camera.film_top = -before.film_left;
+}
+
+void turnCounterclockwise(CameraDescription& camera, const ImageSize& size) {
+    turnClockwise(camera, size);
+    turnUpsideDown(camera, size);
+}
+
+void transpose(CameraDescription& camera, const ImageSize& size) {
+    turnClockwise(camera, size);
+    flipLeftRight(camera, size);
+}
+
+void moveFilm(CameraDescription& camera, const ImageSize& size, double x, double y) {
+    const double right = x * (camera.film_right - camera.film_left) / size.width;
+    const double up = y * (camera.film_top - camera.film_bottom) / size.height;
+    camera.film_left += right;
+    camera.film_right += right;
+    camera.film_bottom += up;
+    camera.film_top += up;
+}
+
+void throughTopLeft(CameraDescription& camera, const ImageSize& size) { moveFilm(camera, size, -0.5, 0.5); }
+void throughBottomLeft(CameraDescription& camera, const ImageSize& size) {
+    moveFilm(camera, size, -0.5, -0.5);
+}
+void throughBottomRight(CameraDescription& camera, const ImageSize& size) {
+    moveFilm(camera, size, 0.5, -0.5);
+}
+
+// The first and the last pixel of a row look through the film's edges.
+void edgeToEdge(CameraDescription& camera, const ImageSize& size) {
+    const auto widen = [](double& low, double& high, int pixels) {
+        const double more = (high - low) / (pixels - 1) / 2;
+        low -= more;
+        high += more;
+    };
+    widen(camera.film_left, camera.film_right, size.width);
+    widen(camera.film_bottom, camera.film_top, size.height);
+}
+
+// A square picture is needed to turn it, and a camera whose vectors are those of a rotation.
+bool canTurn(const CameraDescription& camera, const ImageSize& size) {
+    constexpr double threeDecimals = 2e-3;  // of vectors written so, as in scene_advice.cpp
+    const auto near = [](double value, double expected) {
+        return std::abs(value - expected) < threeDecimals;
+    };
+    return size.width == size.height && near(glm::length(camera.up), 1) &&
+           near(glm::length(camera.look), 1) && near(glm::dot(camera.up, camera.look), 0);
+}
+
+}  // namespace
+
+void addTransformMistakes(std::vector<Mistake>& mistakes) {
+    mistakes.push_back({"whose rotations take degrees as radians",
+                        "Is glm::radians(degrees) passed to glm::rotate?", "rotation",
+                        ofTransforms([](TransformDescription& transform) {
+                            turnBy(transform, [](double degrees) { return glm::degrees(degrees); });
+                        })});
+    mistakes.push_back({"whose rotations go in the other sense",
+                        "A positive angle is counter-clockwise around the axis.", "rotation",
+                        ofTransforms([](TransformDescription& transform) {
+                            turnBy(transform, [](double degrees) { return -degrees; });
+                        })});
+    mistakes.push_back({"without rotations", "Is rotate read?", "rotation",
+                        ofTransforms([](TransformDescription& transform) { transform.rotate = {}; })});
+    mistakes.push_back({"without scales", "Is scale read?", "scale",
+                        ofTransforms([](TransformDescription& transform) { transform.scale.reset(); })});
+    mistakes.push_back({"without translations", "Is translate read?", "translation",
+                        ofTransforms([](TransformDescription& transform) { transform.translate.reset(); })});
+    // Last of the edits, as it leaves a matrix alone.
+    constexpr std::array<char, 3> orders[] = {
+        {'t', 's', 'r'}, {'s', 'r', 't'}, {'r', 's', 't'}, {'r', 't', 's'}, {'s', 't', 'r'}};
+    for (const auto& order : orders)
+        mistakes.push_back(
+            {std::string("whose transforms are ") + wordOf(order[0]) + " * " + wordOf(order[1]) + " * " +
+                 wordOf(order[2]),
+             "The transform is translate * rotate * scale: a point is scaled first.", "order",
+             ofTransforms([=](TransformDescription& transform) { reorder(transform, order); })});
+}
+
+void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
+                       const RenderOptions& options) {
+    const auto add = [&](const char* what, const char* hint, CameraEdit edit) {
+        mistakes.push_back({what, hint, "camera", [edit](SceneDescription& edited, RenderOptions& to) {
+                                edit(edited.camera, to.size);
+                            }});
+    };
+    add("flipped up and down", "Row 0 of the picture is its top: v = top there.", flipUpDown);
+    add("flipped left and right", "u = up x -look, and grows to the right.", flipLeftRight);
+    add("turned by 180 degrees", "Is the film mirrored, as behind a pinhole?", turnUpsideDown);
+    add("that looks back", "The ray goes along u U + v V - d W, with W = -look.", lookBack);
+    const char* const middle = "A pixel's ray goes through its centre: x + 0.5, y + 0.5.";
+    add("whose rays go through the pixels' top left corners", middle, throughTopLeft);
+    add("whose rays go through the pixels' bottom left corners", middle, throughBottomLeft);
+    add("whose rays go through the pixels' bottom right corners", middle, throughBottomRight);
+    if (options.size.width > 1 && options.size.height > 1)
+        add("whose rays go from edge to edge of the film", "A pixel's width is (right - left) / width.",
+            edgeToEdge);
+    if (!canTurn(scene.camera, options.size)) return;
+    const char* const turned = "Are x and y, or width and height, exchanged?";
+    add("turned clockwise by 90 degrees", turned, turnClockwise);
+    add("turned counter-clockwise by 90 degrees", turned, turnCounterclockwise);
+    add("with rows and columns exchanged", turned, transpose);
+}
+
+}  // namespace raytracer

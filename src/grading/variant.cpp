@@ -1,0 +1,109 @@
+#include "variant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "raytracer/pictures/color_sink.h"
+
+namespace raytracer {
+
+RenderedScene::RenderedScene(SceneDescription scene, const RenderOptions& options)
+    : scene_(std::move(scene)),
+      options_(options),
+      renderer_(makeRenderer(scene_, Precision::Double, {.threads = 1})) {
+    options_.threads = 1;
+}
+
+RayExplanation RenderedScene::explain(const PixelPlace& pixel) const {
+    return renderer_->explain(options_, pixel.x, pixel.y);
+}
+
+RayExplanation RenderedScene::cast(const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion) {
+    if (!castScene_) castScene_ = scene_;
+    const glm::dvec3 apart = std::abs(direction.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    castScene_->camera = {
+        .eye = origin, .look = direction, .up = glm::normalize(glm::cross(direction, apart))};
+    RenderOptions options = options_;
+    options.max_recursion = max_recursion;
+    options.size = {1, 1};
+    options.crop = {0, 0, 1, 1};
+    return makeRenderer(*castScene_, Precision::Double, {.threads = 1})->explain(options, 0, 0);
+}
+
+Variant::Variant(std::vector<const Mistake*> mistakes, std::shared_ptr<RenderedScene> right)
+    : mistakes_(std::move(mistakes)), right_(std::move(right)) {
+    for (const Mistake* mistake : mistakes_)
+        if (mistake->formula) mistake->formula(formula_);
+}
+
+Variant::Variant(Variant& a, Variant& b) : Variant({a.mistakes_[0], b.mistakes_[0]}, a.right_) {
+    if (!(a.edits() && b.edits())) made_ = a.edits() ? a.madeScene() : b.madeScene();
+}
+
+bool Variant::edits() const {
+    return std::ranges::any_of(mistakes_, [](const Mistake* mistake) { return bool(mistake->edit); });
+}
+
+bool Variant::isOfTrees() const {
+    return std::ranges::any_of(mistakes_, [](const Mistake* mistake) { return bool(mistake->formula); });
+}
+
+const std::shared_ptr<RenderedScene>& Variant::madeScene() {
+    if (made_) return made_;
+    if (!edits()) return made_ = right_;
+    SceneDescription scene = right_->scene();
+    RenderOptions options = right_->options();
+    for (const Mistake* mistake : mistakes_)
+        if (mistake->edit) mistake->edit(scene, options);
+    return made_ = std::make_shared<RenderedScene>(std::move(scene), options);
+}
+
+Rgb Variant::toBytes(glm::dvec3 color) const {
+    ToByte toByte = raytracer::toByte;
+    for (const Mistake* mistake : mistakes_) {
+        if (mistake->color) color = mistake->color(color);
+        if (mistake->toByte) toByte = mistake->toByte;
+    }
+    return {toByte(color.x), toByte(color.y), toByte(color.z)};
+}
+
+std::vector<std::optional<Rgb>> Variant::bytes(const Pixels& pixels, Trees& rightTrees) {
+    RenderedScene& scene = *madeScene();
+    std::vector<std::optional<Rgb>> result(pixels.size());
+    if (!isOfTrees()) {
+        std::vector<glm::dvec2> points;
+        for (const PixelPlace& pixel : pixels) points.emplace_back(pixel.x + 0.5, pixel.y + 0.5);
+        std::vector<glm::dvec3> colors(points.size());
+        scene.renderer().renderPoints(scene.options(), points, colors);
+        std::ranges::transform(colors, result.begin(),
+                               [&](const glm::dvec3& color) { return toBytes(color); });
+        return result;
+    }
+    Trees own;
+    Trees& trees = made_ == right_ ? rightTrees : own;
+    if (trees.empty())
+        for (const PixelPlace& pixel : pixels) trees.push_back(scene.explain(pixel));
+    const CastRay cast = [&](const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion) {
+        return scene.cast(origin, direction, max_recursion);
+    };
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto color = colorAnew(scene.scene(), trees[i], formula_, cast);
+        if (color) result[i] = toBytes(*color);
+    }
+    return result;
+}
+
+ByteImage Variant::picture() {
+    const RenderedScene& scene = *madeScene();
+    ColorSink sink(scene.options().crop);
+    scene.renderer().render(scene.options(), sink);
+    ByteImage image{scene.options().size.width, scene.options().size.height, {}};
+    image.pixels.reserve(3 * sink.colors().size());
+    for (const glm::dvec3& color : sink.colors())
+        for (const std::uint8_t byte : toBytes(color)) image.pixels.push_back(byte);
+    return image;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,63 @@
+// A scene as one or two mistakes have it, and its pixels.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mistake.h"
+#include "raytracer/pictures/image.h"
+#include "raytracer/tracer/renderer.h"
+
+namespace raytracer {
+
+// A scene with its renderer.
+class RenderedScene {
+  public:
+    RenderedScene(SceneDescription scene, const RenderOptions& options);
+
+    const SceneDescription& scene() const { return scene_; }
+    const RenderOptions& options() const { return options_; }
+    const Renderer& renderer() const { return *renderer_; }
+
+    RayExplanation explain(const PixelPlace& pixel) const;
+    // Any ray: the one through the only pixel of a camera that stands there. Builds the scene anew.
+    RayExplanation cast(const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion);
+
+  private:
+    SceneDescription scene_;
+    RenderOptions options_;
+    std::unique_ptr<Renderer> renderer_;
+    std::optional<SceneDescription> castScene_;  // scene_, of which the camera moves
+};
+
+using Pixels = std::vector<PixelPlace>;
+using Trees = std::vector<RayExplanation>;
+
+class Variant {
+  public:
+    // `right` is the scene without a mistake.
+    Variant(std::vector<const Mistake*> mistakes, std::shared_ptr<RenderedScene> right);
+    Variant(Variant& a, Variant& b);  // both mistakes
+
+    std::span<const Mistake* const> mistakes() const { return mistakes_; }
+    bool edits() const;      // the scene, which is then built anew
+    bool isOfTrees() const;  // made anew from ray trees, at a hundred times the cost
+
+    // The pixels' bytes; nothing where a ray tree does not tell. `rightTrees` are those of the scene without
+    // a mistake, made here where they are empty and needed.
+    std::vector<std::optional<Rgb>> bytes(const Pixels& pixels, Trees& rightTrees);
+
+    ByteImage picture();  // not isOfTrees
+
+  private:
+    const std::shared_ptr<RenderedScene>& madeScene();
+    Rgb toBytes(glm::dvec3 color) const;
+
+    std::vector<const Mistake*> mistakes_;
+    std::shared_ptr<RenderedScene> right_, made_;
+    Formula formula_;
+};
+
+}  // namespace raytracer
