@@ -27,7 +27,10 @@ Options that change the picture change the explanation too.
 
 With --picture, the picture is held against those that known mistakes make of
 the scene. A mistake is named where it explains at least 90 % of the wrong
-pixels. Exit status: 0 the picture is right; 1 it is not.
+pixels.
+
+Exit status: 0; 1 where the picture is not right; 2 for a wrong command line,
+scene or picture.
 
 Examples:
   raytracer explain scenes/refraction.json --picture mine.png
