@@ -27,6 +27,7 @@ std::string pictureOptions(const RenderArguments& arguments, const RenderOptions
     add("pass " + arguments.pass);
     if (!arguments.only.empty()) add("only " + arguments.only);
     if (arguments.opaque) add("opaque");
+    for (const std::string& set : arguments.sets) add("set " + set);
     return text;
 }
 

@@ -1,10 +1,12 @@
 // raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS: the picture of a scene.
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "arguments.h"
+#include "frames.h"
 #include "picture_part.h"
 #include "raytracer/accuracy/ray_growth.h"
 #include "raytracer/commands/commands.h"
@@ -46,6 +48,9 @@ Examples:
   # linear float32, and what it cost
   raytracer scenes/refraction.json out.pfm 600 --stats
   raytracer scenes/texture.json - 300 | display
+  # eight frames of a light that moves from left to right
+  raytracer scene.json film-%04d.png 600 --frames 1..8 \
+    --set "/lights/0/position=[{-5..5},4,3]"
   # half of it here, the other half (2/2) on another machine
   raytracer scenes/texture.json out.png 8000 --part 1/2)";
 
@@ -56,6 +61,7 @@ struct PictureArguments {
     std::optional<double> targetError, targetTime;
     std::string part;  // K/N; empty: the whole picture
     bool skipExisting = false;
+    std::string frames;   // A..B; empty: one picture
     std::string command;  // without --target-time
 
     bool isPfm() const { return endsIn(out, ".pfm"); }
@@ -181,6 +187,12 @@ void warnOfExcess(const RenderArguments& arguments, const SceneDescription& scen
                   options.max_recursion, *rays));
 }
 
+// With the exit status.
+int tellSkipped(const RenderArguments& arguments, const PictureArguments& wanted) {
+    if (!arguments.quiet) tell(wanted.file() + ": skipped, it is there");
+    return 0;
+}
+
 int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted) {
     OutputFile out = openOutput(wanted);
     Timings timings;
@@ -189,6 +201,8 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     SceneDescription description = arguments.load(&files);
     timings.load = watch.lap();
     RenderOptions options = arguments.prepare(description);
+    if (wanted.skipExisting && !wanted.isPart() && isNewPicture(wanted.out, options.crop, files))
+        return tellSkipped(arguments, wanted);
     requirePictureFits(wanted.out, options.crop, wanted.isPfm());
     const auto renderer = arguments.makeRenderer(description);
     timings.build = watch.lap();
@@ -200,6 +214,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
         picture.part = partHead(arguments, options, parsePart(wanted.part), files);
         picture.part.isFloat = wanted.isPfm();
         picture.part.isReached = !picture.choice || picture.choice->reached;
+        if (wanted.skipExisting && isPart(wanted.file(), picture.part)) return tellSkipped(arguments, wanted);
     }
     if (wanted.isPfm()) renderTo<FloatSink>(picture, out, pfmWriter(out, options.crop));
     else renderTo<ByteSink>(picture, out, pngWriter(out, options.crop, arguments.threads));
@@ -208,6 +223,20 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     if (!arguments.quiet && terminalColumns() > 0) tellDone(wanted.file(), options.crop, timings);
     const bool isJudged = picture.choice && !wanted.isPart();  // a part's picture is judged by assemble
     return isJudged && !picture.choice->reached ? 1 : 0;
+}
+
+// Each frame with its own values of --set and its own name. The worst exit status.
+int renderFrames(const RenderArguments& arguments, const PictureArguments& wanted) {
+    const Frames frames = parseFrames(wanted.frames);
+    int status = 0;
+    for (int frame = frames.first; frame <= frames.last; ++frame) {
+        RenderArguments inFrame = arguments;
+        for (std::string& set : inFrame.sets) set = atFrame(set, frames, frame);
+        PictureArguments picture = wanted;
+        picture.out = frameName(wanted.out, frame);
+        status = std::max(status, renderPicture(inFrame, picture));
+    }
+    return status;
 }
 
 }  // namespace
@@ -237,13 +266,24 @@ int render(int argc, char** argv) {
               "Render the K-th of N parts of the picture, K/N, into the file IMAGE_OUT.part-K-of-N, for "
               "raytracer assemble; all parts take about the same time");
     line.exclude("--part", {"--target-time"});
+    line.text(
+        "--frames", wanted.frames,
+        "Render frames A..B; IMAGE_OUT has one %04d, for their number. In a --set, {a..b} is a number that "
+        "runs from a at frame A to b at the one after B");
+    line.flag(
+        "--skip-existing", wanted.skipExisting,
+        "Keep a picture that is whole, of this size, and newer than the scene and all files that it names "
+        "(of other options nothing is known); and a part that is whole and right");
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.footer(renderFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
     arguments.check(line);
     if (wanted.isPart()) parsePart(wanted.part);
+    if (wanted.skipExisting && wanted.out == "-")
+        throw usageError("--skip-existing has no effect with the picture -");
+    if (wanted.frames.empty()) refuseRanges(arguments.sets);
     wanted.command = without("--target-time", {argv, static_cast<std::size_t>(argc)});
-    return renderPicture(arguments, wanted);
+    return wanted.frames.empty() ? renderPicture(arguments, wanted) : renderFrames(arguments, wanted);
 }
 
 }  // namespace raytracer::commands

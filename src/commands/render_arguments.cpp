@@ -7,6 +7,7 @@
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/explain/scene_advice.h"
 #include "raytracer/json/json_document.h"
+#include "raytracer/json/json_edit.h"
 #include "raytracer/json/nearest_name.h"
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/number.h"
@@ -67,6 +68,10 @@ PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
 
 void RenderArguments::addTo(CommandLine& line) {
     line.text("SCENE", scene, "The scene: a JSON file", Looks::Scene);
+    line.texts(
+        "--set", sets,
+        "Another value in the scene, before it is read: /camera/eye=[0,1,5], a JSON pointer and JSON; may "
+        "be repeated");
     line.number("--max-recursion", max_recursion, {0, 1000},
                 "How many times a ray is reflected or refracted");
     line.text("--only", only,
@@ -102,6 +107,7 @@ void RenderArguments::addPictureTo(CommandLine& line) {
 
 void RenderArguments::check(const CommandLine& line) const {
     terms();
+    for (const std::string& set : sets) JsonEdit{set};
     const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> options) {
         for (const char* option : options)
             if (line.given(option)) throw usageError(option + (" has no effect with " + cause));
@@ -140,7 +146,7 @@ void RenderArguments::warn(const std::string& warning) const {
 }
 
 SceneDescription RenderArguments::load(std::vector<std::string>* files) const {
-    LoadedScene loaded = loadScene(scene, strict);
+    LoadedScene loaded = loadScene(scene, strict, sets);
     if (files) *files = std::move(loaded.files);
     if (!warns()) return std::move(loaded.description);
     if (!quiet)

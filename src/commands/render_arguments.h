@@ -13,6 +13,7 @@ namespace raytracer::commands {
 
 struct RenderArguments {
     std::string scene;
+    std::vector<std::string> sets;  // edits of the scene, "/pointer=value"
     int longEdge = 0;
     int max_recursion = 3;
     std::string only;  // comma-separated terms; empty: all

@@ -12,6 +12,7 @@
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
+#include "whole_picture.h"
 
 namespace raytracer {
 namespace {
@@ -147,6 +148,13 @@ Texture decode(const FileBytes& file) {
 }
 
 }  // namespace
+
+ImageSize sizeOfWholePng(const FileBytes& file) {
+    const auto size = sizeInHeader(file);
+    if (!size || !file.text().starts_with(pngSignature)) file.fail("not a PNG picture");
+    readChunks(file);
+    return *size;
+}
 
 Texture readTexture(const std::string& path) { return decode(FileBytes(path, FileKind::Regular)); }
 

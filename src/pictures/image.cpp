@@ -16,6 +16,7 @@
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/number.h"
+#include "whole_picture.h"
 
 namespace raytracer {
 namespace {
@@ -74,10 +75,15 @@ float swapBytes(float value) {
     return std::bit_cast<float>(bytes);
 }
 
-FloatImage decodePfm(const FileBytes& file) {
+PfmHeader readWholePfm(const FileBytes& file) {
     const PfmHeader header = readPfmHeader(file);
     if (header.rows.size() < pixelBytes(header))
         file.fail("broken PFM picture: it ends before its last pixel");
+    return header;
+}
+
+FloatImage decodePfm(const FileBytes& file) {
+    const PfmHeader header = readWholePfm(file);
     FloatImage image{header.width, header.height, std::vector<float>(pixelBytes(header) / sizeof(float))};
     const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
     const char* row = header.rows.data() + pixelBytes(header);
@@ -98,6 +104,11 @@ bool fitsPng(int width, int height) {
 }
 
 }  // namespace
+
+ImageSize sizeOfWholePfm(const FileBytes& file) {
+    const PfmHeader header = readWholePfm(file);
+    return {header.width, header.height};
+}
 
 FloatImage readPfm(const std::string& path) { return decodePfm(FileBytes(path)); }
 

@@ -15,10 +15,13 @@
 namespace raytracer {
 namespace {
 
-constexpr double mostOfStb = 1 << 25;  // pixels
-
 std::span<const char> asChars(const void* data, std::size_t size) {
     return {static_cast<const char*>(data), size};
+}
+
+// For libdeflate, no data is the beginning.
+std::uint32_t crcWith(std::uint32_t crc, std::span<const char> next) {
+    return next.empty() ? crc : libdeflate_crc32(crc, next.data(), next.size());
 }
 
 template <class Image>
@@ -45,8 +48,8 @@ class StbPngWriter final : public PictureWriter<ByteImage> {
 // A PNG with a chunk of pixels for each band (PNG specification, 11.2.4).
 class BandedPngWriter final : public PictureWriter<ByteImage> {
   public:
-    BandedPngWriter(OutputFile& file, const PixelRectangle& crop, int threads)
-        : PictureWriter(bandsOf(crop, bandPixels)),
+    BandedPngWriter(OutputFile& file, const PixelRectangle& crop, int threads, const WriterLimits& limits)
+        : PictureWriter(bandsOf(crop, limits.ofBand)),
           file_(file),
           threads_(threads),
           width_(crop.width()),
@@ -96,13 +99,13 @@ class BandedPngWriter final : public PictureWriter<ByteImage> {
     }
 
     void appendChunk(std::string_view type, const Bytes& data) {
+        const std::span<const char> content = asChars(data.data(), data.size());
         Bytes size, crc;
         appendBigEndian(size, static_cast<std::uint32_t>(data.size()));
-        appendBigEndian(
-            crc, libdeflate_crc32(libdeflate_crc32(0, type.data(), type.size()), data.data(), data.size()));
+        appendBigEndian(crc, crcWith(crcWith(0, type), content));
         file_.append(asChars(size.data(), size.size()));
         file_.append(type);
-        file_.append(asChars(data.data(), data.size()));
+        file_.append(content);
         file_.append(asChars(crc.data(), crc.size()));
     }
 
@@ -116,7 +119,8 @@ class BandedPngWriter final : public PictureWriter<ByteImage> {
 
 class PfmWriter final : public PictureWriter<FloatImage> {
   public:
-    PfmWriter(OutputFile& file, const PixelRectangle& crop) : PictureWriter(upwards(crop)), file_(file) {
+    PfmWriter(OutputFile& file, const PixelRectangle& crop, const WriterLimits& limits)
+        : PictureWriter(upwards(crop, limits)), file_(file) {
         const char* const scale = std::endian::native == std::endian::little ? "-1.0" : "1.0";
         beginning_ =
             "PF\n" + std::to_string(crop.width()) + ' ' + std::to_string(crop.height()) + '\n' + scale + '\n';
@@ -128,8 +132,8 @@ class PfmWriter final : public PictureWriter<FloatImage> {
     void finish() override { file_.finish(); }
 
   private:
-    static std::vector<PixelRectangle> upwards(const PixelRectangle& crop) {
-        std::vector<PixelRectangle> bands = bandsOf(crop, bandPixels);
+    static std::vector<PixelRectangle> upwards(const PixelRectangle& crop, const WriterLimits& limits) {
+        std::vector<PixelRectangle> bands = bandsOf(crop, limits.ofBand);
         std::ranges::reverse(bands);
         return bands;
     }
@@ -141,8 +145,8 @@ class PfmWriter final : public PictureWriter<FloatImage> {
 template <class Image>
 class PartWriter final : public PictureWriter<Image> {
   public:
-    PartWriter(OutputFile& file, const PartHead& head)
-        : PictureWriter<Image>(bandsOf(head.crop, bandPixels)), file_(file), head_(head) {}
+    PartWriter(OutputFile& file, const PartHead& head, const WriterLimits& limits)
+        : PictureWriter<Image>(bandsOf(head.crop, limits.ofBand)), file_(file), head_(head) {}
     void write(const Image& band) override {
         if (next_ == 0) append(partBeginning(head_));
         const PixelRectangle& place = this->bands()[next_++];
@@ -164,8 +168,7 @@ class PartWriter final : public PictureWriter<Image> {
 
   private:
     void append(std::span<const char> bytes) {
-        if (bytes.empty()) return;  // libdeflate takes no data for the beginning
-        crc_ = libdeflate_crc32(crc_, bytes.data(), bytes.size());
+        crc_ = crcWith(crc_, bytes);
         file_.append(bytes);
     }
 
@@ -178,24 +181,29 @@ class PartWriter final : public PictureWriter<Image> {
 }  // namespace
 
 PixelRectangle largestBand(const PixelRectangle& crop, bool isPfm) {
-    return !isPfm && crop.area() <= mostOfStb ? crop : bandsOf(crop, bandPixels).front();
+    const WriterLimits limits;
+    return !isPfm && crop.area() <= limits.ofStb ? crop : bandsOf(crop, limits.ofBand).front();
 }
 
-std::unique_ptr<PictureWriter<ByteImage>> pngWriter(OutputFile& file, const PixelRectangle& crop,
-                                                    int threads) {
-    if (crop.area() <= mostOfStb) return std::make_unique<StbPngWriter>(file, crop, threads);
-    return std::make_unique<BandedPngWriter>(file, crop, threads);
+std::unique_ptr<PictureWriter<ByteImage>> pngWriter(OutputFile& file, const PixelRectangle& crop, int threads,
+                                                    const WriterLimits& limits) {
+    if (crop.area() <= limits.ofStb) return std::make_unique<StbPngWriter>(file, crop, threads);
+    return std::make_unique<BandedPngWriter>(file, crop, threads, limits);
 }
 
-std::unique_ptr<PictureWriter<FloatImage>> pfmWriter(OutputFile& file, const PixelRectangle& crop) {
-    return std::make_unique<PfmWriter>(file, crop);
+std::unique_ptr<PictureWriter<FloatImage>> pfmWriter(OutputFile& file, const PixelRectangle& crop,
+                                                     const WriterLimits& limits) {
+    return std::make_unique<PfmWriter>(file, crop, limits);
 }
 
 template <class Image>
-std::unique_ptr<PictureWriter<Image>> partWriter(OutputFile& file, const PartHead& head) {
-    return std::make_unique<PartWriter<Image>>(file, head);
+std::unique_ptr<PictureWriter<Image>> partWriter(OutputFile& file, const PartHead& head,
+                                                 const WriterLimits& limits) {
+    return std::make_unique<PartWriter<Image>>(file, head, limits);
 }
-template std::unique_ptr<PictureWriter<ByteImage>> partWriter(OutputFile&, const PartHead&);
-template std::unique_ptr<PictureWriter<FloatImage>> partWriter(OutputFile&, const PartHead&);
+template std::unique_ptr<PictureWriter<ByteImage>> partWriter(OutputFile&, const PartHead&,
+                                                              const WriterLimits&);
+template std::unique_ptr<PictureWriter<FloatImage>> partWriter(OutputFile&, const PartHead&,
+                                                               const WriterLimits&);
 
 }  // namespace raytracer

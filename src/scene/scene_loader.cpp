@@ -5,6 +5,7 @@
 #include "known_keys.h"
 #include "name_table.h"
 #include "raytracer/json/json_document.h"
+#include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_view.h"
 #include "raytracer/util/file_bytes.h"
 #include "scene_files.h"
@@ -117,9 +118,12 @@ void SceneReader::loadTextureOf(std::size_t material) {
 
 }  // namespace
 
-LoadedScene loadScene(const std::string& path, bool strict) {
+LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits) {
     const FileBytes file(path);
-    const JsonDocument document(path, file.text());
+    std::string text;
+    for (const std::string& edit : edits)
+        text = edited(path, text.empty() ? file.text() : text, JsonEdit(edit));
+    const JsonDocument document(path, text.empty() ? file.text() : text);
     SceneReader reader(path, strict);
     reader.read(JsonView(document));
     std::vector<std::string> files = reader.files();

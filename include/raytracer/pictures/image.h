@@ -46,6 +46,9 @@ std::optional<ImageSize> sizeInHeader(const FileBytes& file);
 // Throws Error where the memory is too little to decode the picture to channels of so many bytes.
 void requireMemoryToDecode(const FileBytes& file, std::size_t channelBytes = 1);
 
+// Whether this is the file of a whole picture of that size, PNG or PFM, written after all of the others were.
+bool isNewPicture(const std::string& path, const PixelRectangle& crop, std::span<const std::string> others);
+
 std::string pixelsInWords(int width, int height);  // "18000 × 18000 pixels"
 
 // A PNG file's bytes, by stb. Throws Error, about the file `path`, where the picture does not fit. Its bytes

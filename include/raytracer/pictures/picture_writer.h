@@ -26,8 +26,10 @@ class PictureWriter {
     std::vector<PixelRectangle> bands_;
 };
 
-// The pixels that a band has at most.
-inline constexpr double bandPixels = 1 << 23;
+// How many pixels are written together: by stb; else in a band. Tests have smaller ones.
+struct WriterLimits {
+    double ofStb = 1 << 25, ofBand = 1 << 23;
+};
 
 // What is written together, and so in memory.
 PixelRectangle largestBand(const PixelRectangle& crop, bool isPfm);
@@ -35,15 +37,16 @@ PixelRectangle largestBand(const PixelRectangle& crop, bool isPfm);
 // Nothing is written before the first band. What is behind these must outlive them. `crop` is the picture's
 // place in the whole picture.
 //
-// PNG: stb's up to 2^25 pixels, which are one band; larger ones are made here, of the same filter and
-// deflate.
-std::unique_ptr<PictureWriter<ByteImage>> pngWriter(OutputFile& file, const PixelRectangle& crop,
-                                                    int threads);
+// PNG: by stb where that holds it; else here, with the same filter and deflate.
+std::unique_ptr<PictureWriter<ByteImage>> pngWriter(OutputFile& file, const PixelRectangle& crop, int threads,
+                                                    const WriterLimits& limits = {});
 // PFM has its lowest row first.
-std::unique_ptr<PictureWriter<FloatImage>> pfmWriter(OutputFile& file, const PixelRectangle& crop);
+std::unique_ptr<PictureWriter<FloatImage>> pfmWriter(OutputFile& file, const PixelRectangle& crop,
+                                                     const WriterLimits& limits = {});
 
 // A part of a picture of bytes or floats: what the part has not may be anything in the bands.
 template <class Image>
-std::unique_ptr<PictureWriter<Image>> partWriter(OutputFile& file, const PartHead& head);
+std::unique_ptr<PictureWriter<Image>> partWriter(OutputFile& file, const PartHead& head,
+                                                 const WriterLimits& limits = {});
 
 }  // namespace raytracer

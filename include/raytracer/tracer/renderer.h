@@ -41,7 +41,8 @@ class Renderer {
     virtual bool fits() const = 0;
 
     // Every pixel of options.part of options.crop goes to the sink exactly once, in runs within a tile; it
-    // depends on the scene, the other options and its place alone. With `first`, of the same options but for samples and adaptive, these are not cast again.
+    // depends on the scene, the other options and its place alone. With `first`, of the same options but for
+    // samples and adaptive, these are not cast again.
     virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
                                 ProgressListener* progress = nullptr,
                                 const FirstSamples* first = nullptr) const = 0;
