@@ -72,6 +72,13 @@ def check_pictures(folder):
     check("a part of it", "", LEAST, out, 5700, "--quiet", "--crop", "0,0,9,9", script=addresses(200000), status=0)
 
 
+def check_bands(folder):
+    """A picture of over 2^25 pixels takes the memory of a band of it: with all pixels, it would be 300 MB."""
+    wide = scene_of(folder, "wide.json", camera=json.loads(LEAST.read_text())["camera"] | {"film_left": -127, "film_right": 127})
+    out = folder / "wide.png"
+    check("a picture in bands", "", wide, out, 65536, "--quiet", "--threads", 1, script=addresses(200000), status=0)
+
+
 def check_files(folder):
     out = folder / "out.png"
     (folder / "large.png").write_bytes(png_of_size(6000, 6000))
@@ -133,7 +140,7 @@ def check_mounted(folder):
 
 
 def main():
-    checks = [check_pictures, check_files, check_json]
+    checks = [check_pictures, check_bands, check_files, check_json]
     if sys.argv[2:] == ["root"]:
         if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "none", "/mnt"], capture_output=True).returncode:
             print("skipped: nothing can be mounted")
