@@ -16,9 +16,9 @@ struct LoadedScene {
 };
 
 // Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). An
-// unknown key is a warning, or an Error if `strict`. `edits` ("/pointer=value", JsonEdit) are made before, one
-// after the other. Throws Error: "FILE: /json/pointer: what was expected,
-// what was found" (syntax errors: "FILE:LINE:COLUMN: ...").
+// unknown key is a warning, or an Error if `strict`. `edits` ("/pointer=value", JsonEdit) are made before,
+// one after the other. Throws Error: "FILE: /json/pointer: what was expected, what was found" (syntax errors:
+// "FILE:LINE:COLUMN: ...").
 LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits = {});
 
 }  // namespace raytracer
