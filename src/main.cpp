@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     try {
         return raytracer::commands::run(argc, argv);
     } catch (const raytracer::Error& error) {
-        raytracer::tell(error.what());
+        raytracer::tell(error);
     } catch (const std::bad_alloc&) {
         raytracer::tell("raytracer: not enough memory: " + raytracer::memoryLeft().inWords);
     } catch (const std::exception& error) {

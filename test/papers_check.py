@@ -4,7 +4,7 @@
     papers_check.py ROOT [--words]
 
 Every relative link, and every path in backticks or in a code block, of README.md, src/README.md,
-bench/README.md and Notes.txt exists. README.md has at most 1,000 words of prose (without code, tables,
+bench/README.md and Notes.txt exists. README.md has at most 1,500 words of prose (without code, tables,
 pictures and addresses), Notes.txt at most 120 lines. A line that is not of a table ends by column 110, in
 Notes.txt by column 100. Comments name no file that is not there. --words prints the count.
 """
@@ -12,7 +12,7 @@ import pathlib
 import re
 import sys
 
-MOST_WORDS, MOST_LINES = 1000, 120
+MOST_WORDS, MOST_LINES = 1500, 120
 MOST_COLUMNS = {".md": 110, ".txt": 100}
 PAPERS = ["README.md", "src/README.md", "bench/README.md", "Notes.txt"]
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)

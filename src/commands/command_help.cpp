@@ -1,4 +1,6 @@
-// The help of a command, from what it declares.
+// The help, the man page and the completions of a command, from what it declares.
+#include <algorithm>
+
 #include "command_line.h"
 #include "raytracer/util/text.h"
 
@@ -16,6 +18,121 @@ std::string entry(const std::string& name, const std::string& help) {
     return left + wrapped(help, helpColumns, nameColumns, nameColumns) + "\n";
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+        text.replace(at, what.size(), with);
+    return text;
+}
+
+// A line of roff: backslashes and hyphens as they are, no request.
+std::string roff(const std::string& text) {
+    const std::string plain = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
+    return plain.starts_with('.') || plain.starts_with('\'') ? "\\&" + plain : plain;
+}
+
+std::string roffLines(const std::string& text) {
+    std::string lines;
+    for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
+        end = std::min(text.find('\n', start), text.size());
+        lines += roff(text.substr(start, end - start)) + "\n";
+    }
+    return lines;
+}
+
+// "N" of "N=3".
+std::string placeholder(const Word& word) { return word.placeholder.substr(0, word.placeholder.find('=')); }
+
+// "compare" of "raytracer compare"; nothing of "raytracer".
+std::string subcommand(const std::string& command) {
+    const std::size_t blank = command.find(' ');
+    return blank == command.npos ? "" : command.substr(blank + 1);
+}
+
+// The first sentence, without what its shell takes for a command.
+std::string brief(const std::string& help) {
+    const std::string first = help.substr(0, help.find_first_of(";:(,"));
+    std::string plain;
+    for (const char c : first.substr(0, first.find_last_not_of(' ') + 1))
+        if (std::string_view("'[]\"`$\\").find(c) == std::string_view::npos) plain += c;
+    return plain;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+    return all;
+}
+
+std::string options(const CommandLine& line) {
+    std::string all = "--help --version";
+    for (const Word& word : line.words())
+        if (word.isOption()) all += " " + word.name;
+    return all;
+}
+
+// Cases of "COMMAND PREVIOUS-WORD", and of "COMMAND" for all options.
+std::string forBash(const CommandLine& line) {
+    const std::string name = subcommand(line.command()), command = name.empty() ? "render" : name;
+    std::string cases;
+    for (const Word& word : line.words())
+        if (!word.choices.empty())
+            cases +=
+                "        \"" + command + " " + word.name + "\") words=\"" + joined(word.choices) + "\" ;;\n";
+        else if (word.isOption() && !word.isFlag())
+            cases += "        \"" + command + " " + word.name + "\") return ;;\n";
+    return cases + "        \"" + command + " \"*) [[ $current == -* ]] && words=\"" + options(line) +
+           "\" ;;\n";
+}
+
+std::string zshFiles(Looks looks) {
+    switch (looks) {
+        case Looks::Scene: return "_files -g \"*.json\"";
+        case Looks::Picture: return "_files -g \"*.(png|pfm)\"";
+        case Looks::Folder: return "_files -/";
+        case Looks::Any: return "_files";
+        case Looks::Number: break;
+    }
+    return " ";
+}
+
+std::string forZsh(const CommandLine& line) {
+    std::string specs;
+    for (const Word& word : line.words()) {
+        const std::string values =
+            word.choices.empty() ? zshFiles(word.looks) : "(" + joined(word.choices) + ")";
+        const std::string value = word.isFlag() ? "" : ":" + placeholder(word) + ":" + values;
+        if (word.isOption())
+            specs += "            '" + word.name + "[" + brief(word.help) + "]" + value + "' \\\n";
+        else
+            specs += std::string("            '") + (word.isMany ? "*" : "") + ":" + word.name + ":" +
+                     values + "' \\\n";
+    }
+    const std::string name = subcommand(line.command());
+    return "        " + (name.empty() ? "*" : name) +
+           ")\n        _arguments '--help[Print the help]' '--version[Print the version]' \\\n" + specs +
+           "            && return ;;\n";
+}
+
+std::string forFish(const CommandLine& line) {
+    const std::string name = subcommand(line.command());
+    const std::string when = std::string(name.empty() ? "not " : "") + "__fish_seen_subcommand_from " +
+                             (name.empty() ? "$names" : name);
+    std::string lines;
+    if (!name.empty())
+        lines = "complete -c raytracer -n __fish_use_subcommand -a " + name + " -d '" +
+                brief(line.purpose()) + "'\n";
+    for (const Word& word : line.words()) {
+        if (!word.isOption()) continue;
+        lines += "complete -c raytracer -n \"" + when + "\" -l " + word.name.substr(2) + " -d '" +
+                 brief(word.help) + "'";
+        if (!word.choices.empty()) lines += " -xa '" + joined(word.choices) + "'";
+        else if (word.looks == Looks::Number) lines += " -x";
+        else if (!word.isFlag()) lines += " -r";
+        lines += "\n";
+    }
+    return lines;
+}
+
 }  // namespace
 
 std::string CommandLine::help() const {
@@ -28,6 +145,29 @@ std::string CommandLine::help() const {
     }
     return purpose_ + "\n\nUsage: " + command_ + " [options] " + order() + "\n\n" + arguments +
            "\nOptions:\n" + options + "\n" + footer_ + "\n";
+}
+
+std::string CommandLine::manual() const {
+    std::string text = ".SH \"" + command_ + "\"\n.B " + roff(command_) + "\n[options] " + roff(order()) +
+                       "\n.PP\n" + roff(purpose_) + "\n";
+    for (const Word& word : words_) {
+        const std::string value = word.isFlag()     ? ""
+                                  : word.isOption() ? " \\fI" + roff(word.placeholder) + "\\fR"
+                                                    : "";
+        text += ".TP\n\\fB" + roff(word.name) + "\\fR" + value + "\n" + roff(word.help) + "\n";
+    }
+    return text + ".PP\n.nf\n" + roffLines(footer_) + ".fi\n";
+}
+
+std::string CommandLine::completion(const std::string& shell) const {
+    return shell == "bash" ? forBash(*this) : shell == "zsh" ? forZsh(*this) : forFish(*this);
+}
+
+// What run.cpp asks of each command, to put together what is installed.
+std::optional<std::string> CommandLine::document(const std::vector<std::string>& line) const {
+    if (line.size() == 1 && line[0] == "--print-manual") return manual();
+    if (line.size() == 2 && line[0] == "--print-completion") return completion(line[1]);
+    return std::nullopt;
 }
 
 }  // namespace raytracer::commands

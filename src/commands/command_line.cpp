@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "raytracer/json/json_document.h"
-#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
@@ -202,6 +202,10 @@ void CommandLine::requireTogether() const {
 
 std::optional<int> CommandLine::parse(int argc, char** argv) {
     const std::vector<std::string> line(argv + 1, argv + argc);
+    if (const auto text = document(line)) {
+        print(*text);
+        return 0;
+    }
     for (const std::string& word : line) {
         if (word == "--help" || word == "-h") {
             print(help());

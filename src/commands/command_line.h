@@ -86,6 +86,8 @@ class CommandLine {
     bool given(std::string_view option) const;
 
     std::string help() const;
+    std::string manual() const;                              // a section of a man page, in roff
+    std::string completion(const std::string& shell) const;  // what bash, zsh or fish is to know
     const std::string& command() const { return command_; }
     const std::string& purpose() const { return purpose_; }
     const std::string& footer() const { return footer_; }
@@ -104,6 +106,7 @@ class CommandLine {
         std::vector<std::string> arguments;
     };
 
+    std::optional<std::string> document(const std::vector<std::string>& line) const;
     void add(Word word);
     void sort(const std::vector<std::string>& line);
     void takeOption(const std::vector<std::string>& line, std::size_t& at);

@@ -3,7 +3,7 @@
 
 #include "command_line.h"
 #include "raytracer/json/json_document.h"
-#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 

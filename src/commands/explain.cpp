@@ -8,8 +8,10 @@
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/explanation_text.h"
+#include "raytracer/explain/scene_slips.h"
 #include "raytracer/grading/compare.h"
 #include "raytracer/grading/diagnosis.h"
+#include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 #include "render_arguments.h"
@@ -164,6 +166,9 @@ int explainPixel(ExplainArguments& arguments) {
     render.longEdge = *arguments.longEdge;
     const PixelPlace pixel{*arguments.x, *arguments.y};
     SceneDescription scene = render.load();
+    if (!render.quiet)
+        for (const Error& remark : remarksOn(render.scene, colorsWithoutEffect(scene)))
+            tell(std::string("note: ") + remark.what());
     const RenderOptions options = render.prepare(scene);
     requirePixel(options.size, pixel);
     const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);

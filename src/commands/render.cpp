@@ -4,22 +4,23 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "arguments.h"
 #include "frames.h"
 #include "picture_part.h"
-#include "raytracer/accuracy/ray_growth.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/black_picture.h"
 #include "raytracer/pictures/picture.h"
 #include "raytracer/pictures/picture_writer.h"
+#include "raytracer/util/file_watch.h"
 #include "raytracer/util/output_file.h"
 #include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 #include "render_arguments.h"
+#include "render_cost.h"
 #include "render_report.h"
-#include "target_error.h"
 
 namespace raytracer::commands {
 
@@ -45,6 +46,8 @@ Examples:
   raytracer scenes/texture.json out.png 2000 --crop 500,500,700,700
   # the most accurate picture that takes about ten seconds
   raytracer scenes/texture.json out.png 2000 --target-time 10
+  # the picture follows the file that is edited
+  raytracer scene.json out.png 300 --watch
   # linear float32, and what it cost
   raytracer scenes/refraction.json out.pfm 600 --stats
   raytracer scenes/texture.json - 300 | display
@@ -57,7 +60,7 @@ Examples:
 // What only this command asks for.
 struct PictureArguments {
     std::string out;
-    bool stats = false;
+    bool stats = false, watch = false;
     std::optional<double> targetError, targetTime;
     std::string part;  // K/N; empty: the whole picture
     bool skipExisting = false;
@@ -176,28 +179,17 @@ std::string without(const std::string& option, std::span<char*> words) {
     return line;
 }
 
-void warnOfExcess(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
-                  const RenderOptions& options) {
-    const auto rays = excessiveRays(scene, renderer, options);
-    if (!rays) return;
-    arguments.warn(
-        formatted("--max-recursion %d takes about %.1g reflected and refracted rays a sample: they "
-                  "double with each bounce where a material is both; a lower one takes fewer, or a --cutoff "
-                  "where color_reflect and color_refract are less than 1",
-                  options.max_recursion, *rays));
-}
-
 // With the exit status.
 int tellSkipped(const RenderArguments& arguments, const PictureArguments& wanted) {
     if (!arguments.quiet) tell(wanted.file() + ": skipped, it is there");
     return 0;
 }
 
-int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted) {
+int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted,
+                  std::vector<std::string>& files) {
     OutputFile out = openOutput(wanted);
     Timings timings;
     Stopwatch watch;
-    std::vector<std::string> files;
     SceneDescription description = arguments.load(&files);
     timings.load = watch.lap();
     RenderOptions options = arguments.prepare(description);
@@ -206,8 +198,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     requirePictureFits(wanted.out, options.crop, wanted.isPfm());
     const auto renderer = arguments.makeRenderer(description);
     timings.build = watch.lap();
-    if (!wanted.targetError && !wanted.targetTime && arguments.warns())
-        warnOfExcess(arguments, description, *renderer, options);
+    if (!wanted.targetError && !wanted.targetTime) remarkOnCost(arguments, description, *renderer, options);
     Picture picture{arguments, wanted, description, *renderer, options, timings};
     choose(picture);
     if (wanted.isPart()) {
@@ -225,16 +216,33 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     return isJudged && !picture.choice->reached ? 1 : 0;
 }
 
+// Renders again whenever a file has changed; an error waits for the change that mends it.
+[[noreturn]] void watchScene(const RenderArguments& arguments, const PictureArguments& wanted) {
+    for (;;) {
+        FileWatch watch;
+        watch.add(arguments.scene);
+        std::vector<std::string> files;
+        try {
+            renderPicture(arguments, wanted, files);
+        } catch (const Error& error) {
+            tell(error);
+        }
+        for (const std::string& file : files) watch.add(file);
+        watch.wait();
+    }
+}
+
 // Each frame with its own values of --set and its own name. The worst exit status.
 int renderFrames(const RenderArguments& arguments, const PictureArguments& wanted) {
     const Frames frames = parseFrames(wanted.frames);
     int status = 0;
+    std::vector<std::string> files;
     for (int frame = frames.first; frame <= frames.last; ++frame) {
         RenderArguments inFrame = arguments;
         for (std::string& set : inFrame.sets) set = atFrame(set, frames, frame);
         PictureArguments picture = wanted;
         picture.out = frameName(wanted.out, frame);
-        status = std::max(status, renderPicture(inFrame, picture));
+        status = std::max(status, renderPicture(inFrame, picture, files));
     }
     return status;
 }
@@ -275,6 +283,9 @@ int render(int argc, char** argv) {
         "Keep a picture that is whole, of this size, and newer than the scene and all files that it names "
         "(of other options nothing is known); and a part that is whole and right");
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
+    line.flag("--watch", wanted.watch,
+              "Render again whenever the scene or a file that it names changes; Ctrl+C ends");
+    line.exclude("--watch", {"--frames", "--part", "--skip-existing"});
     line.footer(renderFooter);
     if (const auto status = line.parse(argc, argv)) return *status;
     arguments.check(line);
@@ -283,7 +294,12 @@ int render(int argc, char** argv) {
         throw usageError("--skip-existing has no effect with the picture -");
     if (wanted.frames.empty()) refuseRanges(arguments.sets);
     wanted.command = without("--target-time", {argv, static_cast<std::size_t>(argc)});
-    return wanted.frames.empty() ? renderPicture(arguments, wanted) : renderFrames(arguments, wanted);
+    if (wanted.watch && wanted.out == "-")
+        throw usageError("--watch has no effect with the picture -: write to a file");
+    if (!wanted.frames.empty()) return renderFrames(arguments, wanted);
+    if (wanted.watch) watchScene(arguments, wanted);
+    std::vector<std::string> files;
+    return renderPicture(arguments, wanted, files);
 }
 
 }  // namespace raytracer::commands

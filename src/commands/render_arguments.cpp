@@ -6,10 +6,11 @@
 #include "arguments.h"
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/explain/scene_advice.h"
+#include "raytracer/explain/scene_slips.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_edit.h"
-#include "raytracer/json/nearest_name.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
 
@@ -140,18 +141,26 @@ std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& 
     return renderer;
 }
 
-void RenderArguments::warn(const std::string& warning) const {
-    if (strict) throw Error({scene}, warning);
-    if (!quiet) tell(std::string("warning: ") + Error({scene}, warning).what());
+void RenderArguments::warn(const std::string& warning) const { warnAll({Error({scene}, warning).what()}); }
+
+void RenderArguments::remark(const std::string& text) const {
+    if (!quiet) tell(std::string("warning: ") + Error({scene}, text).what());
+}
+
+void RenderArguments::warnAll(const std::vector<std::string>& warnings) const {
+    if (warnings.empty()) return;
+    const char* const head = strict ? "" : "warning: ";
+    for (std::size_t i = 0; warns() && i + strict < warnings.size(); ++i) tell(head + warnings[i]);
+    if (strict) throw Error(warnings.back());
 }
 
 SceneDescription RenderArguments::load(std::vector<std::string>* files) const {
-    LoadedScene loaded = loadScene(scene, strict, sets);
-    if (files) *files = std::move(loaded.files);
+    LoadedScene loaded = loadScene(scene, false, sets, files);
     if (!warns()) return std::move(loaded.description);
-    if (!quiet)
-        for (const std::string& warning : loaded.warnings) tell("warning: " + warning);
-    for (const std::string& advice : sceneAdvice(loaded.description)) warn(advice);
+    std::vector<std::string> remarks = sceneSlips(loaded.description);
+    std::ranges::move(sceneAdvice(loaded.description), std::back_inserter(remarks));
+    for (const Error& remark : remarksOn(scene, remarks)) loaded.warnings.emplace_back(remark.what());
+    warnAll(loaded.warnings);
     return std::move(loaded.description);
 }
 

@@ -41,8 +41,10 @@ struct RenderArguments {
     // Warns where the scene's numbers need a wider precision than the one chosen.
     std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene) const;
 
-    // The scene of the file. Its warnings, the loader's and sceneAdvice's, go to stderr unless `quiet`; where
-    // `strict`, the first is an Error. `files` gets the names of the scene and of all files that it names.
+    // The scene of the file. Its warnings, the loader's and the advice on it, go to stderr unless `quiet`.
+    // Where `strict`, all are told as errors, and the last one is thrown.
+    // `files` gets the names of the scene and of all files that it names, also where this
+    // throws.
     SceneDescription load(std::vector<std::string>* files = nullptr) const;
 
     // Whether anyone hears what `warn` is told.
@@ -50,6 +52,9 @@ struct RenderArguments {
 
     // What is said about the scene as a whole, in the same way.
     void warn(const std::string& warning) const;
+
+    // What is said about what the picture takes: no fault of the scene, so not for `strict`.
+    void remark(const std::string& text) const;
 
     // Whether the picture is what the scene file describes: all of it, with all terms. Of no other can the
     // scene be blamed.
@@ -60,6 +65,9 @@ struct RenderArguments {
 
     // Throws Error for terms that are not there, and for an option that was given and can change nothing.
     void check(const CommandLine& line) const;
+
+  private:
+    void warnAll(const std::vector<std::string>& warnings) const;
 };
 
 }  // namespace raytracer::commands

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "raytracer/accuracy/target_error.h"
+#include "raytracer/accuracy/target_time.h"
 #include "raytracer/tracer/render_options.h"
 #include "raytracer/util/stopwatch.h"
 
@@ -20,5 +22,13 @@ void tellLimited(const RenderCounts& counts, const RenderOptions& options, doubl
 
 // "out.png: 600 × 600, 0.06 s", for who waits at a terminal.
 void tellDone(const std::string& out, const PixelRectangle& crop, const Timings& timings);
+
+// --target-error and --target-time, on stderr.
+//
+// Chooses the setting, says which unless `quiet`, and puts it into the options.
+TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet);
+// `command`: the command line without --target-time; empty: says nothing.
+TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options, double seconds,
+                                const std::string& command);
 
 }  // namespace raytracer::commands

@@ -1,13 +1,18 @@
 // Which command a line is for.
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "raytracer/commands/commands.h"
 #include "raytracer/json/json_document.h"
-#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/nearby_file.h"
+#include "raytracer/util/nearest_name.h"
 #include "raytracer/util/standard_streams.h"
+#include "version.h"
 
 namespace raytracer::commands {
 
@@ -39,6 +44,7 @@ bool looksLikeCommand(const std::string& word) {
            !std::filesystem::exists(word, error) && !error;
 }
 
+// Empty where a scene is meant.
 std::string unknownCommand(const std::string& word) {
     const std::string unknown = "raytracer: unknown command " + inQuotes(word) + "; ";
     for (const Nameless& known : nameless)
@@ -46,10 +52,88 @@ std::string unknownCommand(const std::string& word) {
     NearestName nearest(word);
     for (const Command& command : commandTable) nearest.consider(command.name);
     if (nearest.found()) return unknown.substr(0, unknown.size() - 2) + nearest.question();
+    if (!nearbyFile(word).empty()) return {};
     std::string names;
     for (const Command& command : commandTable) names += " " + std::string(command.name) + ",";
     names.pop_back();
     return unknown + "there are" + names + ", or a scene's name first";
+}
+
+std::string replacedBlanks(std::string names) {
+    std::ranges::replace(names, ' ', '|');
+    return names;
+}
+
+// Of all commands, that without a name last.
+void printAll(std::vector<std::string> words) {
+    const auto call = [&](std::string name, int (*command)(int, char**)) {
+        std::vector<char*> argv{name.data()};
+        for (std::string& word : words) argv.push_back(word.data());
+        command(static_cast<int>(argv.size()), argv.data());
+    };
+    for (const Command& command : commandTable) call(std::string(command.name), command.run);
+    call("raytracer", render);
+}
+
+std::string commandNames() {
+    std::string names;
+    for (const Command& command : commandTable)
+        names += (names.empty() ? "" : " ") + std::string(command.name);
+    return names;
+}
+
+void printManual() {
+    const std::string version = programVersion();
+    print(
+        ".TH RAYTRACER 1 \"\" \"raytracer " + version.substr(0, version.find(' ')) +
+        "\"\n.SH NAME\nraytracer \\- renders JSON scenes by classic ray tracing\n.SH SYNOPSIS\n.B raytracer\n"
+        "[options] SCENE IMAGE_OUT LONG_EDGE_PIXELS\n.br\n.B raytracer\nCOMMAND [options] ...\n.SH "
+        "DESCRIPTION\n"
+        "Turns a scene, a JSON file, into a picture; the commands compare pictures, grade programs, explain "
+        "a\n"
+        "pixel and measure what speed costs. Each command's section follows.\n");
+    printAll({"--print-manual"});
+}
+
+int printCompletion(const std::string& shell) {
+    if (shell == "bash") {
+        print(
+            "_raytracer() {\n    local current=${COMP_WORDS[COMP_CWORD]} words=\"\" command=render\n"
+            "    [[ \" " +
+            commandNames() +
+            " \" == *\" ${COMP_WORDS[1]} \"* ]] && command=${COMP_WORDS[1]}\n"
+            "    ((COMP_CWORD == 1)) && words=\"" +
+            commandNames() +
+            "\"\n"
+            "    case \"$command ${COMP_WORDS[COMP_CWORD - 1]}\" in\n");
+        printAll({"--print-completion", shell});
+        print(
+            "    esac\n    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n}\n"
+            "complete -o default -F _raytracer raytracer\n");
+    } else if (shell == "zsh") {
+        print("#compdef raytracer\n_raytracer() {\n    if ((CURRENT == 2)); then compadd " + commandNames() +
+              "; fi\n    case $words[2] in\n    " + replacedBlanks(commandNames()) +
+              ") shift words; ((CURRENT--)) ;;\n    esac\n    case $words[1] in\n");
+        printAll({"--print-completion", shell});
+        print("    esac\n}\n_raytracer \"$@\"\n");
+    } else if (shell == "fish") {
+        print("set -l names " + commandNames() + "\n");
+        printAll({"--print-completion", shell});
+    } else {
+        tell("raytracer: --print-completion: expected bash, zsh or fish, found " + inQuotes(shell));
+        return 2;
+    }
+    return 0;
+}
+
+// What is installed beside the program; nothing where the line asks for none of it.
+std::optional<int> printDocument(int argc, char** argv) {
+    const std::string what = argc > 1 ? argv[1] : "";
+    if (what == "--print-schema" && argc == 2) print(schema_text::scene);
+    else if (what == "--print-manual" && argc == 2) printManual();
+    else if (what == "--print-completion" && argc == 3) return printCompletion(argv[2]);
+    else return std::nullopt;
+    return 0;
 }
 
 }  // namespace
@@ -57,8 +141,10 @@ std::string unknownCommand(const std::string& word) {
 int run(int argc, char** argv) {
     for (const Command& command : commandTable)
         if (argc > 1 && command.name == argv[1]) return command.run(argc - 1, argv + 1);
-    if (argc < 2 || !looksLikeCommand(argv[1])) return render(argc, argv);
-    tell(unknownCommand(argv[1]));
+    if (const auto status = printDocument(argc, argv)) return *status;
+    const std::string unknown = argc > 1 && looksLikeCommand(argv[1]) ? unknownCommand(argv[1]) : "";
+    if (unknown.empty()) return render(argc, argv);
+    tell(unknown);
     return 2;
 }
 

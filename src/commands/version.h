@@ -12,3 +12,9 @@ std::string versionText();
 std::string programVersion();
 
 }  // namespace raytracer::commands
+
+namespace raytracer::schema_text {
+
+extern const char* const scene;  // scenes/scene.schema.json, made by cmake/embed.cmake
+
+}

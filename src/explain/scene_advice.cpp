@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "advice_lines.h"
 #include "raytracer/geometry/shapes.h"
 #include "raytracer/scene/mesh_file.h"
 #include "raytracer/util/text.h"
@@ -28,25 +29,6 @@ constexpr Real lengthTolerance = 1e-3L, cosineTolerance = 2e-3L;
 
 // Relative to the numbers that were added: far above the rounding errors here, far below what is visible.
 constexpr Real margin = 1e-9L;
-
-constexpr std::size_t mostLines = 20;  // fit a terminal
-
-class Lines {
-  public:
-    void add(const std::string& line) {
-        if (lines_.size() < mostLines) lines_.push_back(line);
-        else ++notShown_;
-    }
-
-    std::vector<std::string> take() {
-        if (notShown_ > 0) lines_.push_back(std::to_string(notShown_) + " more warnings");
-        return std::move(lines_);
-    }
-
-  private:
-    std::vector<std::string> lines_;
-    std::size_t notShown_ = 0;
-};
 
 std::string number(Real value) { return formatted("%.6Lg", value); }
 
@@ -179,7 +161,7 @@ bool isInside(const PlacedShape& solid, const Vec& point) {
     return isDeepInside(solid.shape->type, object);
 }
 
-void adviseOnCamera(const CameraDescription& camera, Lines& lines) {
+void adviseOnCamera(const CameraDescription& camera, AdviceLines& lines) {
     const Vec look = camera.look, up = camera.up;
     const Real lookLength = glm::length(look), upLength = glm::length(up),
                cosine = glm::dot(look, up) / lookLength / upLength;
@@ -197,7 +179,7 @@ void adviseOnCamera(const CameraDescription& camera, Lines& lines) {
 std::string pointer(const char* list, std::size_t index) { return list + std::to_string(index); }
 
 void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std::size_t index,
-                    const View& view, Lines& lines) {
+                    const View& view, AdviceLines& lines) {
     if (scene.materials[solid.shape->material].refractive) return;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const LightDescription& light = scene.lights[i];
@@ -213,7 +195,7 @@ void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std
 }  // namespace
 
 std::vector<std::string> sceneAdvice(const SceneDescription& scene) {
-    Lines lines;
+    AdviceLines lines;
     adviseOnCamera(scene.camera, lines);
     const View view = viewOf(scene.camera);
     const bool mirrored = anyShowsOthers(scene, view);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "raytracer/json/json_writer.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
@@ -46,22 +46,10 @@ std::string JsonDocument::pointer(std::uint32_t node) const {
     return pointer;
 }
 
-Error JsonDocument::error(std::uint32_t node, const std::string& message) const {
-    Place at = place(static_cast<std::size_t>(begin(node) - text_.data()));
+Error JsonDocument::error(std::uint32_t node, const std::string& message, std::uint32_t where) const {
+    Place at = place(static_cast<std::size_t>(begin(where) - text_.data()));
     at.pointer = pointer(node);
     return {at, message};
-}
-
-// 60 bytes are enough for any name that people choose, and leave room on a terminal's line.
-std::string inQuotes(std::string_view text) {
-    constexpr std::size_t longest = 60;
-    if (text.size() <= longest) return jsonString(text);
-    std::size_t end = longest;
-    const auto isInCharacter = [](char c) {
-        return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
-    };  // UTF-8
-    while (end > 0 && isInCharacter(text[end])) --end;
-    return jsonString(text.substr(0, end)) + "...";
 }
 
 }  // namespace raytracer

@@ -5,7 +5,7 @@
 
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_writer.h"
-#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 
 namespace raytracer {

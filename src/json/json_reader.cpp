@@ -1,6 +1,5 @@
 // JsonDocument from text: its nodes are the events of nlohmann's parser.
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <limits>
 
@@ -8,6 +7,7 @@
 
 #include "raytracer/json/json_document.h"
 #include "raytracer/util/text.h"
+#include "syntax_mistake.h"
 
 namespace raytracer {
 namespace {
@@ -33,26 +33,6 @@ class CountingIterator {
   private:
     const char** place_;
 };
-
-// "[...] parse error at line 1, column 2: syntax error while parsing value - what; last read: 'token';
-// expected this": keeps "what; expected this". The quotation may be as long as the file.
-std::string reasonOf(std::string message, const std::string& token) {
-    message.erase(0, message.find(" - ") + 3);
-    const std::string quotation = "; last read: '" + token + "'";
-    if (const auto at = message.find(quotation); at != message.npos) message.erase(at, quotation.size());
-    return message;
-}
-
-// Where an error is. The parser has read up to `end`: either a whole token that is not expected, and then the
-// error is where that begins; or part of one, whose last character is the error.
-std::size_t blamed(std::string_view text, std::size_t end, std::string_view reason,
-                   const std::string& token) {
-    const std::size_t last = end - 1;
-    if (!reason.starts_with("unexpected ") || end > text.size()) return last;
-    if (text[last] == '"') return end - token.size();
-    if (!std::isalnum(static_cast<unsigned char>(text[last]))) return last;
-    return text.find_last_of(" \t\r\n,:[]{}\"", last) + 1;  // npos + 1 is 0
-}
 
 }  // namespace
 
@@ -95,6 +75,7 @@ class JsonReader {
         nodes_[open_.back()].end = count();
         open_.pop_back();
         behindLast_ = read_;
+        last_ = JsonEvent::Close;
         return true;
     }
 
@@ -105,8 +86,7 @@ class JsonReader {
     // The parser takes a NUL for the end of the text.
     void requireNoNul() const {
         if (read_ != text_.data() && read_[-1] == '\0')
-            throw Error(document_.place(static_cast<std::size_t>(read_ - 1 - text_.data())),
-                        "unexpected NUL");
+            throw document_.syntaxError(static_cast<std::size_t>(read_ - 1 - text_.data()), "unexpected NUL");
     }
     [[noreturn]] void fail(std::uint32_t node, const std::string& message) const {
         throw document_.error(node, message);
@@ -117,12 +97,14 @@ class JsonReader {
     bool text(Kind kind, std::string& value);
     bool open(Kind kind);
     void requireKeysOnce();
+    SyntaxState state() const;
 
     JsonDocument& document_;
     std::vector<Node>& nodes_;
     const std::string_view text_;
     const char* read_ = text_.data();  // how far the parser has read
     const char* behindLast_;           // the same, at the last event
+    JsonEvent last_ = JsonEvent::None;
     std::vector<std::uint32_t> open_;  // containers, the innermost last
     std::vector<std::string_view> keys_;
 };
@@ -138,6 +120,7 @@ bool JsonReader::add(Kind kind) {
     Node& node = nodes_.emplace_back();
     node.begin = begin;
     node.kind = kind;
+    last_ = kind == Kind::Key ? JsonEvent::Key : JsonEvent::Value;
     behindLast_ = read_;
     return true;
 }
@@ -171,8 +154,9 @@ bool JsonReader::open(Kind kind) {
     open_.push_back(count());
     add(kind);
     if (open_.size() > deepest)
-        throw Error(document_.place(static_cast<std::size_t>(nodes_.back().begin - text_.data())),
-                    "expected at most 256 lists and objects inside of each other");
+        throw document_.syntaxError(static_cast<std::size_t>(nodes_.back().begin - text_.data()),
+                                    "expected at most 256 lists and objects inside of each other");
+    last_ = JsonEvent::Open;
     nodes_.back().end = std::numeric_limits<std::uint32_t>::max();  // until closed: see pointer()
     return true;
 }
@@ -194,20 +178,54 @@ void JsonReader::requireKeysOnce() {
         fail(open_.back(), "expected each key once, found " + inQuotes(*twice) + " twice");
 }
 
-bool JsonReader::parse_error(std::size_t position, const std::string& token,
-                             const nlohmann::json::exception& error) {
+// By JSON's grammar, in which nothing follows a zero in front.
+static std::size_t endOfNumber(std::string_view text, std::size_t at) {
+    const auto isOneOf = [&](std::string_view set) {
+        return at < text.size() && set.find(text[at]) != set.npos;
+    };
+    const auto skipDigits = [&] { at = std::min(text.find_first_not_of("0123456789", at), text.size()); };
+    if (isOneOf("-")) ++at;
+    if (isOneOf("0")) ++at;
+    else skipDigits();
+    if (isOneOf(".")) {
+        ++at;
+        skipDigits();
+    }
+    if (!isOneOf("eE")) return at;
+    ++at;
+    if (isOneOf("+-")) ++at;
+    skipDigits();
+    return at;
+}
+
+// Of a number, the parser has read one character too many.
+SyntaxState JsonReader::state() const {
+    SyntaxState state{text_, last_};
+    const auto offset = [&](const char* place) { return static_cast<std::size_t>(place - text_.data()); };
+    state.end = offset(behindLast_);
+    if (!nodes_.empty()) state.begin = offset(document_.begin(count() - 1));
+    if (last_ == JsonEvent::Value && nodes_.back().kind == Kind::Number)
+        state.end = endOfNumber(text_, state.begin);
+    state.stopped = std::min(offset(read_), text_.size()) - (read_ != text_.data());
+    if (open_.empty()) return state;
+    state.opening = offset(document_.begin(open_.back()));
+    state.container = text_[state.opening];
+    return state;
+}
+
+bool JsonReader::parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& error) {
     constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
     if (error.id == numberOverflow) {
         number(0);  // a node in the number's place
         fail(count() - 1, "expected a finite number, found " + token.substr(0, 40));
     }
     requireNoNul();
-    const std::string reason = reasonOf(error.what(), token);
-    throw Error(document_.place(blamed(text_, position, reason, token)), reason);
+    const SyntaxMistake mistake = syntaxMistake(state());
+    throw document_.syntaxError(mistake.offset, mistake.message);
 }
 
 JsonDocument::JsonDocument(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {
-    if (isUtf16(text)) throw Error({path_}, "expected UTF-8, found UTF-16");
+    if (isUtf16(text)) throw Error({path_}, "expected UTF-8, found UTF-16: save it as UTF-8");
     JsonReader(*this).read();
 }
 
@@ -219,6 +237,15 @@ Place JsonDocument::place(std::size_t offset) const {
     const auto startsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
     const auto column = std::ranges::count_if(before, startsCharacter) + 1;
     return {path_, static_cast<std::size_t>(lines) + 1, static_cast<std::size_t>(column)};
+}
+
+Error JsonDocument::syntaxError(std::size_t offset, const std::string& message) const {
+    const std::size_t start = text_.substr(0, offset).rfind('\n') + 1;  // npos + 1 is 0
+    std::string_view line = text_.substr(start, text_.find('\n', start) - start);
+    const Place at = place(offset);
+    if (at.line == 1 && line.starts_with(byteOrderMark)) line.remove_prefix(byteOrderMark.size());
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return {at, message, line};
 }
 
 }  // namespace raytracer

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "raytracer/json/json_writer.h"
-#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/nearest_name.h"
+#include "raytracer/util/number.h"
 
 namespace raytracer {
 namespace {
@@ -91,6 +92,17 @@ std::optional<JsonView> JsonView::find(std::string_view key) const {
     for (const JsonView member : members())
         if (member.key() == key) return member;
     return std::nullopt;
+}
+
+std::optional<JsonView> JsonView::at(std::string_view pointer) const {
+    if (pointer.empty()) return *this;
+    const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
+    const std::string_view token = pointer.substr(1, end - 1);
+    std::optional<JsonView> child;
+    const auto index = numberOf<std::uint32_t>(token);
+    if (kind() == Kind::Object) child = find(token);
+    else if (kind() == Kind::Array && index && *index < size()) child = element(*index);
+    return child ? child->at(pointer.substr(end)) : child;
 }
 
 void JsonView::failExpected(const std::string& expected) const {

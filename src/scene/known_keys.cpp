@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "raytracer/json/nearest_name.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/nearest_name.h"
 
 namespace raytracer {
 
@@ -18,26 +18,29 @@ JsonView JsonObject::operator[](std::string_view key) const {
     NearestName misspelled(key);
     for (const JsonView member : json_.members())
         if (!knows(member.key())) misspelled.consider(member.key());
-    json_.fail("expected the key " + inQuotes(key) + ", found " +
-               (misspelled.found() ? inQuotes(misspelled.name()) : "none"));
+    const std::string expected = "expected the key " + inQuotes(key) + ", found ";
+    if (!misspelled.found()) json_.fail(expected + "none");
+    throw json_.errorAtKey(*find(misspelled.name()), expected + inQuotes(misspelled.name()));
 }
 
 JsonObject KnownKeys::check(JsonView json, std::span<const std::string_view> known) {
     const JsonObject object(json, known);
     for (const JsonView member : json.members()) {
         if (object.knows(member.key())) continue;
-        if (strict_ || warnings_.size() < mostWarnings) report(object, member.key());
+        if (strict_ || warnings_.size() < mostWarnings) report(object, member);
         else ++notShown_;
     }
     return object;
 }
 
-void KnownKeys::report(const JsonObject& object, std::string_view key) {
+void KnownKeys::report(const JsonObject& object, JsonView member) {
+    const std::string_view key = member.key();
     NearestName nearest(key);
     for (const std::string_view name : object.known()) nearest.consider(name);
     const std::string message = "unknown key " + inQuotes(key) + nearest.question();
-    if (strict_) throw object.json().error(message);
-    warnings_.emplace_back(object.json().error(message).what());
+    const Error error = object.json().errorAtKey(member, message);
+    if (strict_) throw error;
+    warnings_.emplace_back(error.what());
 }
 
 std::vector<std::string> KnownKeys::warnings(const std::string& path) const {

@@ -42,7 +42,7 @@ class KnownKeys {
     std::vector<std::string> warnings(const std::string& path) const;
 
   private:
-    void report(const JsonObject& object, std::string_view key);
+    void report(const JsonObject& object, JsonView member);
 
     bool strict_;
     std::vector<std::string> warnings_;

@@ -3,7 +3,7 @@
 #include <functional>
 #include <utility>
 
-#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/nearest_name.h"
 
 namespace raytracer {
 

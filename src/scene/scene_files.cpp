@@ -1,16 +1,23 @@
 #include "scene_files.h"
 
-#include "raytracer/json/json_writer.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/nearby_file.h"
 
 namespace raytracer {
 namespace {
 
+bool isRelative(JsonView path) { return std::filesystem::path(path.string()).is_relative(); }
+
 // Calls read(file). An Error about the file becomes one about the value of the scene that names it.
 template <class Read>
 auto readNamed(JsonView path, const std::string& file, const char* expected, Read read) {
+    std::error_code unknown;
+    const auto kind = std::filesystem::status(file, unknown).type();
+    if (kind == std::filesystem::file_type::not_found)
+        path.fail("no file " + jsonString(file) + (isRelative(path) ? " (relative to the scene file)" : "") +
+                  hintAt(file));
     try {
         return read(file);
     } catch (const Error& error) {

@@ -116,19 +116,61 @@ void SceneReader::loadTextureOf(std::size_t material) {
     if (!texture) texture = files_.texture(texturePaths_[*index]);
 }
 
+// A remark's pointer and, behind ": ", its message.
+struct Remark {
+    explicit Remark(const std::string& text) : message(text) {
+        const std::size_t end = text.starts_with('/') ? text.find(": ") : text.npos;
+        if (end == text.npos) return;
+        pointer = text.substr(0, end);
+        message = text.substr(end + 2);
+    }
+    std::string pointer, message;
+};
+
+Error placed(const JsonDocument& document, const std::string& path, const std::string& text) {
+    const Remark remark(text);
+    const auto value = JsonView(document).at(remark.pointer);
+    return value && !remark.pointer.empty() ? value->error(remark.message) : Error({path}, text);
+}
+
 }  // namespace
 
-LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits) {
-    const FileBytes file(path);
-    std::string text;
-    for (const std::string& edit : edits)
-        text = edited(path, text.empty() ? file.text() : text, JsonEdit(edit));
-    const JsonDocument document(path, text.empty() ? file.text() : text);
+// A pipe cannot be read twice.
+std::vector<Error> remarksOn(const std::string& path, const std::vector<std::string>& remarks) {
+    std::vector<Error> errors;
+    if (remarks.empty()) return errors;
+    try {
+        const FileBytes file(path, FileKind::Regular);
+        const JsonDocument document(path, file.text());
+        for (const std::string& text : remarks) errors.push_back(placed(document, path, text));
+    } catch (const Error&) {
+        errors.clear();
+        for (const std::string& text : remarks) errors.emplace_back(Place{path}, text);
+    }
+    return errors;
+}
+
+LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits,
+                      std::vector<std::string>* named) {
     SceneReader reader(path, strict);
-    reader.read(JsonView(document));
-    std::vector<std::string> files = reader.files();
-    files.insert(files.begin(), path);
-    return {std::move(reader.description()), reader.warnings(path), std::move(files)};
+    const auto files = [&] {
+        std::vector<std::string> all = reader.files();
+        all.insert(all.begin(), path);
+        return all;
+    };
+    try {
+        const FileBytes file(path);
+        std::string text;
+        for (const std::string& edit : edits)
+            text = edited(path, text.empty() ? file.text() : text, JsonEdit(edit));
+        const JsonDocument document(path, text.empty() ? file.text() : text);
+        reader.read(JsonView(document));
+        if (named) *named = files();
+        return {std::move(reader.description()), reader.warnings(path), files()};
+    } catch (const Error&) {
+        if (named) *named = files();
+        throw;
+    }
 }
 
 }  // namespace raytracer

@@ -1,36 +1,59 @@
 #include "raytracer/util/error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
 
+#include "raytracer/util/text.h"
+
 namespace raytracer {
 namespace {
-
-std::string within(const Place& place) {
-    if (place.pointer) return *place.pointer;
-    if (place.column > 0) return std::to_string(place.line) + ":" + std::to_string(place.column);
-    return place.line > 0 ? "line " + std::to_string(place.line) : "";
-}
 
 std::string joined(const std::string& before, const char* separator, const std::string& after) {
     return before.empty() ? after : before + separator + after;
 }
 
 std::string afterFile(const Place& place, const std::string& message) {
-    return joined(within(place), ": ", message);
+    const std::string inPlace = joined(place.pointer.value_or(""), ": ", message);
+    if (place.column > 0)
+        return std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + inPlace;
+    return place.line > 0 ? "line " + std::to_string(place.line) + ": " + inPlace : inPlace;
+}
+
+// One character each: a blank for a tab, and a mark for what cannot be shown.
+std::vector<std::string> characters(std::string_view line) {
+    std::vector<std::string> all;
+    for (std::size_t size = 1; !line.empty(); line.remove_prefix(size)) {
+        size = std::max<std::size_t>(printableBytes(line), 1);
+        const bool isShown = printableBytes(line) > 0;
+        all.emplace_back(line[0] == '\t' ? " " : isShown ? line.substr(0, size) : "?");
+    }
+    return all;
 }
 
 }  // namespace
 
-Error::Error(Place place, const std::string& message)
-    : std::runtime_error(
-          joined(place.file, !place.pointer && place.column > 0 ? ":" : ": ", afterFile(place, message))),
+Error::Error(Place place, const std::string& message, std::string_view line)
+    : std::runtime_error(joined(place.file, place.column > 0 ? ":" : ": ", afterFile(place, message))),
       place_(std::move(place)),
-      inFile_(afterFile(place_, message)) {}
+      inFile_(afterFile(place_, message)),
+      line_(line) {}
 
-Error systemError(const std::string& file, const std::string& purpose) {
-    return {{file}, joined(purpose, ": ", std::generic_category().message(errno))};
+std::vector<std::string> Error::excerpt(std::size_t columns) const {
+    constexpr std::size_t indent = 4, context = 20;  // characters before the mark, where not all fit
+    const std::vector<std::string> all = characters(line_);
+    if (all.empty() || place_.column == 0 || columns <= indent + context) return {};
+    const std::size_t mark = std::min(place_.column - 1, all.size()), most = columns - indent;
+    const std::size_t last = std::min(mark + most - context, all.size());
+    const std::size_t first = mark < most ? 0 : mark - context;
+    std::string text(indent, ' ');
+    for (std::size_t i = first; i < std::min(last, first + most); ++i) text += all[i];
+    return {text, std::string(indent + mark - first, ' ') + "^"};
+}
+
+Error systemError(const std::string& file, const std::string& purpose, const std::string& more) {
+    return {{file}, joined(purpose, ": ", std::generic_category().message(errno)) + more};
 }
 
 }  // namespace raytracer

@@ -8,6 +8,7 @@
 #include "descriptor.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/memory.h"
+#include "raytracer/util/nearby_file.h"
 
 namespace raytracer {
 namespace {
@@ -29,7 +30,7 @@ bool readToEnd(int descriptor, std::string& bytes, const std::string& path) {
 
 FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     const auto require = [&](bool done) {
-        if (!done) throw systemError(path, "cannot read");
+        if (!done) throw systemError(path, "cannot read", errno == ENOENT ? hintAt(path) : "");
     };
     // Opening a pipe would wait for its writer.
     const int waits = kind == FileKind::Regular ? O_NONBLOCK : 0;

@@ -14,6 +14,10 @@
 
 namespace raytracer {
 
+namespace {
+constexpr std::size_t mostColumns = 100;  // of a line that is read with ease
+}
+
 void prepareStandardStreams() {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
@@ -27,11 +31,18 @@ void print(std::string_view text) {
 }
 
 void tell(std::string_view text) {
-    constexpr std::size_t mostColumns = 100, indent = 4;
+    constexpr std::size_t indent = 4;
     std::string line = printable(text);
     if (const std::size_t columns = terminalColumns())
         line = wrapped(line, std::min(columns, mostColumns), indent);
     writeAll(STDERR_FILENO, line + "\n");  // where this fails, nobody can be told
+}
+
+void tell(const Error& error) {
+    tell(std::string_view(error.what()));
+    const std::size_t columns = terminalColumns();
+    for (const std::string& line : error.excerpt(columns > 0 ? std::min(columns, mostColumns) : mostColumns))
+        writeAll(STDERR_FILENO, line + "\n");
 }
 
 std::size_t terminalColumns() {

@@ -8,6 +8,19 @@
 
 namespace raytracer {
 
+namespace {
+
+std::string unicodeEscape(char c) { return formatted("\\u%04x", static_cast<unsigned char>(c)); }
+
+// Of the character that the text begins with, of which `size` bytes can be shown.
+std::string escape(std::string_view text, std::size_t size) {
+    if (text[0] == '"' || text[0] == '\\') return {'\\', text[0]};
+    if (text[0] == '\n') return "\\n";
+    return size > 0 && text[0] != '<' ? std::string(text.substr(0, size)) : unicodeEscape(text[0]);
+}
+
+}  // namespace
+
 std::size_t printableBytes(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
     if (lead < 0x80) return lead >= 0x20 && lead != 0x7f;
@@ -49,6 +62,31 @@ std::string printable(std::string_view text, std::string_view kept) {
         text.remove_prefix(std::max<std::size_t>(good, 1));
     }
     return shown;
+}
+
+std::string jsonString(std::string_view text) {
+    std::string quoted = "\"";
+    while (!text.empty()) {
+        // U+0080 to U+009F: terminals take these as the beginning of a command.
+        const bool isControl = text.size() > 1 && text[0] == '\xc2' && (text[1] & 0xe0) == 0x80;
+        if (isControl) text.remove_prefix(1);
+        const std::size_t size = isControl ? 0 : printableBytes(text);
+        quoted += escape(text, size);
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return quoted + '"';
+}
+
+// 60 bytes are enough for any name that people choose, and leave room on a terminal's line.
+std::string inQuotes(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    if (text.size() <= longest) return jsonString(text);
+    std::size_t end = longest;
+    const auto isInCharacter = [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+    };  // UTF-8
+    while (end > 0 && isInCharacter(text[end])) --end;
+    return jsonString(text.substr(0, end)) + "...";
 }
 
 std::size_t characterCount(std::string_view text) {

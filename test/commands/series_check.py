@@ -42,7 +42,7 @@ def check_set(folder):
     check("--set: the bytes", True, (folder / "a.png").read_bytes() == (folder / "b.png").read_bytes())
     check("--set of what is not there", (2, f'{SCENE}: --set /camera/eyes: there is no "eyes" in /camera; did you mean /camera/eye?\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eyes=[1,2,3]"))
-    check("--set to what does not fit", (2, f'{SCENE}: /camera/eye: expected 3 numbers, found "here"\n'),
+    check("--set to what does not fit", (2, f'{SCENE}:7:16: /camera/eye: expected 3 numbers, found "here"\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye=here"))
     check("--set without a value", (2, 'raytracer: --set: expected /pointer=value, found "/camera/eye"\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye"))
@@ -74,7 +74,9 @@ def check_skipped(folder):
     texture = folder / "texture.png"
     texture.write_bytes(pathlib.Path("test/expected/mesh.png").read_bytes())
     scene = folder / "scene.json"
-    scene.write_text(json.dumps(json.loads(pathlib.Path("test/good/least.json").read_text()) | {"textures": {"t": "texture.png"}}))
+    materials = [{"use_diffuse_texture": True, "diffuse_texture": "t"}]
+    scene.write_text(json.dumps(json.loads(pathlib.Path("test/good/least.json").read_text()) |
+                                {"materials": materials, "textures": {"t": "texture.png"}}))
     for path in (texture, scene):
         os.utime(path, ns=(0, 10**18))
     for name, more in (("a.png", []), ("a.pfm", []), ("a.png.part-2-of-3", ["--part", "2/3"])):

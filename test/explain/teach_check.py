@@ -35,13 +35,13 @@ def check_advice(folder, what, line):
     check(what + ": status", 0, run(folder, "scene.json", out, 8)[0])
     check(what + ": picture", True, out.exists())
     out.unlink()
-    check(what + ": line", ["warning: scene.json: " + line], run(folder, "scene.json", out, 8)[1])
+    check(what + ": line", ["warning: scene.json" + line], run(folder, "scene.json", out, 8)[1])
     check(what + ": --quiet", (0, []), run(folder, "scene.json", out, 8, "--quiet")[:2])
     out.unlink()
     for arguments in (["--strict"], ["--strict", "--quiet"]):
         done = subprocess.run([RAYTRACER, *arguments, "scene.json", out, "8"], capture_output=True, text=True, cwd=folder)
         check(what + ": strict status", 2, done.returncode)
-        check(what + ": strict line", "scene.json: " + line, done.stderr.replace("\r", "\n").strip().split("\n")[-1].strip())
+        check(what + ": strict line", "scene.json" + line, done.stderr.replace("\r", "\n").strip().split("\n")[-1].strip())
         check(what + ": strict picture", False, out.exists())
 
 
@@ -57,19 +57,19 @@ def check_all_advice(folder):
 
     dust = {"name": "dust", "translate": [0, 0, 5], "scale": [1e-310] * 3}
     scene_with(folder, **good | {"transforms": [transform, dust], "shapes": [sphere, sphere | {"transform": "dust"}]})
-    check_advice(folder, "range", "the scene's numbers lie too far apart for --precision double: computed in extended")
+    check_advice(folder, "range", ": the scene's numbers lie too far apart for --precision double: computed in extended")
     check("range: extended", (0, []), run(folder, "scene.json", out, 8, "--precision", "extended", "--strict")[:2])
     out.unlink()
 
     scene_with(folder, **good | {"camera": SCENE["camera"] | {"up": [0, 2, 0]}})
-    line = ("/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at 90 degrees, "
+    line = (":1:12: /camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at 90 degrees, "
             "found lengths 1 and 2 at 90 degrees")
     check_advice(folder, "camera", line)
-    check("explained", (0, ["warning: scene.json: " + line]), run(folder, "explain", "scene.json", 4, 4, 8)[:2])
-    check("explained strictly", (2, ["scene.json: " + line]), run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
+    check("explained", (0, ["warning: scene.json" + line]), run(folder, "explain", "scene.json", 4, 4, 8)[:2])
+    check("explained strictly", (2, ["scene.json" + line]), run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
 
     scene_with(folder, **good | {"materials": [{}]} | {"lights": [light | {"position": [0, 0, -9]}]})
-    check_advice(folder, "black", "the picture is all black: the lights are behind all surfaces that are seen; and there is no "
+    check_advice(folder, "black", ": the picture is all black: the lights are behind all surfaces that are seen; and there is no "
                                   "ambient light on it")
     for partial in (["--only", "ambient"], ["--crop", "0,0,1,1"], ["--pass", "raycast"]):
         check(f"black with {partial}", (0, []), run(folder, "scene.json", out, 8, "--strict", *partial)[:2])

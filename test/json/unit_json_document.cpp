@@ -210,7 +210,9 @@ TEST_CASE("json: a value's error has its line and column beside its pointer") {
         CHECK(error.place().line == line);
         CHECK(error.place().column == column);
         CHECK(error.place().pointer == pointer);
-        CHECK(error.what() == "x.json: " + (pointer.empty() ? "" : pointer + ": ") + "what");
+        CHECK(error.what() == "x.json:" + std::to_string(line) + ":" + std::to_string(column) + ": " +
+                                  (pointer.empty() ? "" : pointer + ": ") + "what");
+        CHECK(error.excerpt(80).empty());
     };
     check(0, 1, 1, "");
     check(2, 2, 14, "/ab");
@@ -221,14 +223,47 @@ TEST_CASE("json: a value's error has its line and column beside its pointer") {
 
 TEST_CASE("json: an error of meaning, found before the text has been read to its end, has a place") {
     CHECK(errorOf("[0, {\"a\": 1, \"b\": 2, \"a\": 3}]") ==
-          "x.json: /1: expected each key once, found \"a\" twice");
-    CHECK(errorOf("[0, [1e999]]") == "x.json: /1/0: expected a finite number, found 1e999");
+          "x.json:1:5: /1: expected each key once, found \"a\" twice");
+    CHECK(errorOf("[0, [1e999]]") == "x.json:1:6: /1/0: expected a finite number, found 1e999");
 }
 
-TEST_CASE("json: what is not expected is blamed where it begins") {
-    CHECK(errorOf("[1  true]") == "x.json:1:5: unexpected true literal; expected ']'");
-    CHECK(errorOf("[1  -2.5e3]") == "x.json:1:5: unexpected number literal; expected ']'");
-    CHECK(errorOf("[1  \"a \\n b\"]") == "x.json:1:5: unexpected string literal; expected ']'");
-    CHECK(errorOf("[1  {}]") == "x.json:1:5: unexpected '{'; expected ']'");
-    CHECK(errorOf("[1,") == "x.json:1:4: unexpected end of input; expected '[', '{', or a literal");
+TEST_CASE("json: what is wrong is said in words, where it is") {
+    const std::string comma = "a comma is missing here";
+    CHECK(errorOf("[1  true]") == "x.json:1:3: " + comma);
+    CHECK(errorOf("[1  -2.5e3]") == "x.json:1:3: " + comma);
+    CHECK(errorOf("[1.5e3\n\"a \\n b\"]") == "x.json:1:7: " + comma);
+    CHECK(errorOf("[1  {}]") == "x.json:1:3: " + comma);
+    CHECK(errorOf("[[]  []]") == "x.json:1:4: " + comma);
+    CHECK(errorOf("[1,") == "x.json:1:4: \"]\" is missing at the end of the list of line 1");
+    CHECK(errorOf("{\"a\": [\n1}") == "x.json:2:2: \"]\" is missing at the end of the list of line 1");
+    CHECK(errorOf("[1 - 2]") == "x.json:1:2: JSON does not calculate: write the result of \"1 - 2\"");
+    CHECK(errorOf("[-007]") == "x.json:1:2: a number has no zero in front: write -7");
+    CHECK(errorOf("[-.5]") == "x.json:1:2: a point stands between digits: write -0.5");
+    CHECK(errorOf("[-]") == "x.json:1:2: expected a number, found \"-\"");
+    CHECK(errorOf("[1.2.3]") == "x.json:1:2: expected a number, found \"1.2.3\"");
+    CHECK(errorOf("[\"\\uD834\\uDD1E \\ud800\"]") ==
+          "x.json:1:16: half a character: \\ud800 to \\udfff stand in pairs");
+    CHECK(errorOf("[\"\\u12\"]") == "x.json:1:3: expected four hexadecimal digits behind \\u");
+    CHECK(errorOf("[\"\x01\"]") == "x.json:1:3: a control character in a text");
+    CHECK(errorOf("[] ]") == "x.json:1:4: a bracket too many");
+    CHECK(errorOf("[],") == "x.json:1:3: a comma too many: the scene ends before it");
+    CHECK(errorOf("[] /*") == "x.json:1:4: a comment, which JSON does not have: delete it");
+    CHECK(errorOf("{\"a\": 1: 2}") == "x.json:1:8: expected a comma, found \":\"");
+}
+
+TEST_CASE("an error of syntax shows its line, and a mark below") {
+    using Lines = std::vector<std::string>;
+    const auto excerptOf = [](const std::string& text, std::size_t columns) {
+        try {
+            const JsonDocument document("x.json", text);
+        } catch (const Error& error) {
+            return error.excerpt(columns);
+        }
+        return Lines();
+    };
+    CHECK(excerptOf("[1,\r\n\t+2\r\n]", 80) == Lines{"     +2", "     ^"});
+    CHECK(excerptOf("[\"\u00e4\x1b\xff", 80) == Lines{"    [\"\u00e4??", "       ^"});
+    CHECK(excerptOf("[" + std::string(200, ' ') + "+2" + std::string(200, ' ') + "]", 60) ==
+          Lines{std::string(24, ' ') + "+2" + std::string(34, ' '), std::string(24, ' ') + "^"});
+    CHECK(excerptOf("[1,\n", 80).empty());
 }

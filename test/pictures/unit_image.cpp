@@ -176,8 +176,8 @@ TEST_CASE("A picture that cannot be read is told") {
     std::string huge = png;
     huge.replace(16, 8, std::string("\0\xff\xff\xff\0\xff\xff\xff", 8));  // IHDR's width and height
     check(checksummed(huge), "cannot decode as PNG or JPEG: Image too large to decode");
-    CHECK_THROWS_WITH(readImage(folder.file("b.png")),
-                      folder.file("b.png") + ": cannot read: No such file or directory");
+    CHECK_THROWS_WITH(readImage(folder.file("nowhere.png")),
+                      folder.file("nowhere.png") + ": cannot read: No such file or directory");
     CHECK_THROWS_WITH(readImage(folder.file("")), folder.file("") + ": cannot read: Is a directory");
     CHECK_THROWS_AS(readImage(folder.file("")), Error);
 }
@@ -388,9 +388,9 @@ TEST_CASE("A PFM that is broken is told") {
     check("PF\n1 1\n-1.0", "broken PFM picture: it ends before its last pixel");
     check("PF\n1 1\n-1.0\n12345678901", "broken PFM picture: it ends before its last pixel");
     check("PF\n2147483647 2147483647\n-1.0\n123", "broken PFM picture: it ends before its last pixel");
-    CHECK_THROWS_AS(readPfm(folder.file("b.pfm")), Error);
-    CHECK_THROWS_WITH(readPfm(folder.file("b.pfm")),
-                      folder.file("b.pfm") + ": cannot read: No such file or directory");
+    CHECK_THROWS_AS(readPfm(folder.file("nowhere.pfm")), Error);
+    CHECK_THROWS_WITH(readPfm(folder.file("nowhere.pfm")),
+                      folder.file("nowhere.pfm") + ": cannot read: No such file or directory");
 }
 
 TEST_CASE("A picture is written whole or not at all") {

@@ -25,17 +25,22 @@ VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
 # How the loader begins what a schema cannot know.
 SEMANTIC = ("no material named", "no transform named", "no texture named", "expected a name that no other",
             "expected a transform that has an inverse", "expected a number other than film_",
-            "expected another direction than look's", "expected an OBJ mesh in", "expected a picture in",
+            "expected another direction than look's", "expected an OBJ mesh in", "expected a picture in", "no file ",
             "expected each key once", "expected a finite number")
 
 # How advice on a scene begins that is in order otherwise, and none of the schema's business.
 ADVICE = ("look and up are taken as given", "it is not seen, but it may cast a shadow", "the light is inside of",
-          "the picture is all black")
+          "the picture is all black", "film_left is above film_right", "film_bottom is above film_top",
+          "no material has this diffuse_texture", "it is not shown without")
 
 # The advice that is due to good scenes: what is said of them is meant, or is what they are for.
+UNUSED = ":10:51: /textures/never used, so never decoded: no material has this diffuse_texture\n"
 DUE = {
-    "camera_test2.json": ": /camera: look and up are taken as given, and these distort the picture: expected lengths 1 "
+    "camera_test2.json": ":4:15: /camera: look and up are taken as given, and these distort the picture: expected lengths 1 "
                          "and 1 at 90 degrees, found lengths 1 and 1.25 at 90 degrees\n",
+    "byte_order_mark.json": UNUSED,
+    "defaults.json": UNUSED,
+    "mirrored_film.json": ":4:22: /camera/film_left: the picture is mirrored: film_left is above film_right; swap them\n",
     "least.json": ": the picture is all black: the scene has no shapes\n",
 }
 
@@ -59,9 +64,14 @@ def complaint(raytracer, scene, pixels=1):
         done = subprocess.run(
             [raytracer, "--strict", "--quiet", "--threads", "1", str(scene), str(out), str(pixels)], capture_output=True)
         error = done.stderr.decode()
-        if done.returncode not in (0, 2) or (done.returncode == 0) != out.exists() or error.count("\n") > 1:
+        if done.returncode not in (0, 2) or (done.returncode == 0) != out.exists() or error.count("\n") > 25:
             problems.append(f"{scene}: exit status {done.returncode}, stderr: {error}")
         return error if done.returncode else None
+
+
+def first_line(text):
+    """--strict tells all faults, and a mistake of syntax shows its line."""
+    return text and text.split("\n")[0] + "\n"
 
 
 def expect(scene, what, expected, found):
@@ -73,11 +83,11 @@ def check_good(raytracer, scene):
     expect(scene, "the schema accepts", True, VALIDATOR.is_valid(parse(scene)))
     due = DUE.get(scene.name)
     enough = 16  # pixels: a single one of a good picture may well be black
-    expect(scene, "advice", str(scene) + due if due else None, complaint(raytracer, scene, enough))
+    expect(scene, "advice", str(scene) + due if due else None, first_line(complaint(raytracer, scene, enough)))
 
 
 def check_bad(raytracer, scene):
-    expect(scene, "the loader", scene.with_suffix(".txt").read_text(encoding="utf-8"), complaint(raytracer, scene))
+    expect(scene, "the loader", scene.with_suffix(".txt").read_text(encoding="utf-8"), first_line(complaint(raytracer, scene)))
     if scene.parent.name != "syntax":
         expect(scene, "the schema accepts", scene.parent.name == "semantic", VALIDATOR.is_valid(parse(scene)))
         return
@@ -126,7 +136,7 @@ def check_damages(raytracer, scene):
             text = json.dumps(damaged).replace('"../', '"../../')  # it lies one folder deeper
             path.write_text(text, encoding="utf-8")
             error = complaint(raytracer, path)
-            accepted = error is None or any(words in error for words in SEMANTIC + ADVICE)
+            accepted = all(any(words in line for words in SEMANTIC + ADVICE) for line in (error or "").splitlines())
             if accepted != VALIDATOR.is_valid(json.loads(text)):
                 problems.append(f"the schema has another verdict than {error!r} on {text}")
 

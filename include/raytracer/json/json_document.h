@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "raytracer/util/error.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -41,7 +42,9 @@ class JsonDocument {
     std::string pointer(std::uint32_t node) const;  // empty for the root
 
     // An Error about a value, with the value's line, column and JSON pointer.
-    Error error(std::uint32_t node, const std::string& message) const;
+    Error error(std::uint32_t node, const std::string& message) const { return error(node, message, node); }
+    // The same, with the line and the column of another node.
+    Error error(std::uint32_t node, const std::string& message, std::uint32_t where) const;
 
   private:
     friend class JsonReader;
@@ -70,6 +73,7 @@ class JsonDocument {
     static_assert(sizeof(Node) == 16);
 
     Place place(std::size_t offset) const;  // line and column of text_[offset]
+    Error syntaxError(std::size_t offset, const std::string& message) const;  // with the line's text
     bool isContainer(std::uint32_t node) const {
         return kind(node) == Kind::Array || kind(node) == Kind::Object;
     }
@@ -79,8 +83,5 @@ class JsonDocument {
     std::vector<Node> nodes_;
     std::deque<Decoded> decoded_;
 };
-
-// `text` in quotes with control characters escaped, for a message; shortened if it is long.
-std::string inQuotes(std::string_view text);
 
 }  // namespace raytracer

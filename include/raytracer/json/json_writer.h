@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "raytracer/util/text.h"
+
 namespace raytracer {
 
 // The caller must follow the grammar: in an object every value has a key, and each begin has its end. Nothing
@@ -60,9 +62,5 @@ class JsonWriter {
 // The shortest text that reads back as this double (0.1, where %.17g has 0.10000000000000001), in every
 // locale.
 std::string shortestNumber(double number);
-
-// `text` in quotes, with escape sequences for what JSON forbids in a string, and for "<", so that the result
-// can stand in a <script>.
-std::string jsonString(std::string_view text);
 
 }  // namespace raytracer

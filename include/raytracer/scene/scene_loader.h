@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raytracer/scene/scene_description.h"
+#include "raytracer/util/error.h"
 
 namespace raytracer {
 
@@ -17,8 +18,14 @@ struct LoadedScene {
 
 // Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). An
 // unknown key is a warning, or an Error if `strict`. `edits` ("/pointer=value", JsonEdit) are made before,
-// one after the other. Throws Error: "FILE: /json/pointer: what was expected, what was found" (syntax errors:
-// "FILE:LINE:COLUMN: ...").
-LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits = {});
+// one after the other. Throws Error: "FILE:LINE:COLUMN: /json/pointer: what was expected, what was found"
+// (syntax errors: without the pointer). `named` gets LoadedScene::files, as far as they are known also where
+// this throws.
+LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits = {},
+                      std::vector<std::string>* named = nullptr);
+
+// What is said about values of a scene, "/json/pointer: ...", as Errors about the file, with lines and
+// columns as far as it can be read again. Without a pointer, it is about the file.
+std::vector<Error> remarksOn(const std::string& path, const std::vector<std::string>& remarks);
 
 }  // namespace raytracer

@@ -8,6 +8,8 @@
 
 namespace raytracer {
 
+class Error;
+
 // Before all else: closes the ways in which a write would end the process or go astray. A full disk or a
 // closed pipe becomes an Error, not a signal; a descriptor from 0 to 2 that is closed is taken, so that no
 // file gets its number and the messages.
@@ -20,6 +22,9 @@ void print(std::string_view text);
 // Writes one line, of which `text` has no end, to standard error. On a terminal it is wrapped to the
 // terminal's width and to at most 100 columns.
 void tell(std::string_view text);
+
+// The error's line, and the excerpt of its file.
+void tell(const Error& error);
 
 // What standard error is: the columns of a terminal, or 0 where it is none.
 std::size_t terminalColumns();

@@ -24,6 +24,13 @@ std::size_t printableBytes(std::string_view text);
 // byte, but for the characters in `kept`.
 std::string printable(std::string_view text, std::string_view kept = {});
 
+// `text` in quotes, with escape sequences for what JSON forbids in a string, and for "<", so that the result
+// can stand in a <script>.
+std::string jsonString(std::string_view text);
+
+// `text` in quotes with control characters escaped, for a message; shortened if it is long.
+std::string inQuotes(std::string_view text);
+
 // The text in lines of at most so many columns, broken at blanks; all lines but the first begin with `indent`
 // blanks. `used`: what the first line has already. A longer word has a line of its own.
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used = 0);

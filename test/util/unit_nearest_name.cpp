@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/nearest_name.h"
 
 using raytracer::NearestName;
 
@@ -14,14 +14,16 @@ std::string questionFor(const char* name, std::initializer_list<const char*> can
 
 }  // namespace
 
-TEST_CASE("the nearest name has the fewest errors, or shares whole words") {
+TEST_CASE("the nearest name has the fewest errors, or the same last words") {
     CHECK(questionFor("colour", {"specular", "color"}) == "; did you mean \"color\"?");
     CHECK(questionFor("colour", {"specular", "shininess"}) == "");
     CHECK(questionFor("recursion", {"precision", "max-recursion"}) == "; did you mean \"max-recursion\"?");
-    CHECK(questionFor("samples-per-pixel", {"samples", "only"}) == "; did you mean \"samples\"?");
+    CHECK(questionFor("number-of-samples", {"samples", "only"}) == "; did you mean \"samples\"?");
     CHECK(questionFor("diffuse", {"color_diffuse", "diffused"}) == "; did you mean \"diffused\"?");
     CHECK(questionFor("diffuse", {"color_diffuse", "color_ambient"}) == "; did you mean \"color_diffuse\"?");
-    CHECK(questionFor("color", {"color_diffuse", "color_ambient"}) == "");  // either could be meant
+    CHECK(questionFor("diffuse", {"diffuse_texture", "color_diffuse"}) ==
+          "; did you mean \"color_diffuse\"?");
+    CHECK(questionFor("edge", {"left_edge", "right_edge"}) == "");  // either could be meant
     CHECK(questionFor("use", {"color_use", "diffuse"}) == "");
     CHECK(questionFor("fuse_", {"color_diffuse"}) == "");
 }

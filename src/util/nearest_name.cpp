@@ -1,10 +1,10 @@
-#include "raytracer/json/nearest_name.h"
+#include "raytracer/util/nearest_name.h"
 
 #include <algorithm>
 #include <cctype>
 #include <vector>
 
-#include "raytracer/json/json_document.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
@@ -39,15 +39,11 @@ std::size_t lengthDifference(std::string_view a, std::string_view b) {
     return std::max(a.size(), b.size()) - std::min(a.size(), b.size());
 }
 
-// Whether `part` is made of whole words of `all`: letters stand neither before nor behind it.
-bool hasWords(std::string_view all, std::string_view part) {
-    constexpr std::size_t least = 4;  // letters; fewer are in many names
-    if (part.size() < least || part.size() >= all.size()) return false;
-    const auto same = [](char a, char b) { return lower(a) == lower(b); };
-    const auto at = std::ranges::search(all, part, same);
-    const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
-    return !at.empty() && (at.begin() == all.begin() || !isLetter(at.begin()[-1])) &&
-           (at.end() == all.end() || !isLetter(*at.end()));
+// Whether the name ends with `part`, whole words of it: the last word says what it names.
+bool endsInWord(std::string_view name, std::string_view part) {
+    constexpr std::size_t least = 4;  // letters; fewer end many names
+    if (part.size() < least || part.size() >= name.size() || !endsIn(name, part)) return false;
+    return std::isalnum(static_cast<unsigned char>(name[name.size() - part.size() - 1])) == 0;
 }
 
 }  // namespace
@@ -58,7 +54,7 @@ NearestName::NearestName(std::string_view name)
 }
 
 void NearestName::consider(std::string_view candidate) {
-    if (name_.size() <= longestName && (hasWords(candidate, name_) || hasWords(name_, candidate))) {
+    if (name_.size() <= longestName && (endsInWord(candidate, name_) || endsInWord(name_, candidate))) {
         ++kin_;
         kinName_ = candidate;
     }

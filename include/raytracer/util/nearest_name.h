@@ -11,8 +11,8 @@ namespace raytracer {
 // Keeps the candidate nearest to `name`, the first of several. The distance is that of Damerau and
 // Levenshtein (restricted, without regard to case): the number of letters inserted, left out, replaced, or
 // swapped with a neighbour. A candidate with more than one error for each three letters is a different word
-// and does not count. Nearer than two errors is the one candidate that is made of whole words of the name, or
-// the name of its words: "diffuse" and "color_diffuse".
+// and does not count. Nearer than two errors is the one candidate that has the name as its last words, or is
+// the last words of the name: "color_diffuse" and "diffuse".
 class NearestName {
   public:
     explicit NearestName(std::string_view name);
@@ -28,7 +28,7 @@ class NearestName {
     std::string name_, nearest_, kinName_;
     std::size_t limit_;  // a candidate counts if its distance is below this, that of nearest_
     bool found_ = false;
-    int kin_ = 0;  // candidates that share whole words with the name, of which kinName_ is one
+    int kin_ = 0;  // candidates with the same last words, of which kinName_ is one
 };
 
 }  // namespace raytracer

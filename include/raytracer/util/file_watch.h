@@ -1,0 +1,37 @@
+// Waits until files change.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace raytracer {
+
+// Files by name, as they were when they were added. One that is not there may come to be.
+class FileWatch {
+  public:
+    void add(const std::string& path);  // nothing where it is watched already
+
+    // Returns once a file is another than when it was added, and no file has changed for a moment: a program
+    // that saves may write in several steps. Looks ten times a second, for no portable call tells of a
+    // change.
+    void wait() const;
+
+    std::size_t count() const { return files_.size(); }
+
+  private:
+    struct State {
+        std::filesystem::file_time_type time{};
+        std::uintmax_t size = 0;
+        bool operator==(const State&) const = default;
+    };
+    static State stateOf(const std::string& path);
+    std::map<std::string, State> states() const;
+
+    std::map<std::string, State> files_;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,16 @@
+// What a picture takes, where it is more than its author may think.
+#pragma once
+
+#include "raytracer/tracer/renderer.h"
+#include "render_arguments.h"
+
+namespace raytracer::commands {
+
+// Says how many rays a deep recursion casts, and how long the picture takes, where it is much.
+void remarkOnCost(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
+                  const RenderOptions& options);
+
+// "45 s", "12 min", "3.5 h", "2.1 days".
+std::string durationInWords(double seconds);
+
+}  // namespace raytracer::commands

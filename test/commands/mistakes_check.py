@@ -1,0 +1,178 @@
+"""Mistakes of a newcomer: each answer names the mistake and the remedy, whole, in at most three lines of 100 columns.
+
+Usage: mistakes_check.py RAYTRACER, from the source folder.
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+SCENE = """{
+    "camera": {
+        "type": "perspective", "focal_length": 1, "eye": [0, 0, 4], "look": [0, 0, -1], "up": [0, 1, 0],
+        "film_left": -0.5, "film_right": 0.5, "film_bottom": -0.5, "film_top": 0.5
+    },
+    "textures": { "wood": "textures/wood.png" },
+    "materials": [
+        { "name": "red", "color_diffuse": [0.8, 0.1, 0.1], "shininess": 40 },
+        { "name": "floor", "use_diffuse_texture": true, "diffuse_texture": "wood" }
+    ],
+    "lights": [ { "position": [3, 5, 4], "color": [1, 1, 1] } ],
+    "transforms": [ { "name": "ball" }, { "name": "floor", "translate": [0, -1, 0] } ],
+    "shapes": [
+        { "type": "sphere", "transform": "ball", "material": "red" },
+        { "type": "cube", "transform": "floor", "material": "floor" }
+    ]
+}
+"""
+RENDER = ["scene.json", "out.png", "8"]
+ORDER = "the order is SCENE IMAGE_OUT LONG_EDGE_PIXELS"
+
+# What is typed, and what is answered: an error.
+COMMANDS = [
+    ("", f"raytracer: SCENE is missing; {ORDER} (see --help)"),
+    ("render scene.json out.png 8", 'raytracer: unknown command "render"; write raytracer SCENE IMAGE_OUT LONG_EDGE_PIXELS'),
+    ("comapre a.png b.png", 'raytracer: unknown command "comapre"; did you mean "compare"?'),
+    ("out.png scene.json 8", "raytracer: is out.png the picture? The order is SCENE IMAGE_OUT LONG_EDGE_PIXELS"),
+    ("scene.json 8", f"raytracer: IMAGE_OUT is missing; {ORDER} (see --help)"),
+    ("scene.json out.png", f"raytracer: LONG_EDGE_PIXELS is missing; {ORDER} (see --help)"),
+    ("scene.json out.png 8 6", f'raytracer: unexpected argument "6"; {ORDER}'),
+    ("scene.json out.png 8x6", 'raytracer: LONG_EDGE_PIXELS: expected a whole number from 1 to 65536, found "8x6"'),
+    ("scene.json -o out.png 8", f"raytracer: unknown option -o; {ORDER}"),
+    ("scene.json out.png 8 --sample 4", "raytracer: unknown option --sample; did you mean --samples?"),
+    ("scene.json out.png 8 --recursion 4", "raytracer: unknown option --recursion; did you mean --max-recursion?"),
+    ("scene.json out.png 8 --samples", "raytracer: --samples: expected a whole number from 1 to 65536, found nothing"),
+    ("scene.json out.png 8 --only difuse", 'raytracer: --only: no term "difuse"; did you mean "diffuse"?'),
+    ("scene.json out.png 8 --pass normal",
+     'raytracer: --pass: expected color, raycast or normals, found "normal"; did you mean "normals"?'),
+    ("scene.json out.png 8 --pass normals --only diffuse", "raytracer: --only has no effect with --pass normals"),
+    ("scene.json out.png 8 --target-error 1 --samples 4",
+     "raytracer: --target-error and --samples exclude each other: give one of them"),
+    ("scene.json out.png 8 --crop 0,0,9,9",
+     'raytracer: --crop: expected a rectangle inside of the 8 x 8 picture, found "0,0,9,9"'),
+    ("scene.json out.jpg 8", "out.jpg: expected a name that ends in .png or .pfm"),
+    ("scene.json nowhere/out.png 8", "nowhere/out.png: cannot write: No such file or directory"),
+    ("explain scene.json 8 8 8", "raytracer: expected a pixel inside of the 8 x 8 picture, found 8, 8"),
+    ("sceen.json out.png 8", 'sceen.json: cannot read: No such file or directory; there is "scene.json"'),
+    ("scene out.png 8", 'scene: cannot read: No such file or directory; there is "scene.json"'),
+    ("other.json out.png 8", 'other.json: cannot read: No such file or directory; there is "more/other.json"'),
+    ("compare out.png refrence.png", 'refrence.png: cannot read: No such file or directory; there is "reference.png"'),
+]
+
+# What is changed in the scene, the place, what is answered, and for a mistake of syntax the column of the mark.
+SCENES = [
+    ('"floor" }\n    ]', '"floor" },\n    ]', "15:70", 'a comma too many before "]"'),
+    ('"focal_length": 1,', '"focal_length": 1', "3:49", "a comma is missing here"),
+    ("-0.5, \"film_r", "-0,5, \"film_r", "4:24", "a number has a decimal point: write -0.5"),
+    ('"lights": [', '"lights": [ // the sun\n', "11:17", "a comment, which JSON does not have: delete it"),
+    ('"red"', "'red'", "8:19", "text stands in double quotes, not in single ones"),
+    ("true", "True", "9:51", 'expected true, found "True": small letters'),
+    ("40", "+40", "8:73", "a number has no plus in front: write 40"),
+    ("40", "360/4", "8:73", 'JSON does not calculate: write the result of "360/4"'),
+    ("40", "NaN", "8:73", 'expected a finite number, found "NaN"'),
+    ('"sphere"', "sphere", "14:19", 'expected a value, found "sphere"; text stands in double quotes'),
+    ('"shininess"', "shininess", "8:60", 'a key stands in double quotes: write "shininess"'),
+    ("textures/wood.png", "C:\\wood.png", "6:30", "a backslash in a text is written twice; in a path, write /"),
+    ("[3, 5, 4]", "[3, 5, 4", "11:41", '"]" is missing at the end of the list of line 11'),
+]
+MEANINGS = [
+    ('"material": "red"', '"material": "rde"', "14:62", '/shapes/0/material: no material named "rde"; did you mean "red"?'),
+    ('"sphere"', '"ball"', "14:19", '/shapes/0/type: expected "sphere", "plane", "cylinder", "cone", "cube" or "mesh", found "ball"'),
+    ("focal_length", "focal_lenght", "3:32", '/camera: expected the key "focal_length", found "focal_lenght"'),
+    ("[0, 0, 4]", "[0, 0]", "3:58", "/camera/eye: expected 3 numbers, found an array of 2"),
+    ("[0.8, 0.1, 0.1]", '"red"', "8:43", '/materials/0/color_diffuse: expected 3 numbers, found "red"'),
+    ("textures/wood.png", "wood.png", "6:27",
+     '/textures/wood: no file "wood.png" (relative to the scene file); there is "textures/wood.png"'),
+    ("textures/wood.png", "Textures\\\\wood.png", "6:27",
+     '/textures/wood: no file "Textures\\\\wood.png" (relative to the scene file); there is "textures/wood.png"'),
+]
+# The same for what is rendered with a warning; with --strict it is an error.
+WARNINGS = [
+    ('"shininess"', '"shinyness"', "8:60", '/materials/0: unknown key "shinyness"; did you mean "shininess"?'),
+    ('"color_diffuse"', '"diffuse"', "8:26", '/materials/0: unknown key "diffuse"; did you mean "color_diffuse"?'),
+    ("[0.8, 0.1, 0.1]", "[200, 20, 20]", "8:43",
+     "/materials/0/color_diffuse: colors go from 0 to 1, not to 255: divide 200 20 20 by 255"),
+    ('"color": [1, 1, 1]', '"color": [255, 255, 255]', "11:51",
+     "/lights/0/color: colors go from 0 to 1, not to 255: divide 255 255 255 by 255"),
+    ('"use_diffuse_texture": true, ', "", "9:47",
+     '/materials/1/diffuse_texture: it is not shown without "use_diffuse_texture": true'),
+    ('"film_left": -0.5, "film_right": 0.5', '"film_left": 0.5, "film_right": -0.5', "4:22",
+     "/camera/film_left: the picture is mirrored: film_left is above film_right; swap them"),
+]
+failures = []
+
+
+def check(what, expected, found):
+    if expected != found:
+        failures.append(f"{what}: expected {expected!r}, found {found!r}")
+
+
+def answered(folder, words):
+    out = pathlib.Path(folder, "out.png")
+    out.unlink(missing_ok=True)
+    done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder, check=False)
+    lines = done.stderr.splitlines()
+    for line in lines:
+        if len(lines) > 3 or len(line) > 100 + len("scene.json:11:11: Textures\\\\wood.png textures/wood.png"):
+            failures.append(f"{words}: too much to read: {done.stderr}")
+    check(f"{words}: a picture", done.returncode == 0, out.exists())
+    return done.returncode, done.stdout, lines
+
+
+def check_change(folder, change, status, lines, *options):
+    before, after = change
+    check(f"{before!r} stands in the scene", True, before in SCENE)
+    pathlib.Path(folder, "scene.json").write_text(SCENE.replace(before, after, 1), encoding="utf-8")
+    check(f"{after!r} for {before!r}, {options}", (status, "", lines), answered(folder, [*RENDER, *options]))
+
+
+def check_all(folder):
+    (folder / "textures").mkdir()
+    (folder / "more").mkdir()
+    shutil.copy("test/bad/files/check.png", folder / "textures/wood.png")
+    shutil.copy("test/bad/files/check.png", folder / "reference.png")
+    shutil.copy("test/bad/files/check.png", folder / "out.png")
+    (folder / "more/other.json").write_text("{}", encoding="utf-8")
+    check_change(folder, ("red", "red"), 0, [])
+    for line, answer in COMMANDS:
+        if line.startswith("compare"):
+            shutil.copy("test/bad/files/check.png", folder / "out.png")
+            done = subprocess.run([RAYTRACER, *line.split()], capture_output=True, text=True, cwd=folder, check=False)
+            check(line, (2, answer + "\n"), (done.returncode, done.stderr))
+            continue
+        check(line, (2, "", [answer]), answered(folder, line.split()))
+    for before, after, place, answer in SCENES:
+        line, column = map(int, place.split(":"))
+        text = SCENE.replace(before, after, 1).split("\n")[line - 1][:96]
+        excerpt = ["    " + text, " " * (3 + column) + "^"]
+        check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}", *excerpt])
+    for before, after, place, answer in MEANINGS:
+        check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"])
+    for before, after, place, answer in WARNINGS:
+        check_change(folder, (before, after), 0, [f"warning: scene.json:{place}: {answer}"])
+        check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"], "--strict", "--quiet")
+
+
+def check_several(folder):
+    """--strict tells all faults before it ends; cost is none."""
+    scene = json.loads(SCENE)
+    scene["camera"]["comment"] = ""
+    scene["lights"][0]["color"] = [255, 255, 255]
+    (folder / "scene.json").write_text(json.dumps(scene), encoding="utf-8")
+    status, _, lines = answered(folder, [*RENDER, "--strict"])
+    check("two faults", (2, 2), (status, len(lines)))
+    (folder / "scene.json").write_text(SCENE, encoding="utf-8")
+    done = subprocess.run([RAYTRACER, "scene.json", "out.png", "60000", "--samples", "60000", "--crop", "0,0,1,1", "--strict"],
+                          capture_output=True, text=True, cwd=folder, check=False)
+    check("cost, of one pixel", (0, ""), (done.returncode, done.stderr))
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    check_all(pathlib.Path(temporary))
+    check_several(pathlib.Path(temporary))
+count = len(COMMANDS) + len(SCENES) + len(MEANINGS) + len(WARNINGS)
+print("\n".join(failures) if failures else f"{count} mistakes are answered")
+sys.exit(1 if failures else 0)

@@ -1,0 +1,38 @@
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+#include "raytracer/util/nearby_file.h"
+#include "raytracer/util/temporary_folder.h"
+
+using namespace raytracer;
+namespace fs = std::filesystem;
+
+TEST_CASE("a file is found near a name that leads nowhere") {
+    const TemporaryFolder folder;
+    const std::string scenes = folder.file("scenes");
+    fs::create_directories(scenes + "/textures/old");
+    for (const char* file :
+         {"ball.json", "Room.json", "textures/checker.png", "textures/old/wood.jpg", ".hidden.png"})
+        std::ofstream(scenes + "/" + file) << "x";
+    const auto near = [&](const std::string& path) {
+        const std::string found = nearbyFile(scenes + path);
+        return found.substr(std::min(found.size(), scenes.size()));
+    };
+    CHECK(near("/checker.png") == "/textures/checker.png");
+    CHECK(near("/Checker.PNG") == "/textures/checker.png");
+    CHECK(near("/wood.jpg") == "/textures/old/wood.jpg");
+    CHECK(near("/room.json") == "/Room.json");
+    CHECK(near("/bal.json") == "/ball.json");
+    CHECK(near("/ball") == "/ball.json");
+    CHECK(near("/ball.jsn") == "/ball.json");
+    CHECK(near("/textures/checker.jpg") == "/textures/checker.png");
+    CHECK(near("\\textures\\checker.png") == "/textures/checker.png");
+    CHECK(near("/texture/checker.png") == "/textures/checker.png");
+    CHECK(near("/hidden.png").empty());
+    CHECK(near("/tree.json").empty());
+    CHECK(nearbyFile("/frobnicate.json").empty());
+    CHECK(hintAt(scenes + "/ball") == "; there is \"" + scenes + "/ball.json\"");
+    CHECK(hintAt(scenes + "/tree.json").empty());
+}
