@@ -1,18 +1,25 @@
 #!/usr/bin/python3
 """Whether --target-error keeps its promise, on random scenes that nobody tuned it for.
 
-    bench/target_error.py --seed SEED [--count 200] [--raytracer PROGRAM] [--sizes 80 160 320 640]
+    bench/target_error.py --seed SEED [--count 240] [--part 0/1] [--raytracer PROGRAM]
     bench/target_error.py --scenes scenes/*.json [--sizes 240]
 
-Scene i of bench/random_scenes.py is rendered at one of the sizes in turn (those of --scenes at each), for each error E
-of ERRORS that this size has. Its true error is measured against a picture of twice the size whose pixels' own errors
-are estimated to be at most the least E; the mean of its 2 x 2 pixels is off by a part of E that is printed: half of the
-difference from a third picture, of three times the size. Prints each case that is above E, then the shares.
+Scene i of bench/random_scenes.py is rendered at one size and one E, such that every 24 cycles of its eight kinds have each
+pair of the SIZES and ERRORS once; which cycle has which pair is drawn by the seed. (Those of --scenes: at each size and E.)
+
+The true error is measured against a picture of twice the size, with other depths, whose pixels' own errors are estimated
+to be at most E; the mean of its 2 x 2 pixels is the truth. Of every fourth case its own error is measured too: half of the
+difference from a second one, of three times the size. A scene with glass whose truth takes more than --seconds of CPU time
+(both reflective and refractive, its rays double with each bounce) is left out, and counted. Prints each case that is above
+E, then the shares. --part 0/2 takes every second scene.
 """
 import argparse
 import collections
 import pathlib
+import random
 import re
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -22,12 +29,7 @@ import numpy
 import random_scenes
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
-# A small E takes most of the time, in the truth too, so that only small pictures have it.
-ERRORS = {80: [0.05, 0.02, 0.01, 0.005, 0.002, 0.001], 160: [0.05, 0.02, 0.01, 0.005, 0.002], 320: [0.05, 0.02, 0.01, 0.005]}
-
-
-def errors_of(size):
-    return ERRORS.get(size, [0.05, 0.02, 0.01])
+SIZES, ERRORS = [80, 160, 320, 640], [0.05, 0.02, 0.01, 0.005, 0.002, 0.001]
 
 
 def read_pfm(path):
@@ -37,21 +39,34 @@ def read_pfm(path):
     return numpy.frombuffer(data[header.end():], "<f4").reshape(height, width, 3)[::-1].astype(float)
 
 
+class TooSlow(Exception):
+    pass
+
+
 class Program:
-    def __init__(self, path, folder):
-        self.path, self.out = path, folder / "picture.pfm"
+    def __init__(self, path, folder, seconds=None):
+        self.path, self.out, self.seconds = path, folder / "picture.pfm", seconds
+
+    def limit(self):
+        if self.seconds:
+            resource.setrlimit(resource.RLIMIT_CPU, (self.seconds, self.seconds))
 
     def render(self, scene, size, *options):
         """The colours, and how the program ended."""
-        done = subprocess.run([self.path, scene, self.out, str(size), "--quiet", *map(str, options)], capture_output=True, text=True)
+        done = subprocess.run([self.path, scene, self.out, str(size), "--quiet", *map(str, options)], capture_output=True, text=True,
+                              preexec_fn=self.limit)
+        if done.returncode in (-signal.SIGKILL, -signal.SIGXCPU):
+            raise TooSlow()
         if done.returncode not in (0, 1) or not self.out.exists():
             raise SystemExit(f"{scene}: {done.stderr}")
         return read_pfm(self.out), done
 
-    def truth(self, scene, size, least, times, depth=None):
+    def truth(self, scene, size, error, times, depth=None):
         """Of a picture `size` large, from one `times` as large."""
-        large, _ = self.render(scene, times * size, "--adaptive", least, "--samples", 65536,
-                               *(depth or ("--max-recursion", 32, "--cutoff", least / 10)))
+        # With glass and mirrors in one material, 300 bounces would take for ever.
+        bounces = 64 if "refractive" in pathlib.Path(scene).read_text() else 300
+        large, _ = self.render(scene, times * size, "--adaptive", error, "--samples", 65536,
+                               *(depth or ("--max-recursion", bounces, "--cutoff", error / 10)))
         height, width = large.shape[0] // times, large.shape[1] // times
         means = large[:height * times, :width * times].reshape(height, times, width, times, 3).mean(axis=(1, 3))
         return means.clip(0, 1)
@@ -62,52 +77,81 @@ def rmse(a, b):
 
 
 def cases(arguments, folder):
+    """Scene, size, E."""
     if arguments.scenes:
-        return [(scene, size) for scene in arguments.scenes for size in arguments.sizes]
-    numbers = range(arguments.first, arguments.first + arguments.count)
-    # Neither the kinds nor the sizes are a multiple of the other.
-    return [(random_scenes.generate(folder, arguments.seed, i), arguments.sizes[i // len(random_scenes.KINDS) % len(arguments.sizes)])
-            for i in numbers]
+        return [(scene, size, error) for scene in arguments.scenes for size in arguments.sizes for error in ERRORS]
+    pairs = [(size, error) for size in arguments.sizes for error in ERRORS]
+    random.Random(arguments.seed).shuffle(pairs)
+    part, parts = map(int, arguments.part.split("/"))
+    return [(random_scenes.generate(folder, arguments.seed, i), *pairs[i // len(random_scenes.KINDS) % len(pairs)])
+            for i in range(part, arguments.count, parts)]
+
+
+class Results:
+    def __init__(self):
+        self.ratios, self.own, self.unreached, self.left_out = collections.defaultdict(list), [], 0, 0
+
+    def leave_out(self, case):
+        self.left_out += 1
+        print(f"{pathlib.Path(case[0]).stem} {case[1]} px, E {case[2]}: too slow", flush=True)
+
+    def add(self, case, ratio, done):
+        scene, size, error = case
+        text = f"{pathlib.Path(scene).stem} {size} px, E {error}: {ratio:.2f} E"
+        if done.returncode == 1:
+            self.unreached += 1
+            print(f"{text}; not reached, says the program", flush=True)
+            return
+        for group in (error, f"{size} px", "all"):
+            self.ratios[group].append(ratio)
+        if ratio > 1:
+            print(f"{text}; {done.stderr.strip()}".replace("\n", "; "), flush=True)
+
+    def print(self):
+        for name, ratios in self.ratios.items():
+            r = numpy.array(ratios)
+            print(f"{name}: {len(r)} cases, {(r > 1).sum()} ({100 * (r > 1).mean():.1f} %) above E, {(r > 2).sum()} above 2 E, "
+                  f"median {numpy.median(r):.2f}, most {r.max():.2f}")
+        print(f"{self.unreached} not reached, says the program; {self.left_out} left out; the truths' own errors: "
+              f"median {numpy.median(self.own):.2f}, most {max(self.own):.2f} E of {len(self.own)}", flush=True)
+
+
+def measure(program, case, results, with_own_error):
+    scene, size, error = case
+    truth = program.truth(scene, size, error, 2)
+    picture, done = program.render(scene, size, "--target-error", error)
+
+    def apart(a, b):  # the larger picture may be a pixel shorter
+        height, width = min(len(a), len(b)), min(a.shape[1], b.shape[1])
+        return rmse(a[:height, :width], b[:height, :width]) / error
+
+    if with_own_error:
+        results.own.append(apart(truth, program.truth(scene, size, error, 3)) / 2)
+    results.add(case, apart(picture, truth), done)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--raytracer", default=TOP / "build/release/raytracer")
     parser.add_argument("--seed")
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--count", type=int, default=200)
-    parser.add_argument("--sizes", type=int, nargs="+", default=[80, 160, 320, 640])
+    parser.add_argument("--count", type=int, default=240)
+    parser.add_argument("--part", default="0/1")
+    parser.add_argument("--seconds", type=int, default=60)
+    parser.add_argument("--sizes", type=int, nargs="+", default=SIZES)
     parser.add_argument("--scenes", nargs="*")
-    parser.add_argument("--own-error", action="store_true", help="measure the truth's own error too")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        program = Program(arguments.raytracer, folder)
-        ratios, unreached, own = collections.defaultdict(list), 0, []
-        for scene, size in cases(arguments, folder):
-            least = min(errors_of(size))
-            truth = program.truth(scene, size, least, 2)
-            if arguments.own_error:
-                own.append(rmse(truth, program.truth(scene, size, least, 3)) / least)
-            for error in errors_of(size):
-                picture, done = program.render(scene, size, "--target-error", error)
-                ratio = rmse(picture[:truth.shape[0], :truth.shape[1]], truth) / error
-                if done.returncode == 1:
-                    unreached += 1
-                    print(f"{pathlib.Path(scene).stem} {size} px, E {error}: not reached, says the program; {ratio:.2f} E")
-                    continue
-                ratios[error].append(ratio)
-                if ratio > 1:
-                    print(f"{pathlib.Path(scene).stem} {size} px, E {error}: {ratio:.2f} E; {done.stderr.strip()}".replace("\n", "; "))
-                sys.stdout.flush()
-        for error in sorted(ratios, reverse=True):
-            r = numpy.array(ratios[error])
-            print(f"E {error}: {len(r)} cases, {100 * (r > 1).mean():.1f} % above E, {(r > 2).sum()} above 2 E, "
-                  f"median {numpy.median(r):.2f}, most {r.max():.2f}")
-        r = numpy.concatenate(list(ratios.values()))
-        print(f"all: {len(r)} cases, {100 * (r > 1).mean():.1f} % above E, {(r > 2).sum()} above 2 E; {unreached} not reached")
-        if own:
-            print(f"the truths of 2 x 2 and 3 x 3 differ by {numpy.median(own):.2f} (median), {max(own):.2f} (most) of the least E")
+        program, results = Program(arguments.raytracer, folder, arguments.seconds), Results()
+        for number, case in enumerate(cases(arguments, folder), 1):
+            try:
+                measure(program, case, results, number % 4 == 1)
+            except TooSlow:
+                results.leave_out(case)
+            if number % 24 == 0:
+                print(f"after {number} cases:", flush=True)
+                results.print()
+        results.print()
 
 
 if __name__ == "__main__":

@@ -10,46 +10,58 @@ namespace raytracer {
 
 namespace {
 
-constexpr double mostRays = 100;  // of a tree; where it has more, twice the recursion could square them
-constexpr double growth = 1.2;    // samples of a pixel: about 1 + (0.013 / error)^1.2
-constexpr double oneMore = 0.013;
-constexpr double nearly = 1.02;  // in rays
+// How much a reflection changes a sample, roughly.
+constexpr double reflection = 0.25;
 
+// So many that they show a reflection in as few places as make the target's error; in a small picture, some
+// to each pixel.
+std::size_t pointsFor(double target, double pixels) {
+    const double least = static_cast<double>(leastLook);
+    return static_cast<std::size_t>(
+        std::clamp(std::pow(reflection / target, 2), least, std::max(least, widely * pixels)));
+}
+
+// From one that takes nothing from the target to one that takes most reflections away.
 std::vector<double> cutoffsFor(double target) {
-    std::vector<double> cutoffs{rounded(target / 4)};
-    while (cutoffs.back() < 0.25) cutoffs.push_back(rounded(4 * cutoffs.back()));
+    std::vector<double> cutoffs{rounded(target / widely)};
+    while (cutoffs.back() < reflection) cutoffs.push_back(rounded(cutoffs.back() * widely));
     return cutoffs;
 }
 
-// As deep as ray trees can be.
+// Empty where they are too many.
+std::vector<glm::dvec3> colorsAt(const Renderer& renderer, const RenderOptions& options,
+                                 std::span<const glm::dvec2> points, RenderCounts& spent) {
+    std::vector<glm::dvec3> colors(points.size());
+    try {
+        spent += renderer.renderPoints(options, points, colors);
+        return colors;
+    } catch (const TooManyRays&) {
+        return {};
+    }
+}
+
+// As deep as makes a difference, or as ray trees can be.
 Setting deepest(const Renderer& renderer, const RenderOptions& options, double target,
-                std::span<const glm::dvec2> few, RenderCounts& spent) {
-    Setting setting{.max_recursion = 4, .cutoff = cutoffsFor(target).front(), .bilinear = options.bilinear};
-    for (; setting.max_recursion < 64; setting.max_recursion *= 2) {
-        Depths depths(setting, {});
-        try {
-            depths.add(renderer, options, few);
-        } catch (const TooManyRays&) {
-            setting.max_recursion /= 2;
-            break;
-        }
-        spent += depths.counts();
-        if (rayCount(depths.counts()) > mostRays * depths.points()) break;
+                std::span<const glm::dvec2> points, RenderCounts& spent) {
+    Setting setting{.max_recursion = 1, .cutoff = cutoffsFor(target).front(), .bilinear = options.bilinear};
+    auto colors = colorsAt(renderer, withSetting(options, setting), points, spent);
+    while (2 * setting.max_recursion <= mostRecursion) {
+        Setting deeper = setting;
+        deeper.max_recursion *= 2;
+        auto next = colorsAt(renderer, withSetting(options, deeper), points, spent);
+        if (next.empty()) break;
+        setting = deeper;
+        if (pictureError(colors, next).rmse * widely <= target) break;
+        colors = std::move(next);
     }
     return setting;
 }
 
-// What a depth leaves of the target decides how many samples the picture takes. Of the depths that cost
-// nearly the same, the most accurate.
-DepthChoice cheapest(std::span<const DepthChoice> depths, double target) {
-    const auto cost = [&](const DepthChoice& depth) {
-        const double left = target * target - depth.atMost();
-        if (left <= 0) return std::numeric_limits<double>::infinity();
-        return depth.rays * (1 + std::pow(oneMore / std::sqrt(left), growth));
-    };
-    const double enough = nearly * cost(*std::ranges::min_element(depths, {}, cost));
+// A picture's error falls about as its rays grow, and what a depth leaves of the target is the samples'.
+DepthChoice cheapest(const std::vector<DepthChoice>& depths, double target) {
     return *std::ranges::min_element(depths, {}, [&](const DepthChoice& depth) {
-        return cost(depth) <= enough ? depth.atMost() : std::numeric_limits<double>::infinity();
+        const double left = target * target - depth.squaredError - surely * depth.standardError;
+        return left > 0 ? depth.rays / std::sqrt(left) : std::numeric_limits<double>::infinity();
     });
 }
 
@@ -78,24 +90,24 @@ void Depths::measure(const RayTrees& trees, std::size_t point, double cutoff, st
         sums[0].rays += 1 + rays[0].shadows;
         return;
     }
-    std::vector<glm::dvec3> light(sums.size(), glm::dvec3(0));  // that comes from this max_recursion on
+    std::vector<glm::dvec3> light;  // that comes from this max_recursion on
     glm::dvec3 deepest(0);
-    std::size_t last = 0;
     for (const RayTreeNode& ray : trees.of(point)) {
         deepest += ray.light;
         const int least = leastRecursion(trees, ray, cutoff);
         if (least > deepest_.max_recursion) continue;
         const auto depth = static_cast<std::size_t>(least);
+        if (depth >= light.size()) light.resize(depth + 1);
         light[depth] += ray.light;
         sums[depth].rays += 1 + ray.shadows;
-        last = std::max(last, depth);
     }
     glm::dvec3 color(0);
-    for (std::size_t depth = 0; depth <= last; ++depth) {
+    for (std::size_t depth = 0; depth < light.size(); ++depth) {
+        const bool isLast = depth + 1 == light.size();
         color += light[depth];
         const double error = squaredError(color, deepest);
-        (depth < last ? sums[depth].squares : sums[depth].lastSquares) += error;
-        (depth < last ? sums[depth].fourths : sums[depth].lastFourths) += error * error;
+        (isLast ? sums[depth].lastSquares : sums[depth].squares) += error;
+        (isLast ? sums[depth].lastFourths : sums[depth].fourths) += error * error;
     }
 }
 
@@ -123,12 +135,11 @@ std::vector<DepthChoice> Depths::all() const {
     return choices;
 }
 
-DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target,
-                        std::size_t count, RenderCounts& spent) {
-    const std::vector<glm::dvec2> points = picturePoints(options.size, count, 3);
-    Depths depths(
-        deepest(renderer, options, target, std::span(points).first(std::min<std::size_t>(count, 250)), spent),
-        cutoffsFor(target));
+DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
+                        RenderCounts& spent) {
+    const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels), 3);
+    const auto few = std::span(points).first(leastLook);
+    Depths depths(deepest(renderer, options, target, few, spent), cutoffsFor(target));
     depths.add(renderer, options, points);
     spent += depths.counts();
     return cheapest(depths.all(), target);

@@ -10,15 +10,20 @@
 
 namespace raytracer {
 
+// Pixels looked at, and points whose ray trees are, at least: fewer do not tell the error.
+inline constexpr std::size_t leastLook = 1000;
+// So many times the target are clearly more, and such a part of it is clearly less.
+inline constexpr double widely = 4;
+// A squared error and so many standard errors must be within the target's: it is taken from a skew sample,
+// and the first setting that seems to reach the target is chosen.
+inline constexpr double surely = 3;
+
 struct DepthChoice {
     int max_recursion = 0;
     double cutoff = 0;
     double rays = 0;           // of a sample
     double squaredError = 0;   // the truncation error: mean square over the samples, against the deepest
     double standardError = 0;  // of squaredError
-
-    // Surely: it is taken from a skew sample.
-    double atMost() const { return squaredError + 2.5 * standardError; }
 };
 
 class Depths {
@@ -52,9 +57,9 @@ class Depths {
     double points_ = 0;
 };
 
-// The depth that makes a picture with a target error cheapest, by `count` points all over the picture.
-// `spent` gets the rays that this took.
-DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target,
-                        std::size_t count, RenderCounts& spent);
+// The depth that makes a picture of so many pixels with a target error cheapest. `spent` gets the rays that
+// this took.
+DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
+                        RenderCounts& spent);
 
 }  // namespace raytracer

@@ -21,33 +21,21 @@ namespace raytracer {
 
 namespace {
 
-// Pixels looked at: as many as find what lies in few of them, 0.05 off. As many again while these do not tell
-// whether the target is reached, and while all their samples are few to the picture's.
-double firstPixels(double target) { return std::clamp(std::pow(0.05 / target, 2), 500.0, 2500.0); }
-constexpr double lookPart = 0.15;
-// Pixels are drawn by the error that they may have, a third of them evenly: then none counts more than three
-// times (Hesterberg 1995).
-constexpr double evenPart = 0.5;  // to the others
-// Points whose ray trees are traced: about 2 % of the picture's samples.
-std::size_t treesTraced(double area, double target) {
-    return static_cast<std::size_t>(std::clamp(0.0005 * area / target, 1000.0, 100000.0));
-}
-// The mean squared error plus so many standard errors must reach the target: it is taken from a skew sample,
-// and the first `adaptive` that seems to reach it is chosen.
-constexpr double margin = 3;
-// The first `adaptive` that is tried, as a multiple of the target: errors are 0.1 to 1.1 of it, and where it
-// is larger, those of single pixels are too. Each next one is smaller by a twelfth; so 4 % of the error are
-// lost.
-constexpr double coarsest = 4, finer = 1 / 1.09;
-constexpr int mostSamples = 4096;      // leave an error of 0.001 at an edge from black to white
+// Twice as many pixels are looked at where these do not tell and the look is at most this part of the
+// picture.
+constexpr double lookPart = 0.3;
+// From one `adaptive` to the next: 4 % of the error are lost in the mean. From four times the target on:
+// errors are 0.1 to 1.1 of it, and where it is larger, those of single pixels are too, which a look may miss.
+constexpr double finer = 1 / 1.09;
 constexpr double mostFirst = 1 << 24;  // pixels whose first samples are kept: 400 MB
 
 // A pixel that is looked at: its own samples, and twice as many others.
 struct Looked {
     PixelPlace place;
     double contrast = 0;
-    double draws = 0;   // how often it was drawn
-    double weight = 0;  // of a draw's squared error in the picture's mean square
+    double draws = 0;          // how often it was drawn
+    double weight = 0;         // of a draw's squared error in the picture's mean square
+    std::uint32_t others = 0;  // the number of its first other sequence, so that no two pixels' errors agree
     PixelEstimate own{}, truth[2]{};
 };
 
@@ -64,20 +52,19 @@ class Search {
     }
 
     TargetChoice choose() {
-        const DepthChoice depth =
-            chooseDepth(renderer_, options_, target_, treesTraced(area_, target_), choice_.counts);
-        options_.max_recursion = depth.max_recursion;
-        options_.cutoff = depth.cutoff;
-        choice_.depthError = std::sqrt(depth.squaredError);
+        depth_ = chooseDepth(renderer_, options_, target_, area_, choice_.counts);
+        options_.max_recursion = depth_.max_recursion;
+        options_.cutoff = depth_.cutoff;
+        choice_.depthError = std::sqrt(depth_.squaredError);
         takeFirst();
         sortPixels();
-        drawPixels(firstPixels(target_));
-        choice_.setting = {mostSamples, 0, depth.max_recursion, depth.cutoff, options_.bilinear};
-        const double left = std::max(0.25 * target_ * target_, target_ * target_ - depth.atMost());
-        choice_.reached =
-            chooseAdaptive(left) && squaredError().first + depth.squaredError <= target_ * target_;
-        if (choice_.setting.adaptive >= 0.25) choice_.setting.samples = 1;  // nor would a pixel take more
-        if (choice_.setting.adaptive >= 0.25) choice_.setting.adaptive = 0;
+        drawPixels(leastLook);
+        choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
+        chooseAdaptive();
+        if (choice_.setting.adaptive >= 0.25) {  // no pixel would take a second sample
+            choice_.setting.samples = 1;
+            choice_.setting.adaptive = 0;
+        }
         if (areaOf(options_.size) < area_) choice_.first = {};
         return std::move(choice_);
     }
@@ -107,7 +94,7 @@ class Search {
     }
 
     // The error that a pixel may have.
-    double weightOf(double contrast) const { return std::min(contrast / 4, coarsest * target_); }
+    double weightOf(double contrast) const { return std::min(contrast / 4, widely * target_); }
 
     void sortPixels() {
         for (std::uint32_t i = 0; i < choice_.first.colors.size(); ++i) {
@@ -115,8 +102,6 @@ class Search {
             totalWeight_ += weightOf(static_cast<double>(pixels_.back().first));
         }
         std::ranges::sort(pixels_);
-        even_ = evenPart * totalWeight_ / static_cast<double>(pixels_.size());
-        totalWeight_ *= 1 + evenPart;
     }
 
     // At equal steps of weight through all pixels in the order of their contrast: of each contrast as many as
@@ -125,30 +110,37 @@ class Search {
         const double step = totalWeight_ / count;
         double sum = 0, next = SampleSequence()[draws_++].x * step;
         for (const auto& [contrast, i] : pixels_) {
-            const double weight = weightOf(static_cast<double>(contrast)) + even_;
+            const double weight = weightOf(static_cast<double>(contrast));
             sum += weight;
             if (sum <= next) continue;
             const double draws = std::ceil((sum - next) / step);
             next += draws * step;
             const double part = totalWeight_ / (weight * static_cast<double>(pixels_.size()));
-            looked_.push_back({placeOf(i), static_cast<double>(contrast), draws, part});
+            const auto others = options_.sequence + 1 + 2 * static_cast<std::uint32_t>(looked_.size());
+            looked_.push_back({placeOf(i), static_cast<double>(contrast), draws, part, others});
             looked_.back().own.add(choice_.first.colors[i]);
         }
         count_ += count;
     }
 
-    // From the coarsest on, until the target is reached. False if nothing reaches it.
-    bool chooseAdaptive(double most) {
+    // From the coarsest on, until the target is surely reached. Where the look is too small to tell, twice as
+    // many pixels are cheaper than more samples in all of them.
+    void chooseAdaptive() {
         double& adaptive = choice_.setting.adaptive;
-        adaptive = rounded(coarsest * target_);
-        for (;;) {
-            const bool isLast = !takeSamples(adaptive);
+        adaptive = rounded(widely * target_);
+        for (bool isLast = false;;) {
+            takeSamples(adaptive);
             const auto [square, deviation] = squaredError();
+            const double left = target_ * target_ - depth_.squaredError - square;
             choice_.sampleError = std::sqrt(std::max(0.0, square));
-            if (square + margin * deviation <= most) return true;
-            if (square - deviation <= most && mayDrawMore()) drawPixels(count_);
-            else if (isLast) return square <= most;
-            else adaptive = rounded(adaptive * finer);
+            choice_.reached = left >= (isLast ? 0 : surely * std::hypot(deviation, depth_.standardError));
+            if (choice_.reached || isLast) return;
+            if (left >= 0 && mayDrawMore()) {
+                drawPixels(count_);
+                continue;
+            }
+            adaptive = rounded(adaptive * finer);
+            isLast = adaptive * widely < target_;
         }
     }
 
@@ -163,27 +155,24 @@ class Search {
         return 2 * look <= lookPart * perPixel * static_cast<double>(pixels_.size());
     }
 
-    // Takes the pixels that are looked at to their end. False if all of them have as many samples as they
-    // may.
-    bool takeSamples(double adaptive) {
+    // Takes the pixels that are looked at to their end.
+    void takeSamples(double adaptive) {
         do
             for (Looked& pixel : looked_) {
                 int samples = pixel.own.samples();
                 if (pixel.own.error(pixel.contrast) > adaptive) samples = nextLevel(samples, mostSamples);
-                request(pixel.place, 0, pixel.own, samples);
-                for (const std::uint32_t other : {0, 1})
-                    request(pixel.place, 1 + other, pixel.truth[other],
+                request(pixel.place, options_.sequence, pixel.own, samples);
+                for (const std::uint32_t i : {0, 1})
+                    request(pixel.place, pixel.others + i, pixel.truth[i],
                             std::max(samples, nextLevel(1, mostSamples)));
             }
         while (take());
-        return std::ranges::any_of(looked_,
-                                   [](const Looked& pixel) { return pixel.own.samples() < mostSamples; });
     }
 
-    void request(const PixelPlace& place, std::uint32_t sequence, PixelEstimate& estimate, int samples) {
+    void request(const PixelPlace& place, std::uint32_t number, PixelEstimate& estimate, int samples) {
+        const SampleSequence sequence(number);
         for (int i = estimate.samples(); i < samples; ++i) {
-            points_.push_back(glm::dvec2(place.x, place.y) +
-                              sequences_[sequence][static_cast<std::uint32_t>(i)]);
+            points_.push_back(glm::dvec2(place.x, place.y) + sequence[static_cast<std::uint32_t>(i)]);
             takers_.push_back(&estimate);
         }
     }
@@ -217,15 +206,13 @@ class Search {
     const Renderer& renderer_;
     RenderOptions options_;
     double target_, area_;
+    DepthChoice depth_;
     TargetChoice choice_;
     std::vector<std::pair<float, std::uint32_t>> pixels_;  // all: contrast and index, in this order
-    double totalWeight_ = 0, even_ = 0;                    // of all pixels; what each has at least
+    double totalWeight_ = 0;                               // of all pixels
     std::vector<Looked> looked_;
-    double count_ = 0;         // draws
-    std::uint32_t draws_ = 0;  // calls of drawPixels
-    const SampleSequence sequences_[3] = {SampleSequence(options_.sequence),
-                                          SampleSequence(options_.sequence + 1),
-                                          SampleSequence(options_.sequence + 2)};
+    double count_ = 0;                // draws
+    std::uint32_t draws_ = 0;         // calls of drawPixels
     std::vector<glm::dvec2> points_;  // requested samples
     std::vector<PixelEstimate*> takers_;
 };

@@ -20,13 +20,12 @@ namespace raytracer {
 
 namespace {
 
-constexpr int edge = 16;                 // of a small tile, in pixels
-constexpr double part = 1.0 / 50;        // of the picture that is rendered at each step
-constexpr double firstError = 0.4;       // errors: of a picture without reflections, mostly
-constexpr double nextError = 1 / 1.5;    // from one to the next
-constexpr double adaptiveFor = 2;        // `adaptive` as a multiple of the error: mostly 1 to 6
-constexpr std::size_t treePoints = 500;  // whose ray trees tell the depth
-constexpr double estimation = 0.06;  // of the time: the error is estimated from three renders of the tiles
+constexpr int edge = 16;               // of a small tile, in pixels
+constexpr double part = 1.0 / 50;      // of the picture that is rendered at each step
+constexpr double firstError = 0.4;     // errors: of a picture without reflections, mostly
+constexpr double nextError = 1 / 1.5;  // from one to the next
+constexpr double adaptiveFor = 2;      // `adaptive` as a multiple of the error: mostly 1 to 6
+constexpr double estimation = 0.06;    // of the time: the error is estimated from three renders of the tiles
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -70,9 +69,10 @@ class TimeSearch {
     };
 
     Step step(double error) {
-        const DepthChoice depth = chooseDepth(renderer_, options_, error, treePoints, choice_.counts);
-        Step step{{4096, rounded(adaptiveFor * error), depth.max_recursion, depth.cutoff, options_.bilinear},
-                  std::sqrt(depth.squaredError)};
+        const DepthChoice depth = chooseDepth(renderer_, options_, error, 0, choice_.counts);
+        Step step{
+            {mostSamples, rounded(adaptiveFor * error), depth.max_recursion, depth.cutoff, options_.bilinear},
+            std::sqrt(depth.squaredError)};
         step.seconds = secondsOf(step.setting);
         return step;
     }

@@ -73,7 +73,7 @@ void RenderArguments::addTo(CommandLine& line) {
         "--set", sets,
         "Another value in the scene, before it is read: /camera/eye=[0,1,5], a JSON pointer and JSON; may "
         "be repeated");
-    line.number("--max-recursion", max_recursion, {0, 1000},
+    line.number("--max-recursion", max_recursion, {0, mostRecursion},
                 "How many times a ray is reflected or refracted");
     line.text("--only", only,
               "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
@@ -98,7 +98,7 @@ void RenderArguments::addPictureTo(CommandLine& line) {
     line.text("--crop", crop,
               "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
     line.number(
-        "--samples", samples, {1, 65536},
+        "--samples", samples, {1, mostSamples},
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");
     line.number(
         "--adaptive", adaptive, atLeast(0),

@@ -25,6 +25,9 @@ struct Terms {
     bool textures = true;
 };
 
+// Of a command line.
+inline constexpr int mostRecursion = 1000, mostSamples = 65536;
+
 struct RenderOptions {
     ImageSize size;       // of the whole picture
     PixelRectangle crop;  // the rectangle to render
