@@ -20,12 +20,15 @@ namespace raytracer {
 
 namespace {
 
-constexpr int edge = 16;               // of a small tile, in pixels
-constexpr double part = 1.0 / 50;      // of the picture that is rendered at each step
-constexpr double firstError = 0.4;     // errors: of a picture without reflections, mostly
-constexpr double nextError = 1 / 1.5;  // from one to the next
-constexpr double adaptiveFor = 2;      // `adaptive` as a multiple of the error: mostly 1 to 6
-constexpr double estimation = 0.06;    // of the time: the error is estimated from three renders of the tiles
+// Small tiles, so that a part of the picture is spread over all of it. Fewer than eight do not tell its time.
+constexpr int edge = 16;  // pixels
+constexpr double part = 1.0 / 50, fewest = 8;
+// Errors that are tried: the first is a picture's without reflections, mostly; the steps cost 1.6 times the
+// time each, and between the last two it is interpolated.
+constexpr double firstError = 0.4, nextError = 1 / 1.5;
+constexpr double adaptiveFor = 2;    // `adaptive` as a multiple of the error: mostly 1 to 6
+constexpr double estimation = 0.06;  // of the time: the error is estimated from three renders of the tiles
+constexpr double ringOfTile = 4 * 33.0 / (32 * 32);  // of a picture's tile of 32 x 32: samples to a pixel
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -37,7 +40,7 @@ class TimeSearch {
         : renderer_(renderer), options_(options), end_(now() + (1 - estimation) * seconds) {
         const PixelRectangle& crop = options.crop;
         const auto count =
-            static_cast<std::size_t>(std::ceil(std::max(8.0, part * crop.area() / (edge * edge))));
+            static_cast<std::size_t>(std::ceil(std::max(fewest, part * crop.area() / (edge * edge))));
         for (const glm::dvec2& point : picturePoints({crop.width(), crop.height()}, count, 4)) {
             const int x0 = crop.x0 + static_cast<int>(point.x) / edge * edge,
                       y0 = crop.y0 + static_cast<int>(point.y) / edge * edge;
@@ -47,7 +50,8 @@ class TimeSearch {
 
     TimeChoice choose() {
         Step before = step(firstError);
-        for (double error = firstError * nextError; error > 1e-5; error *= nextError) {
+        // A smaller error than that of the most samples is none.
+        for (double error = firstError * nextError; error * mostSamples > 1; error *= nextError) {
             const Step next = step(error);
             if (now() + next.seconds > end_) {
                 interpolate(before, next);
@@ -118,7 +122,7 @@ class TimeSearch {
         }
         forEachTile([&](const PixelRectangle& tile) { colorsOf(setting, tile, 0); });
         const double seconds = now() - start, samples = static_cast<double>(choice_.counts.primary - primary);
-        const double samplesOfPicture = samples - ring + 0.13 * pixels;
+        const double samplesOfPicture = samples - ring + ringOfTile * pixels;
         return seconds * samplesOfPicture / samples * options_.crop.area() / pixels;
     }
 

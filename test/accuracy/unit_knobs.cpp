@@ -9,6 +9,7 @@
 #include "../support/scene_files.h"
 #include "raytracer/accuracy/picture_error.h"
 #include "raytracer/accuracy/setting.h"
+#include "raytracer/accuracy/target_error.h"
 #include "raytracer/pictures/color_sink.h"
 #include "raytracer/tracer/sample_sequence.h"
 
@@ -287,15 +288,56 @@ TEST_CASE("an adaptive pixel stops by the rule, and it is counted where the limi
 TEST_CASE("the error of a picture is at most what its pixels' errors are estimated to be") {
     withEveryRenderer(100, [](const Renderer& renderer, const RenderOptions& options) {
         const Setting deep{.samples = 1024, .max_recursion = 3, .cutoff = 0.01};
-        Setting setting = deep, fine = deep;
-        setting.adaptive = 0.01;
-        fine.adaptive = 0.0025;
         RenderOptions others = options;
         others.sequence = 1;
-        const double error =
-            pictureError(shoot(renderer, options, setting).colors, shoot(renderer, others, fine).colors).rmse;
-        CHECK(error <= 0.01);
+        Setting setting = deep;
+        setting.adaptive = 0.0025;
+        const std::vector<glm::dvec3> truth = shoot(renderer, others, setting).colors;
+        for (const double adaptive : {0.1, 0.03, 0.01}) {
+            setting.adaptive = adaptive;
+            INFO("--adaptive " << adaptive);
+            CHECK(pictureError(shoot(renderer, options, setting).colors, truth).rmse <= adaptive);
+        }
     });
+}
+
+TEST_CASE("target-error: the depth has no end but the scene's own") {
+    // The pixels after n reflections: 0.05 sum 0.95^k = 1 - 0.95^(n + 1).
+    const SceneDescription scene = facingMirrors(0.95, 0.05);
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    const RenderOptions options = wholePicture(scene, 16);
+    for (const double target : {0.05, 0.01, 0.002}) {
+        const TargetChoice choice = chooseSetting(*renderer, options, target);
+        CHECK(choice.reached);
+        double error = 0;
+        for (const glm::dvec3& color : shoot(*renderer, options, choice.setting).colors)
+            error = std::max(error, 1 - color.x);
+        INFO(commandLine(choice.setting) << " for " << target);
+        CHECK(error <= target);
+    }
+}
+
+TEST_CASE("target-error: a reflection in few pixels of a small picture is seen") {
+    // Two small mirrors show each other in some pixels; the rest is black.
+    SceneDescription scene = facingMirrors(1, 0.5);
+    for (std::size_t i = 0; i < 2; ++i) scene.shapes[i].type = ShapeType::Sphere;
+    scene.camera.film_left = scene.camera.film_bottom = -1;
+    scene.camera.film_right = scene.camera.film_top = 1;
+    scene.camera.eye = {0, 0, 12};
+    scene.camera.look = {0, 0, -1};
+    for (std::size_t i = 0; i < 2; ++i) {
+        scene.transforms[i].translate = glm::dvec3(i == 0 ? 0.6 : -0.6, 0, 0);
+        scene.transforms[i].scale = glm::dvec3(0.5);
+    }
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    const RenderOptions options = wholePicture(scene, 40);
+    RenderOptions others = options;
+    others.sequence = 7;
+    const auto truth =
+        shoot(*renderer, others, {.samples = 4096, .adaptive = 0.0005, .max_recursion = 64, .cutoff = 1e-5});
+    const TargetChoice choice = chooseSetting(*renderer, options, 0.001);
+    INFO(commandLine(choice.setting));
+    CHECK(pictureError(shoot(*renderer, options, choice.setting).colors, truth.colors).rmse <= 0.001);
 }
 
 TEST_CASE("the knobs' defaults are a render's own") {
