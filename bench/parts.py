@@ -1,35 +1,42 @@
 #!/usr/bin/env python3
 """What parts cost: the CPU time of all N parts over that of one run, and the longest part over the mean.
 
-    bench/parts.py SCENE LONG_EDGE_PIXELS [options of raytracer] [--raytracer PROGRAM]
+    bench/parts.py SCENE LONG_EDGE_PIXELS [options of raytracer] [--raytracer PROGRAM] [--repeats 5]
 
-For N = 1, 2, 4, 8, 16: the sum of all parts and of `assemble`; medians of five, one thread.
+For N = 1, 2, 4, 8, 16: the sum of all parts, and `assemble`; medians of the repeats, one thread.
 """
-import os
 import pathlib
+import resource
 import statistics
 import subprocess
 import sys
 import tempfile
 
 top = pathlib.Path(__file__).resolve().parent.parent
-repeats = 5
-
 
 def cpu_seconds(command):
-    before = os.times()
+    def spent():
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return usage.ru_utime + usage.ru_stime
+    before = spent()
     subprocess.run([str(word) for word in command], check=True)
-    after = os.times()
-    return after.children_user + after.children_system - before.children_user - before.children_system
+    return spent() - before
+
+
+def option(words, name, usual):
+    """Takes the option and its value out of the words."""
+    if name not in words:
+        return usual
+    at = words.index(name)
+    value = words[at + 1]
+    del words[at:at + 2]
+    return value
 
 
 def main():
     words = sys.argv[1:]
-    program = top / "build/release/raytracer"
-    if "--raytracer" in words:
-        at = words.index("--raytracer")
-        program = pathlib.Path(words[at + 1]).resolve()
-        del words[at:at + 2]
+    program = pathlib.Path(option(words, "--raytracer", top / "build/release/raytracer")).resolve()
+    repeats = int(option(words, "--repeats", 5))
     scene, size, *options = words
     with tempfile.TemporaryDirectory() as folder:
         out = f"{folder}/out.png"
