@@ -72,12 +72,20 @@ void requireUsable(const ObjCounts& whole, const std::string& path) {
                 24.0 * static_cast<double>(whole.positions) + 16.0 * static_cast<double>(whole.texCoords)}});
 }
 
+}  // namespace
+
+void requireTriangles(std::size_t count, const std::string& path) {
+    if (count > MeshData::mostTriangles)
+        throw Error({path}, "more than 200,000,000 triangles: use several meshes");
+}
+
+namespace {
+
 // Frees each chunk once it is copied, so that little is in memory twice.
 void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh, const std::string& path) {
     std::size_t corners = 0;
     for (const ObjTriangles& chunk : chunks) corners += chunk.positionIndex.size();
-    if (corners / 3 > MeshData::mostTriangles)
-        throw Error({path}, "more than 200,000,000 triangles: use several meshes");
+    requireTriangles(corners / 3, path);
     const bool textured =
         std::ranges::any_of(chunks, [](const auto& chunk) { return !chunk.texCoordIndex.empty(); });
     mesh.positionIndex.reserve(corners);

@@ -48,4 +48,7 @@ ObjTriangles parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const 
 // the mesh must be there.
 void cutConcavePolygons(ObjTriangles& triangles, const MeshData& mesh);
 
+// Throws Error where a mesh of so many triangles is too large.
+void requireTriangles(std::size_t count, const std::string& path);
+
 }  // namespace raytracer

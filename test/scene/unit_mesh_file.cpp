@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "../../src/scene/obj_chunk.h"
 #include "../../src/scene/obj_text.h"
 #include "../support/test_folder.h"
 #include "raytracer/scene/mesh_file.h"
@@ -226,6 +227,12 @@ std::string randomObj(unsigned seed, bool withError) {
 }
 
 }  // namespace
+
+TEST_CASE("A mesh has at most 200,000,000 triangles") {
+    requireTriangles(200'000'000, "mesh.obj");
+    CHECK_THROWS_WITH(requireTriangles(200'000'001, "mesh.obj"),
+                      "mesh.obj: more than 200,000,000 triangles: use several meshes");
+}
 
 TEST_CASE("The number of chunks changes nothing in an OBJ") {
     for (unsigned seed = 0; seed < 20; ++seed) {
