@@ -51,6 +51,7 @@ sets = {
     "sse2": ([], "sse2"),
     "float sse2": (["--precision", "float"], "sse2"),
     "avx2": ([], "avx2"),
+    "avx512": ([], "avx512"),
 }
 explained_pixels = [(48, 40), (20, 24), (70, 30)]
 

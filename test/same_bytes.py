@@ -33,6 +33,7 @@ options = {"double": [], "float": ["--precision", "float"],
            "bilinear": ["--samples", "3", "--texture-filter", "bilinear", "--max-recursion", "5"]}
 masked = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX2_Usable,-FMA_Usable"}
 ways = {"scalar": ({"RAYTRACER_SIMD": "scalar"}, 2), "sse2": ({"RAYTRACER_SIMD": "sse2"}, 2), "avx2": ({"RAYTRACER_SIMD": "avx2"}, 2),
+        "avx512": ({"RAYTRACER_SIMD": "avx512"}, 2),
         "no FMA in glibc": (masked, 2), **{f"{threads} threads": ({}, threads) for threads in range(1, 8)}}
 
 # Name: what is in front of the program, CMake's options, and the ways to run it. qemu-user 7.2 can hang where a program

@@ -17,6 +17,9 @@ constexpr std::string_view names = RAYTRACER_TEXT_OF(RAYTRACER_INSTRUCTION_SETS)
 bool isSupported([[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
     if (nameOf(set) == "avx2") return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (nameOf(set) == "avx512")
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("fma");
 #endif
     return true;
 }

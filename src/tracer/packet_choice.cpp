@@ -4,24 +4,22 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-template <InstructionSet set>
-const PacketKernel* kernel() {
-    // No processor has long doubles side by side.
-    if constexpr (set == InstructionSet::scalar || std::is_same_v<Real, long double>) return nullptr;
-    else return &packetKernel<set>();
-}
-
+// The sets are listed from the least to the best.
 template <InstructionSet... sets>
-const PacketKernel* kernelAmong(InstructionSet set) {
-    const PacketKernel* const kernels[] = {kernel<sets>()...};
-    return kernels[static_cast<std::size_t>(set)];
+const PacketKernel* bestUpTo([[maybe_unused]] InstructionSet most) {
+    const PacketKernel* best = nullptr;
+    [[maybe_unused]] const auto consider = [&]<InstructionSet set>() {
+        if (set <= most) best = &packetKernel<set>();
+    };
+    (consider.template operator()<sets>(), ...);
+    return best;
 }
 
 }  // namespace
 
 const PacketKernel* packetKernel(InstructionSet set) {
     using enum InstructionSet;
-    return kernelAmong<RAYTRACER_INSTRUCTION_SETS>(set);
+    return bestUpTo<RAYTRACER_PACKET_SETS>(set);  // the list is CMakeLists.txt's
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -194,7 +194,7 @@ def check_extreme(dice, folder):
     folder.save(scene, points)
     options = options_of(dice, scene)
     folder.settings = " ".join(options)
-    picture = folder.picture(options, dice.choice([None, None, "scalar", "sse2", "avx2"]))
+    picture = folder.picture(options, dice.choice([None, None, "scalar", "sse2", "avx2", "avx512"]))
     if picture is None:
         return "refused"
     if dice.random() < 0.2:

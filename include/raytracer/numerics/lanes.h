@@ -39,11 +39,7 @@ struct MaskOf {
 
     static MaskOf ofBits(LaneBits bits) {
         MaskOf mask;
-        for (int p = 0; p < parts; ++p) {
-            Register place;
-            for (int i = 0; i < partLanes; ++i) place[i] = 1 << (p * partLanes + i);
-            mask.part[p] = (((Register{} + static_cast<int>(bits)) & place) == place);
-        }
+        for (int p = 0; p < parts; ++p) detail::setBits(mask.part[p], bits >> (p * partLanes));
         return mask;
     }
     friend LaneBits bits(const MaskOf& mask) {
@@ -52,18 +48,20 @@ struct MaskOf {
         return result;
     }
     friend MaskOf operator&(const MaskOf& a, const MaskOf& b) {
-        return detail::partwise<MaskOf>([](Register x, Register y) { return x & y; }, a, b);
+        return detail::partwise<MaskOf>([](Register x, Register y) { return static_cast<Register>(x & y); },
+                                        a, b);
     }
     friend MaskOf operator|(const MaskOf& a, const MaskOf& b) {
-        return detail::partwise<MaskOf>([](Register x, Register y) { return x | y; }, a, b);
+        return detail::partwise<MaskOf>([](Register x, Register y) { return static_cast<Register>(x | y); },
+                                        a, b);
     }
     friend MaskOf operator!(const MaskOf& a) {
-        return detail::partwise<MaskOf>([](Register x) { return ~x; }, a);
+        return detail::partwise<MaskOf>([](Register x) { return static_cast<Register>(~x); }, a);
     }
     friend bool any(const MaskOf& mask) { return bits(mask) != 0; }
     friend bool all(const MaskOf& mask) { return bits(mask) == allLanes; }
     friend void setLane(MaskOf& mask, int lane, bool value) {
-        mask.part[lane / partLanes][lane % partLanes] = value ? -1 : 0;
+        detail::setLane(mask.part[lane / partLanes], lane % partLanes, value);
     }
     friend LanesOf<Number> select(const MaskOf& mask, const LanesOf<Number>& yes, const LanesOf<Number>& no) {
         return detail::partwise<LanesOf<Number>>(
@@ -78,7 +76,7 @@ template <class Number>
 struct LanesOf {
     using Mask = MaskOf<Number>;
     using Register = typename RegistersOf<Number>::Register;
-    using Bits = typename RegistersOf<Number>::Mask;
+    using Bits = typename RegistersOf<Number>::Bits;
     static constexpr int parts = Mask::parts, partLanes = Mask::partLanes;
 
     Register part[parts];
@@ -120,15 +118,15 @@ struct LanesOf {
     friend LanesOf& operator/=(LanesOf& a, const LanesOf& b) { return a = a / b; }
 
     friend Mask operator<(const LanesOf& a, const LanesOf& b) {
-        return detail::partwise<Mask>([](Register x, Register y) { return x < y; }, a, b);
+        return detail::partwise<Mask>([](Register x, Register y) { return detail::isLess(x, y); }, a, b);
     }
     friend Mask operator<=(const LanesOf& a, const LanesOf& b) {
-        return detail::partwise<Mask>([](Register x, Register y) { return x <= y; }, a, b);
+        return detail::partwise<Mask>([](Register x, Register y) { return detail::isAtMost(x, y); }, a, b);
     }
     friend Mask operator>(const LanesOf& a, const LanesOf& b) { return b < a; }
     friend Mask operator>=(const LanesOf& a, const LanesOf& b) { return b <= a; }
     friend Mask operator==(const LanesOf& a, const LanesOf& b) {
-        return detail::partwise<Mask>([](Register x, Register y) { return x == y; }, a, b);
+        return detail::partwise<Mask>([](Register x, Register y) { return detail::isEqual(x, y); }, a, b);
     }
 
     friend LanesOf sqrt(const LanesOf& a) {
@@ -201,8 +199,11 @@ inline LanesOf<float> integers(const std::uint16_t* numbers) {
 // The highest bit of each word, but for `below`.
 inline LaneBits topBits(const std::uint32_t (&words)[laneCount], int below) {
     MaskOf<float> mask;
-    std::memcpy(&mask, words, sizeof mask);
-    for (auto& part : mask.part) part <<= below;
+    for (int i = 0; i < mask.parts; ++i) {
+        detail::FloatsBits part;
+        std::memcpy(&part, &words[i * mask.partLanes], sizeof part);
+        mask.part[i] = detail::topBits(part, below);
+    }
     return bits(mask);
 }
 

@@ -18,9 +18,13 @@ inline Lanes lanesOf(const Real (&numbers)[laneCount]) { return Lanes::load(numb
 // The least lanes of three, one after the other; the fourth number means nothing.
 template <class Number>
 inline void storeLeast(const Vec3T<LanesOf<Number>>& v, double (&to)[4]) {
-    using Register = typename LanesOf<Number>::Register;
-    if constexpr (LanesOf<Number>::parts == 2 && sizeof(Register) == sizeof to) {
-        const auto halves = [](const LanesOf<Number>& x) { return detail::smaller(x.part[0], x.part[1]); };
+    if constexpr (sizeof(LanesOf<Number>) == 2 * sizeof to && widestRegister >= static_cast<int>(sizeof to)) {
+        using Register = typename detail::FourDoubles;
+        const auto halves = [](const LanesOf<Number>& x) {
+            Register half[2];
+            std::memcpy(half, &x, sizeof half);
+            return detail::smaller(half[0], half[1]);
+        };
         const Register x = halves(v.x), y = halves(v.y), z = halves(v.z);
         const Register xy = detail::smaller(__builtin_shufflevector(x, y, 0, 4, 2, 6),
                                             __builtin_shufflevector(x, y, 1, 5, 3, 7));

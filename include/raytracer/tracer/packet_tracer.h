@@ -34,7 +34,7 @@ struct PacketKernel {
 template <InstructionSet set>
 const PacketKernel& packetKernel();
 
-// Null where it, or Real, has no packets.
+// The best that Real has up to this set; null where there is none.
 const PacketKernel* packetKernel(InstructionSet set);
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE
