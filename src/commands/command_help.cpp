@@ -156,7 +156,7 @@ std::string CommandLine::manual() const {
                                                     : "";
         text += ".TP\n\\fB" + roff(word.name) + "\\fR" + value + "\n" + roff(word.help) + "\n";
     }
-    return text + ".PP\n.nf\n" + roffLines(footer_) + ".fi\n";
+    return text + ".PP\n.in 0\n.nf\n" + roffLines(footer_) + ".fi\n.in\n";
 }
 
 std::string CommandLine::completion(const std::string& shell) const {

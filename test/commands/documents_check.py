@@ -72,7 +72,8 @@ def check_manual(folder):
     if is_here("groff"):
         page = pathlib.Path(folder, "raytracer.1")
         page.write_text(manual, encoding="utf-8")
-        shown("groff", "-man", "-Tutf8", "-ww", "-Kutf8", "-rLL=100n", str(page))
+        page_shown = shown("groff", "-man", "-Tutf8", "-ww", "-Kutf8", "-rLL=80n", "-P-c", "-P-b", "-P-u", str(page))
+        check("man: lines over 80 columns", [], [line for line in page_shown.splitlines() if len(line) > 80])
 
 
 def main():

@@ -4,6 +4,7 @@ Usage: mistakes_check.py RAYTRACER, from the source folder.
 """
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -170,9 +171,21 @@ def check_several(folder):
     check("cost, of one pixel", (0, ""), (done.returncode, done.stderr))
 
 
+def check_cost(folder):
+    """What takes long is told before it is begun."""
+    (folder / "scene.json").write_text(SCENE, encoding="utf-8")
+    words = [RAYTRACER, "scene.json", "out.png", "8000", "--samples", "20000", "--threads", "1"]
+    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, cwd=folder) as process:
+        line = process.stderr.readline()
+        process.kill()
+    check("cost", True, bool(re.fullmatch("warning: scene.json: 8000 × 8000 pixels of 20000 samples take about "
+                                          "[0-9.]+ (h|days); --adaptive 0.02 takes less\n", line)) or line)
+
+
 with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
     check_several(pathlib.Path(temporary))
+    check_cost(pathlib.Path(temporary))
 count = len(COMMANDS) + len(SCENES) + len(MEANINGS) + len(WARNINGS)
 print("\n".join(failures) if failures else f"{count} mistakes are answered")
 sys.exit(1 if failures else 0)
