@@ -1,15 +1,21 @@
 // raytracer grade DIR: scenes with reference pictures, rendered and compared.
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
+#include "raytracer/grading/grade_files.h"
 #include "raytracer/grading/grade_report.h"
+#include "raytracer/grading/submissions.h"
+#include "raytracer/json/json_document.h"
 #include "raytracer/pictures/picture.h"
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/output_file.h"
+#include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 #include "render_arguments.h"
@@ -24,12 +30,19 @@ X-STAGE.png. The stages:
   raycasting, normals, ambient, diffuse, specular, ambient_diffuse_specular,
   ambient_diffuse_specular_shadows, diffuse_reflections_recursions_3,
   raytracing (as X.png: everything)
-Another program is graded for the last of them, unless --stage says otherwise.
-If it crashes, hangs or writes no picture, it gets 0 for that scene, and the
-last line that it printed is shown.
+A program is graded for the last of them, unless --stage says otherwise. It runs
+with a copy of the scene and of what that names, and nothing else beside it. If
+it crashes, hangs, is too slow or writes no picture, it gets 0 for that scene.
+Of each wrong picture the mistake is named, where a known one explains it.
+
+With --submissions, each folder in that folder is one: its pictures are X.png or
+X-STAGE.png anywhere beneath it, the nearest to its top; or --program makes
+them, in which {} is the submission's folder.
 
 Exit status: 0 all the same; 1 not the same; 2 there is nothing to grade, or the
-grader itself cannot work: a reference is broken, a disk is full.
+grader itself cannot work: a reference is broken, a disk is full. Of submissions
+0 once all are graded, whatever they score; 1 where a picture is below
+--min-score; 2 as above.
 "The same" as for `raytracer compare`: no pixel differs, or what --max-pixels,
 --tolerance and --min-score say, for each picture.
 
@@ -39,12 +52,18 @@ Examples:
   raytracer grade reference --report report.html
   raytracer grade exam --program ~/ada/raytracer --report ada.html
   raytracer grade exam --program "python3 bob.py" --timeout 120 --size 300
-  raytracer grade homework2 --program ./raycasting --stage raycasting)";
+  raytracer grade homework2 --program ./raycasting --stage raycasting
+  # a class: a page, and a table for a spreadsheet
+  raytracer grade exam --submissions pictures --report all.html --csv all.csv
+  raytracer grade exam --submissions code --program "{}/build/raytracing")";
 
 struct GradeArguments {
-    std::string scenes, references, report, program, stage;
+    std::string scenes, references, report, program, stage, submissions;
+    std::string csv, json, junit, gradescope;
     std::optional<int> size;
-    double timeout = 60;
+    double timeout = 60, wall = 600, points = 10;
+    int memory = 8192, jobs = 1;
+    std::string user;
     Thresholds thresholds;
 
     void addTo(CommandLine& line) {
@@ -54,12 +73,45 @@ struct GradeArguments {
         line.number("--size", size, longEdgeRange,
                     "Pixels along the longer side; without it: the reference's");
         line.choice("--stage", stage, stageNames(), "Grade only the pictures of this stage");
-        line.text("--report", report, "Write a page with all pictures: .html, complete in itself");
-        line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
-        line.number("--timeout", timeout, above(0), "Seconds after which the program is stopped");
-        line.needs("--timeout", "--program");
+        line.text("--submissions", submissions, "Grade each folder in this folder", Looks::Folder);
+        addProgramTo(line);
+        addFilesTo(line);
         addThresholds(line, thresholds);
         line.footer(gradeFooter);
+    }
+
+    void addProgramTo(CommandLine& line) {
+        line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
+        line.number("--timeout", timeout, above(0), "Seconds of processor time after which it is stopped");
+        line.number("--wall", wall, above(0), "Seconds on the clock after which it is stopped");
+        line.number("--memory", memory, {1, 500000}, "MiB of memory for each of its processes");
+        line.text("--user", user, "As root: run it as this user");
+        line.number("--jobs", jobs, {1, 1024}, "Programs to run side by side");
+        for (const char* option : {"--timeout", "--wall", "--memory", "--user", "--jobs"})
+            line.needs(option, "--program");
+        line.needs("--jobs", "--submissions");
+    }
+
+    void addFilesTo(CommandLine& line) {
+        line.text("--report", report,
+                  "Write a page with all pictures: .html; those of a class that are more than 20 MB lie in a "
+                  "folder "
+                  "beside it");
+        line.text("--csv", csv, "Write the scores as CSV, a row for each submission");
+        line.text("--json", json, "Write all results as JSON");
+        line.text("--junit", junit, "Write all results as JUnit's XML, for CI systems");
+        line.text("--gradescope", gradescope, "Write Gradescope's results.json, of one submission");
+        line.number("--points", points, above(0), "Gradescope's points for each picture");
+        line.needs("--points", "--gradescope");
+    }
+
+    ProgramOptions programOptions() const {
+        ProgramOptions options;
+        options.limits.processorSeconds = timeout;
+        options.limits.wallSeconds = wall;
+        options.limits.memory = static_cast<std::uint64_t>(memory) << 20;
+        options.user = user;
+        return options;
     }
 
     static std::vector<std::string> stageNames() {
@@ -89,6 +141,22 @@ Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out)
     return {};
 }
 
+// What our pictures of a case are held against.
+std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& size) {
+    RenderArguments arguments;
+    arguments.longEdge = std::max(size.width, size.height);
+    arguments.pass = test.stage->pass;
+    arguments.only = test.stage->only;
+    try {
+        SceneDescription scene = loadScene(test.scene, false).description;
+        const RenderOptions options = arguments.prepare(scene);
+        if (options.size.width != size.width || options.size.height != size.height) return nullptr;
+        return std::make_unique<MistakeNamer>(scene, options);
+    } catch (const Error&) {
+        return nullptr;
+    }
+}
+
 GradePlan planFor(const GradeArguments& arguments) {
     const std::string& references = arguments.references.empty() ? arguments.scenes : arguments.references;
     GradePlan plan = planGrading(arguments.scenes, references);
@@ -112,6 +180,7 @@ void printRow(const GradeResult& result) {
                         count(c->pixelsOver(1)), count(c->pixelsOver(8)), count(c->speckle), result.seconds);
     const std::string message = result.message.empty() ? "" : ": " + result.message;
     print(row + printable(result.test.name + message) + "\n");
+    if (!result.sentence.empty()) print(std::string(59, ' ') + result.sentence + "\n");
 }
 
 // The program's last line, which mostly says what went wrong.
@@ -127,11 +196,11 @@ void printLastWords(const GradeResult& result) {
 std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& arguments) {
     const CaseRenderer render = arguments.program.empty()
                                     ? CaseRenderer(renderHere)
-                                    : programRenderer(arguments.program, arguments.timeout);
+                                    : programRenderer(arguments.program, arguments.programOptions());
     std::vector<GradeResult> results;
     printHead();
     for (const GradeCase& test : plan.cases) {
-        results.push_back(gradeCase(test, render, arguments.size.value_or(0)));
+        results.push_back(gradeCase(test, render, arguments.size.value_or(0), namerOf));
         printRow(results.back());
         printLastWords(results.back());
     }
@@ -158,15 +227,84 @@ std::string reportOf(const GradeArguments& arguments, const std::vector<GradeRes
     return gradeReport(results, arguments.thresholds, title);
 }
 
-int gradeFolder(const GradeArguments& arguments) {
-    std::optional<OutputFile> report;
-    if (!arguments.report.empty()) report.emplace(arguments.report);
-    const GradePlan plan = planFor(arguments);
-    if (plan.cases.empty())
-        throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png");
+// The files that were asked for, opened before the work.
+struct GradeFiles {
+    explicit GradeFiles(const GradeArguments& arguments) {
+        const auto open = [](std::optional<OutputFile>& file, const std::string& path) {
+            if (!path.empty()) file.emplace(path);
+        };
+        open(report, arguments.report);
+        open(csv, arguments.csv);
+        open(json, arguments.json);
+        open(junit, arguments.junit);
+        open(gradescope, arguments.gradescope);
+    }
+
+    // All but the report.
+    void write(std::span<const GradedSubmission> graded, const GradeArguments& arguments) {
+        const Thresholds& thresholds = arguments.thresholds;
+        if (csv) csv->write(gradesAsCsv(graded, thresholds));
+        if (json) json->write(gradesAsJson(graded, thresholds));
+        if (junit) junit->write(gradesAsJunit(graded, thresholds));
+        if (gradescope) gradescope->write(gradesForGradescope(graded[0], thresholds, arguments.points));
+    }
+
+    std::optional<OutputFile> report, csv, json, junit, gradescope;
+};
+
+int gradeFolder(const GradeArguments& arguments, const GradePlan& plan) {
+    GradeFiles output(arguments);
     const std::vector<GradeResult> results = gradeAll(plan, arguments);
-    if (report) report->write(reportOf(arguments, results));
+    if (output.report) output.report->write(reportOf(arguments, results));
+    const GradedSubmission one{arguments.program.empty() ? "raytracer" : arguments.program, results};
+    output.write({&one, 1}, arguments);
     return printSummary(results, plan, arguments.thresholds) ? 0 : 1;
+}
+
+void printClass(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
+    std::size_t width = 10;
+    for (const GradedSubmission& submission : graded)
+        width = std::max(width, printable(submission.name).size());
+    print(formatted(" mean   right  %-*s  %s\n", static_cast<int>(width), "submission", "what is wrong"));
+    for (const GradedSubmission& submission : graded) {
+        const std::size_t right = submission.rightCount(thresholds), all = submission.results.size();
+        std::string row = formatted("%5.1f %3zu/%-3zu  %-*s", submission.mean(), right, all,
+                                    static_cast<int>(width), printable(submission.name).c_str());
+        if (right < all) row += "  " + printable(submission.fault(thresholds));
+        if (right < all && all > 1)
+            row +=
+                "; worst: " + submission.worst().test.name + formatted(" (%d)", submission.worst().score());
+        print(row + "\n");
+    }
+}
+
+int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan) {
+    if (!arguments.program.empty() && arguments.program.find("{}") == std::string::npos)
+        throw usageError("--program: expected {} for the submission's folder, found " +
+                         inQuotes(arguments.program));
+    const std::vector<Submission> submissions = submissionsIn(arguments.submissions);
+    if (!arguments.gradescope.empty() && submissions.size() != 1)
+        throw usageError("--gradescope: expected one submission, found " +
+                         std::to_string(submissions.size()));
+    GradeFiles output(arguments);
+    std::optional<PictureShelf> shelf;
+    if (output.report) shelf.emplace(arguments.report);
+    std::vector<GradedSubmission> graded;
+    {
+        ProgressBar progress;
+        const ClassOptions options{arguments.program, arguments.programOptions(), arguments.jobs,
+                                   arguments.size.value_or(0)};
+        graded = gradeClass(plan, submissions, options, namerOf, shelf ? &*shelf : nullptr, progress);
+    }
+    const std::string title = arguments.submissions + " on " + arguments.scenes;
+    if (output.report) output.report->write(classReport(graded, arguments.thresholds, title, *shelf));
+    output.write(graded, arguments);
+    printClass(graded, arguments.thresholds);
+    const bool isBelow =
+        arguments.thresholds.minScore && std::ranges::any_of(graded, [&](const GradedSubmission& submission) {
+            return submission.worst().score() < *arguments.thresholds.minScore;
+        });
+    return isBelow ? 1 : 0;
 }
 
 }  // namespace
@@ -177,7 +315,11 @@ int grade(int argc, char** argv) {
     GradeArguments arguments;
     arguments.addTo(line);
     if (const auto status = line.parse(argc, argv)) return *status;
-    return gradeFolder(arguments);
+    requireUser(arguments.user);
+    const GradePlan plan = planFor(arguments);
+    if (plan.cases.empty())
+        throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png");
+    return arguments.submissions.empty() ? gradeFolder(arguments, plan) : gradeSubmissions(arguments, plan);
 }
 
 }  // namespace raytracer::commands

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <tuple>
+#include <utility>
 
-#include "raytracer/util/child_process.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/temporary_folder.h"
+
+#include "programs.h"
 
 namespace raytracer {
 
@@ -61,47 +61,37 @@ void planScene(GradePlan& plan, const fs::path& scene, const fs::path& reference
     if (plan.cases.size() == before) plan.scenesWithoutReference.push_back(scene.filename().string());
 }
 
-// The end of what a program printed, where errors are.
-std::string endOf(const std::string& path) {
-    constexpr std::streamoff most = 2000;  // characters: some 20 lines
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : 0;
-    const std::streamoff start = std::max<std::streamoff>(0, size - most);
-    std::string text(static_cast<std::size_t>(size - start), '\0');
-    file.seekg(start);
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    return start > 0 ? "... " + text : text;
-}
-
-// The shell, too, reports a signal that killed the program. The message has that already.
-void removeShellsReport(std::string& output, const ProcessEnd& end) {
-    const std::size_t last = output.find_last_of('\n', output.empty() ? 0 : output.size() - 2);
-    const std::size_t start = last == std::string::npos ? 0 : last + 1;
-    if (end.signal && output.find(strsignal(end.signal), start) != std::string::npos) output.erase(start);
-}
-
 // False where the program has failed; the result says how.
 bool renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
     const auto start = std::chrono::steady_clock::now();
     Rendered rendered = render(result.test, longEdge, out);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result.message = std::move(rendered.message);
-    result.output = std::move(rendered.output);
-    std::error_code isLocked;
-    const bool isThere = rendered.failed || fs::is_regular_file(out, isLocked);
-    if (!isThere) result.message += std::string(result.message.empty() ? "" : ", ") + "wrote no picture";
-    return !rendered.failed && isThere;
+    if (rendered.seconds == 0)
+        rendered.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.take(rendered);
+    return !rendered.failed;
+}
+
+std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c) {
+    const std::uint8_t* pixel =
+        &image.pixels[3 * (static_cast<std::size_t>(c.worstY) * static_cast<std::size_t>(c.width) +
+                           static_cast<std::size_t>(c.worstX))];
+    return {pixel[0], pixel[1], pixel[2]};
 }
 
 // An Error here is the program's.
-void comparePicture(GradeResult& result, const ByteImage& reference, const std::string& out) {
-    const FileBytes file(out, FileKind::Regular);
-    if (const auto size = sizeInHeader(file)) requireSameSize(*size, {reference.width, reference.height});
-    const ByteImage ours = readImage(out, FileKind::Regular);
+void comparePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture,
+                    NamedCase* named) {
+    const FileBytes file(picture, FileKind::Regular);
+    if (const auto size = sizeInHeader(file))
+        requireSameSize(*size, {reference.image.width, reference.image.height});
+    const ByteImage ours = readImage(picture, FileKind::Regular);
     result.ourPng = file.text();
-    result.comparison = compareImages(ours, reference);
-    const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference));
+    result.comparison = compareImages(ours, reference.image);
+    result.ourWorst = pixelOf(ours, *result.comparison);
+    result.referenceWorst = pixelOf(reference.image, *result.comparison);
+    const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference.image));
     result.differencePng.assign(difference.begin(), difference.end());
+    if (named && result.comparison->pixelsOver(0) > 0) named->name(result, ours);
 }
 
 // What the grader itself needs, before the program is blamed.
@@ -126,35 +116,75 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
     return plan;
 }
 
-CaseRenderer programRenderer(const std::string& command, double timeoutSeconds) {
+CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options) {
     return [=](const GradeCase& test, int longEdge, const std::string& out) {
-        const std::string log = out + ".log";
-        const ProcessEnd end =
-            runProcess(command, {test.scene, out, std::to_string(longEdge)}, log, timeoutSeconds);
-        std::string output = endOf(log);
-        removeShellsReport(output, end);
-        // With a picture, an exit status other than 0 is no failure: the course grades the picture.
-        return Rendered{end.timedOut || end.signal != 0, end.description(), std::move(output)};
+        Rendered result;
+        runPrograms({{command, &test, longEdge, out, false}}, options, 1,
+                    [&](std::size_t, const Rendered& rendered) { result = rendered; });
+        return result;
     };
 }
 
-GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge) {
-    GradeResult result;
-    result.test = test;
-    const FileBytes file(test.reference, FileKind::Regular);
-    const ByteImage reference = readImage(test.reference, FileKind::Regular);
+void GradeResult::take(const Rendered& rendered) {
+    message = rendered.message;
+    output = rendered.output;
+    seconds = rendered.seconds;
+    processorSeconds = rendered.processorSeconds;
+}
+
+ReferencePicture::ReferencePicture(const std::string& path) {
+    const FileBytes file(path, FileKind::Regular);
+    image = readImage(path, FileKind::Regular);
     requireMemoryToDecode(file);  // for the program's picture, so that this cannot be what fails then
-    result.referencePng = file.text();
-    const TemporaryFolder folder;
-    requireRoom(folder, reference);
-    const std::string out = folder.file("out.png");
-    if (!renderCase(result, render, longEdge ? longEdge : std::max(reference.width, reference.height), out))
-        return result;
+    png = file.text();
+}
+
+NamedCase::NamedCase(const GradeCase& test, const ReferencePicture& reference, NamerMaker makeNamer)
+    : test_(test), reference_(reference), makeNamer_(std::move(makeNamer)) {}
+
+// Only where we make the reference: what is held against our picture says nothing about another model's.
+void NamedCase::name(GradeResult& result, const ByteImage& picture) {
+    constexpr double another = 0.002;  // of the pixels: above what roundings change
+    if (!std::exchange(isTried_, true) && makeNamer_) {
+        namer_ = makeNamer_(test_, {reference_.image.width, reference_.image.height});
+        if (!namer_) return;
+        const Comparison comparison = compareImages(namer_->right(), reference_.image);
+        const auto pixels = static_cast<double>(comparison.width) * comparison.height;
+        if (static_cast<double>(comparison.pixelsOver(1)) > another * pixels) namer_.reset();
+    }
+    if (!namer_) return;
+    const Diagnosis diagnosis = namer_->diagnose(picture);
+    for (const NamedMistake& mistake : diagnosis.mistakes) result.mistakes.push_back(mistake.what);
+    result.sentence = diagnosis.sentence();
+}
+
+void gradePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture,
+                  NamedCase* named) {
     try {
-        comparePicture(result, reference, out);
+        comparePicture(result, reference, picture, named);
     } catch (const Error& error) {
         result.message = error.inFile();
     }
+}
+
+GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge,
+                      const NamerMaker& makeNamer) {
+    GradeResult result;
+    result.test = test;
+    const ReferencePicture reference(test.reference);
+    result.referencePng = reference.png;
+    const TemporaryFolder folder;
+    requireRoom(folder, reference.image);
+    const std::string out = folder.file("out.png");
+    const int edge = longEdge ? longEdge : std::max(reference.image.width, reference.image.height);
+    if (!renderCase(result, render, edge, out)) return result;
+    std::error_code isLocked;
+    if (!fs::is_regular_file(out, isLocked)) {
+        result.message += std::string(result.message.empty() ? "" : ", ") + "wrote no picture";
+        return result;
+    }
+    NamedCase named(test, reference, makeNamer);
+    gradePicture(result, reference, out, &named);
     return result;
 }
 

@@ -18,6 +18,8 @@ std::string number(double value, const char* format = "%.4g") {
     return formatted(format, value);
 }
 
+std::string fixedScore(double value) { return formatted("%.1f", value); }
+
 std::string attribute(const char* name, const std::string& value) {
     return std::string(" ") + name + "=\"" + escaped(value) + "\"";
 }
@@ -32,12 +34,16 @@ std::string ring(const GradeResult& result) {
     return "<i style=\"left:" + left + ";top:" + top + "\"></i>";
 }
 
-std::string picture(const char* kind, const std::string& png, const std::string& overlay = {}) {
-    if (png.empty())
+// `key`: of a picture on a shelf, whose address the script knows.
+std::string picture(const char* kind, const std::string& png, const std::string& key,
+                    const std::string& overlay = {}) {
+    if (png.empty() && key.empty())
         return std::string("<div class=\"picture\"><span class=\"none\">no picture</span>") + kind +
                "</div>\n";
     return std::string("<button class=\"picture\" data-kind=\"") + kind + "\"><span><img alt=\"" + kind +
-           "\" decoding=\"async\" src=\"" + pngUri(png) + "\">" + overlay + "</span>" + kind + "</button>\n";
+           "\" decoding=\"async\"" +
+           (key.empty() ? attribute("src", pngUri(png)) : attribute("data-picture", key)) + ">" + overlay +
+           "</span>" + kind + "</button>\n";
 }
 
 std::string numberRow(const char* name, const std::string& value) {
@@ -62,12 +68,32 @@ std::string numbers(const GradeResult& result) {
     return html + numberRow("time", number(result.seconds, "%.2f") + " s") + "</dl>\n";
 }
 
+// Those with which explain tells of the stage's light.
+std::string optionsOf(const Stage& stage) {
+    return stage.only.empty() ? "" : " --only " + std::string(stage.only);
+}
+
 std::string message(const GradeResult& result) {
     std::string html;
     if (!result.message.empty()) html += "<p class=\"message\">" + escaped(result.message) + "</p>\n";
     if (!result.message.empty() && !result.output.empty())
         html += "<pre>" + escaped(result.output) + "</pre>\n";
     return html;
+}
+
+// What is wrong, and the command that tells why.
+std::string mistake(const GradeResult& result) {
+    std::string html;
+    if (!result.sentence.empty()) html += "<p class=\"mistake\">" + escaped(result.sentence) + "</p>\n";
+    const auto& c = result.comparison;
+    if (!c || c->maximum == 0) return html;
+    const auto color = [](const std::array<std::uint8_t, 3>& rgb) {
+        return formatted("(%d, %d, %d)", rgb[0], rgb[1], rgb[2]);
+    };
+    const std::string command = formatted(" %d %d %d", c->worstX, c->worstY, std::max(c->width, c->height));
+    return html + "<p class=\"why\">worst pixel: ours " + color(result.ourWorst) + ", reference " +
+           color(result.referenceWorst) + "; why: <code>raytracer explain " + escaped(result.test.scene) +
+           command + escaped(optionsOf(*result.test.stage)) + "</code></p>\n";
 }
 
 // For the script: what it sorts by and the pixel it shows.
@@ -91,9 +117,10 @@ std::string card(const GradeResult& result, const Thresholds& thresholds) {
     return "<article class=\"" + verdict(result, thresholds) + "\"" + attributes(result) + ">\n<header><h3>" +
            escaped(result.test.name) + "</h3><output title=\"the autograder's score, of 100\">" +
            std::to_string(result.score()) + "</output></header>\n<div class=\"pictures\">" +
-           picture("reference", result.referencePng) + picture("ours", result.ourPng) +
-           picture("difference", result.differencePng, ring(result)) + "</div>\n" + numbers(result) +
-           message(result) + "</article>\n";
+           picture("reference", result.referencePng, result.keys.reference) +
+           picture("ours", result.ourPng, result.keys.ours) +
+           picture("difference", result.differencePng, result.keys.difference, ring(result)) + "</div>\n" +
+           numbers(result) + mistake(result) + message(result) + "</article>\n";
 }
 
 using Group = std::vector<const GradeResult*>;
@@ -111,6 +138,17 @@ std::vector<Group> groupsOf(std::span<const GradeResult> results) {
         groups[known->second].push_back(result);
     }
     return groups;
+}
+
+// The cards of some results, in groups.
+std::string sections(std::span<const GradeResult> results, const Thresholds& thresholds) {
+    std::string html;
+    for (const Group& group : groupsOf(results)) {
+        html += "<section><h2>" + escaped(group.front()->test.group) + "</h2>\n";
+        for (const GradeResult* result : group) html += card(*result, thresholds);
+        html += "</section>\n";
+    }
+    return html;
 }
 
 std::string summary(std::span<const GradeResult> results, const Thresholds& thresholds) {
@@ -131,13 +169,59 @@ std::string gradeReport(std::span<const GradeResult> results, const Thresholds& 
     std::string html = pageHead(title, grading_page::style) + "<header class=\"page\"><h1>" + escaped(title) +
                        "</h1>\n" + summary(results, thresholds) + grading_page::controls +
                        "</header>\n<main>\n";
-    for (const Group& group : groupsOf(results)) {
-        html += "<section><h2>" + escaped(group.front()->test.group) + "</h2>\n";
-        for (const GradeResult* result : group) html += card(*result, thresholds);
-        html += "</section>\n";
+    return html + sections(results, thresholds) + "</main>\n" + grading_page::viewer + "<script>\n" +
+           grading_page::script + "</script>\n</body>\n</html>\n";
+}
+
+namespace {
+
+std::string overviewRow(const GradedSubmission& submission, const Thresholds& thresholds,
+                        std::size_t number) {
+    const std::size_t right = submission.rightCount(thresholds), all = submission.results.size();
+    const GradeResult& worst = submission.worst();
+    const std::string worstName =
+        right == all ? "" : worst.test.name + " (" + std::to_string(worst.score()) + ")";
+    return "<tr class=\"" + std::string(right == all ? "same" : "off") + "\"" +
+           attribute("data-name", submission.name) +
+           attribute("data-template", "s" + std::to_string(number)) + "><th scope=\"row\"><button>" +
+           escaped(submission.name) + "</button></th><td>" + fixedScore(submission.mean()) + "</td><td>" +
+           std::to_string(right) + " of " + std::to_string(all) + "</td><td>" + escaped(worstName) +
+           "</td><td>" + escaped(submission.fault(thresholds)) + "</td></tr>\n";
+}
+
+std::string classSummary(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
+    double sum = 0;
+    std::size_t right = 0;
+    for (const GradedSubmission& submission : graded) {
+        sum += submission.mean();
+        right += submission.rightCount(thresholds) == submission.results.size();
     }
-    return html + "</main>\n" + grading_page::viewer + "<script>\n" + grading_page::script +
-           "</script>\n</body>\n</html>\n";
+    return "<p class=\"summary\"><b>" + std::to_string(right) + "</b> of <b>" +
+           std::to_string(graded.size()) +
+           "</b> submissions have all pictures as the reference, mean score <b>" +
+           fixedScore(sum / static_cast<double>(graded.size())) + "</b></p>\n";
+}
+
+}  // namespace
+
+std::string classReport(std::span<const GradedSubmission> graded, const Thresholds& thresholds,
+                        const std::string& title, const PictureShelf& shelf) {
+    std::vector<const GradedSubmission*> sorted;
+    for (const GradedSubmission& submission : graded) sorted.push_back(&submission);
+    std::ranges::stable_sort(sorted, {},
+                             [](const GradedSubmission* submission) { return submission->mean(); });
+    std::string rows, templates;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        rows += overviewRow(*sorted[i], thresholds, i);
+        templates += "<template id=\"s" + std::to_string(i) + "\">\n" +
+                     sections(sorted[i]->results, thresholds) + "</template>\n";
+    }
+    return pageHead(title, grading_page::style) + "<header class=\"page\"><h1>" + escaped(title) + "</h1>\n" +
+           classSummary(graded, thresholds) + "<div id=\"opened\" hidden>" + grading_page::controls +
+           "</div></header>\n" + grading_page::overviewHead + rows + grading_page::overviewTail +
+           "<main></main>\n" + templates + grading_page::viewer +
+           "<script type=\"application/json\" id=\"addresses\">" + shelf.addresses() +
+           "</script>\n<script>\n" + grading_page::script + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace raytracer

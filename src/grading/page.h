@@ -5,6 +5,8 @@ namespace raytracer::grading_page {
 
 extern const char* const style;
 extern const char* const controls;
+extern const char* const overviewHead;
+extern const char* const overviewTail;
 extern const char* const viewer;
 extern const char* const script;
 

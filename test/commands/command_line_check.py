@@ -63,6 +63,10 @@ NUMBERS = {
     "grade": {
         "--size": ("a whole number from 1 to 65536", ["1", "65536"]),
         "--timeout": ("a number above 0", ["1e-3", "1e300"]),
+        "--wall": ("a number above 0", ["1e-3", "1e300"]),
+        "--memory": ("a whole number from 1 to 500000", ["1", "500000"]),
+        "--jobs": ("a whole number from 1 to 1024", ["1", "1024"]),
+        "--points": ("a number above 0", ["0.5"]),
         "--max-pixels": ("a whole number not below 0", ["0"]),
         "--tolerance": ("a whole number from 0 to 255", ["0"]),
         "--min-score": ("a whole number from 0 to 100", ["0"]),
@@ -96,7 +100,8 @@ ARGUMENTS = {
 
 def with_number(command, name, text):
     arguments = ARGUMENTS[command] | ({} if name.startswith("-") else {name: text})
-    others = ["--program", "no"] if name == "--timeout" else []
+    others = {"--timeout": ["--program", "no"], "--wall": ["--program", "no"], "--memory": ["--program", "no"], "--jobs":
+              ["--program", "no", "--submissions", "no"], "--points": ["--gradescope", "/no/no"]}.get(name, [])
     return [*COMMANDS[command], *arguments.values(), *([name, text] if name.startswith("-") else []), *others]
 
 

@@ -88,7 +88,7 @@ def make_class(folder):
 def check_cli(program, folder):
     make_class(folder)
     start = time.monotonic()
-    result = grade(program, folder, "exam", "--program", "./student", "--timeout", 1, "--report", "report.html")
+    result = grade(program, folder, "exam", "--program", "./student", "--wall", 1, "--report", "report.html")
     check(time.monotonic() - start < 10, "a program that hangs is stopped")
     check(result.returncode == 1, f"exit status 1, not {result.returncode}: {result.stderr}")
     rows = {match[2]: match for match in re.finditer(r"^ *(\d+) .*  (\w+)(?:: (.*))?$", result.stdout, re.M)}
@@ -120,7 +120,7 @@ def check_interrupt(program, folder):
                                   stdout=subprocess.DEVNULL, env=os.environ | {"TMPDIR": str(temporary)})
         while not (pid.exists() and pid.read_text().strip()):
             time.sleep(0.01)
-        check(len(list(temporary.iterdir())) == 2, "the grading has a folder, and a place for its report")
+        check(len(list(temporary.iterdir())) == 4, "folders for the grading, for the program and for what it prints, and a place for the report")
         grader.send_signal(number)
         check(grader.wait(10) == -number, f"signal {number} ends the grading")
         check(has_ended(pid.read_text().strip()), f"signal {number} ends the program")

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -31,6 +32,7 @@ ByteImage flat(int size, int value) {
 // A case whose reference is black and 10 pixels large.
 GradeCase blackCase(const TemporaryFolder& folder, const std::string& name = "black") {
     writePng(folder.file(name + ".png"), flat(10, 0));
+    touch(folder.file(name + ".json"));
     return {name, name, &completeStage(), folder.file(name + ".json"), folder.file(name + ".png")};
 }
 
@@ -177,15 +179,16 @@ TEST_CASE("grade: a program is told scene, picture and size") {
     const GradeCase test = blackCase(folder, "it's \"black\" $HOME");
     std::ofstream(folder.file("program.sh"))
         << "echo \"$1\"; [ \"$3\" = 10 ] && cp '" + blackCase(folder).reference + "' \"$2\"";
-    const GradeResult result = gradeCase(test, programRenderer("sh " + folder.file("program.sh"), 10), 0);
+    const GradeResult result = gradeCase(test, programRenderer("sh " + folder.file("program.sh"), {}), 0);
     CHECK(result.score() == 100);
     CHECK(result.message.empty());
-    CHECK(result.output == test.scene + "\n");
+    CHECK_THAT(result.output, Catch::Matchers::EndsWith("/it's \"black\" $HOME.json\n"));
+    CHECK(result.output != test.scene + "\n");
 }
 
 TEST_CASE("grade: of what a program prints, the end is kept") {
     const TemporaryFolder folder;
-    const GradeResult result = gradeCase(blackCase(folder), programRenderer("seq 1 100000; echo", 10), 0);
+    const GradeResult result = gradeCase(blackCase(folder), programRenderer("seq 1 100000; echo", {}), 0);
     CHECK(result.message == "wrote no picture");
     CHECK(result.output.size() == 2004);
     CHECK(result.output.find("... ") == 0);
@@ -195,50 +198,91 @@ TEST_CASE("grade: of what a program prints, the end is kept") {
 TEST_CASE("grade: the shell's remark on a crash is left out of what the program printed") {
     const TemporaryFolder folder;
     const GradeResult result =
-        gradeCase(blackCase(folder), programRenderer("sh -c 'echo falling; kill -SEGV $$'", 10), 0);
+        gradeCase(blackCase(folder), programRenderer("sh -c 'echo falling; kill -SEGV $$'", {}), 0);
     CHECK(result.message == "crashed: Segmentation fault");
     CHECK(result.output == "falling\n");
-    CHECK(gradeCase(blackCase(folder), programRenderer("sh -c 'kill -SEGV $$'", 10), 0).output.empty());
+    CHECK(gradeCase(blackCase(folder), programRenderer("sh -c 'kill -SEGV $$'", {}), 0).output.empty());
 }
 
 TEST_CASE("child process: how it ends") {
     const TemporaryFolder folder;
     const std::string log = folder.file("log");
+    const auto run = [&](const std::string& command, double wall = 10) {
+        return runProcess({command, {}, log, {.wallSeconds = wall}});
+    };
     SECTION("well") {
-        const ProcessEnd end = runProcess("echo", {"a  b", "$HOME", "'"}, log, 10);
+        const ProcessEnd end = runProcess({"echo", {"a  b", "$HOME", "'"}, log});
         CHECK(end.well());
         CHECK(end.description().empty());
         CHECK(textOf(log) == "a  b $HOME '\n");
     }
     SECTION("both outputs are kept, in order") {
-        CHECK(runProcess("sh -c 'echo out; echo err >&2; echo out'", {}, log, 10).well());
+        CHECK(run("sh -c 'echo out; echo err >&2; echo out'").well());
         CHECK(textOf(log) == "out\nerr\nout\n");
     }
-    SECTION("nothing to read") { CHECK(runProcess("cat", {}, log, 10).well()); }
-    SECTION("with a status") {
-        CHECK(runProcess("sh -c 'exit 3'", {}, log, 10).description() == "exit status 3");
-    }
+    SECTION("nothing to read") { CHECK(run("cat").well()); }
+    SECTION("with a status") { CHECK(run("sh -c 'exit 3'").description() == "exit status 3"); }
     SECTION("by a signal") {
-        CHECK(runProcess("sh -c 'kill -SEGV $$'", {}, log, 10).signal == SIGSEGV);
-        CHECK(runProcess("sh -c 'kill -ABRT $$'", {}, log, 10).description() == "crashed: Aborted");
+        CHECK(run("sh -c 'kill -SEGV $$'").signal == SIGSEGV);
+        CHECK(run("sh -c 'kill -ABRT $$'").description() == "crashed: Aborted");
     }
     SECTION("there is no such program") {
-        CHECK(runProcess("./no-such-program", {}, log, 10).description() == "could not be started");
+        CHECK(run("./no-such-program").description() == "could not be started");
     }
     SECTION("with what it started in a session of its own") {
         const std::string pid = folder.file("pid");
         const std::string start = "setsid sh -c 'echo $$ > " + pid + "; exec sleep 60' &";
-        CHECK(runProcess("eval \"" + start + "\"; while [ ! -s " + pid + " ]; do :; done; true", {}, log, 10)
-                  .well());
+        CHECK(run("eval \"" + start + "\"; while [ ! -s " + pid + " ]; do :; done; true").well());
         CHECK(::kill(std::stoi(textOf(pid)), 0) == -1);
+    }
+    SECTION("too slow, in several processes together") {
+        const ProcessEnd end = runProcess(
+            {"sh -c 'while :; do :; done & while :; do :; done'", {}, log, {.processorSeconds = 0.3}});
+        CHECK(end.stop == ProcessEnd::Stop::TooSlow);
+        CHECK_THAT(end.description(),
+                   Catch::Matchers::Matches("too slow: 0\\.[3-9]\\d? s of processor time"));
+    }
+    SECTION("with too many processes") {
+        const ProcessEnd end = runProcess(
+            {"sh -c 'for i in 1 2 3 4 5 6 7 8 9; do sleep 60 & done; wait'", {}, log, {.processes = 8}});
+        CHECK(end.description() == "started too many processes");
+    }
+    SECTION("with too much output, too much memory") {
+        ProcessLimits limits;
+        limits.output = 1 << 20;
+        CHECK(runProcess({"exec yes", {}, log, limits}).description() == "crashed: File size limit exceeded");
+        CHECK(std::filesystem::file_size(log) == 1 << 20);
+        limits.memory = 1 << 27;
+        CHECK_FALSE(
+            runProcess(
+                {"sh -c 'head -c 500000000 /dev/zero | tail -c 499999999 > /dev/null'", {}, log, limits})
+                .well());
+    }
+    SECTION("several at once, each with its own") {
+        std::vector<std::string> ended;
+        runProcesses(
+            3, 3,
+            [&](std::size_t i) {
+                return ProcessStart{
+                    i == 0 ? "sleep 60" : "true", {}, log + std::to_string(i), {.wallSeconds = 0.3}};
+            },
+            [&](std::size_t i, const ProcessEnd& end) {
+                ended.push_back(std::to_string(i) + end.description());
+            });
+        std::sort(ended.begin(), ended.end());
+        CHECK(ended == std::vector<std::string>{"0hung: stopped after 0.3 s", "1", "2"});
+    }
+    SECTION("where it is told to") {
+        CHECK(runProcess({"pwd; echo $TMPDIR", {}, log, {}, folder.file("")}).well());
+        CHECK_THAT(textOf(log), Contains(folder.file("")));
     }
     SECTION("late, with all it started") {
         const ProcessEnd end =
-            runProcess("sh -c '(sleep 1; echo late > " + folder.file("late") + ") & sleep 60'", {}, log, 0.2);
-        CHECK(end.timedOut);
+            run("sh -c '(sleep 1; echo late > " + folder.file("late") + ") & sleep 60'", 0.2);
+        CHECK(end.stop == ProcessEnd::Stop::Hung);
         CHECK_FALSE(end.well());
         CHECK(end.description() == "hung: stopped after 0.2 s");
-        CHECK(runProcess("sleep 1.2", {}, log, 10).well());
+        CHECK(run("sleep 1.2").well());
         CHECK_FALSE(std::filesystem::exists(folder.file("late")));
     }
 }

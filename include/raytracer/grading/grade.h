@@ -1,7 +1,10 @@
 // Grading: scenes are rendered, by us or by another program, and compared with reference pictures.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +12,8 @@
 #include <vector>
 
 #include "raytracer/grading/compare.h"
+#include "raytracer/grading/diagnosis.h"
+#include "raytracer/util/child_process.h"
 
 namespace raytracer {
 
@@ -42,31 +47,79 @@ GradePlan planGrading(const std::string& scenes, const std::string& references);
 
 // The outcome of rendering a case. It does not say whether there is a picture.
 struct Rendered {
-    bool failed = false;  // a picture that was written all the same does not count
-    std::string message;  // one line, empty without a failure
-    std::string output;   // the end of what the program printed
+    bool failed = false;                       // a picture that was written all the same does not count
+    std::string message;                       // one line, empty without a failure
+    std::string output;                        // the end of what the program printed
+    double seconds = 0, processorSeconds = 0;  // 0: not known
 };
 
 // Renders the case's picture, `longEdge` pixels on its longer side, to the PNG file `out`. Throws where that
 // fails for a reason that is not the renderer's.
 using CaseRenderer = std::function<Rendered(const GradeCase& test, int longEdge, const std::string& out)>;
 
-// Runs `command scene.json out.png longEdge`. What it writes is a picture only where it is a regular file.
-CaseRenderer programRenderer(const std::string& command, double timeoutSeconds);
+// How programs are run.
+struct ProgramOptions {
+    ProcessLimits limits;
+    std::string user;  // empty: ours
+};
+
+// Runs `command scene.json out.png longEdge` with a copy of the scene, in whose folder is nothing but what it
+// names. What is written is a picture only where it is a regular file.
+CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options);
+
+// The namer of a case's scene; nothing where the scene cannot be read.
+using NamerMaker = std::function<std::unique_ptr<MistakeNamer>(const GradeCase& test, const ImageSize& size)>;
 
 struct GradeResult {
     GradeCase test;
-    std::optional<Comparison> comparison;  // of our picture with the reference; empty if one is missing
-    std::string message, output;           // as in Rendered, or why there is no comparison
-    double seconds = 0;                    // wall time of rendering
+    std::optional<Comparison> comparison;      // of our picture with the reference; empty if one is missing
+    std::string message, output;               // as in Rendered, or why there is no comparison
+    double seconds = 0, processorSeconds = 0;  // of rendering; the latter of programs only
     std::string referencePng, ourPng, differencePng;  // the files' bytes; empty if there is no file
+    struct {
+        std::string reference, ours, difference;
+    } keys;  // of a PictureShelf that has them instead
+
+    // Of a wrong picture: what explains it (Diagnosis), where something does; and the colours of its worst
+    // pixel.
+    std::vector<std::string> mistakes;
+    std::string sentence;
+    std::array<std::uint8_t, 3> ourWorst{}, referenceWorst{};
 
     int score() const { return comparison ? comparison->score : 0; }
+    void take(const Rendered& rendered);
 };
 
-// A fault of the picture is part of the result. Throws Error for what is not the renderer's: a reference that
-// cannot be read, no temporary folder, a full disk. With `longEdge` 0 the picture has the reference's size.
-GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge);
+// A reference, read. Throws Error, also where the memory does not suffice for another picture of its size.
+struct ReferencePicture {
+    explicit ReferencePicture(const std::string& path);
+
+    std::string png;
+    ByteImage image;
+};
+
+// Names the mistakes of a case's pictures. What it needs is made for the first wrong one.
+class NamedCase {
+  public:
+    NamedCase(const GradeCase& test, const ReferencePicture& reference, NamerMaker makeNamer);
+    void name(GradeResult& result, const ByteImage& picture);
+
+  private:
+    const GradeCase& test_;
+    const ReferencePicture& reference_;
+    NamerMaker makeNamer_;
+    bool isTried_ = false;
+    std::unique_ptr<MistakeNamer> namer_;  // none where our picture is not the reference
+};
+
+// Compares the picture in a file with the reference. A fault of the picture is part of the result.
+void gradePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture,
+                  NamedCase* named);
+
+// Throws Error for what is not the renderer's: a reference that cannot be read, no temporary folder, a full
+// disk. With `longEdge` 0 the picture has the reference's size.
+GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge,
+                      const NamerMaker& makeNamer = {});
 
 bool within(const GradeResult& result, const Thresholds& thresholds);
 

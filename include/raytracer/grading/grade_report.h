@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "raytracer/grading/grade.h"
+#include "raytracer/grading/submissions.h"
 
 namespace raytracer {
 
@@ -13,5 +13,10 @@ namespace raytracer {
 // a table.
 std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds,
                         const std::string& title);
+
+// A class: a table of the submissions, the worst first, that opens the pictures of each, which are on the
+// shelf; loaded when they are opened. Without scripts it is the table.
+std::string classReport(std::span<const GradedSubmission> graded, const Thresholds& thresholds,
+                        const std::string& title, const PictureShelf& shelf);
 
 }  // namespace raytracer

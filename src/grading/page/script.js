@@ -1,6 +1,7 @@
 "use strict";
 const $ = id => document.getElementById(id);
-const main = document.querySelector("main"), cards = [...document.querySelectorAll("article")];
+const main = document.querySelector("main");
+let cards = [...document.querySelectorAll("article")];
 
 // The list: sorted, grouped, filtered.
 const worse = (a, b) =>
@@ -85,7 +86,9 @@ function readPixels(picture) {
 }
 function valueOf(name, x, y) {
   if (!pictures[name]) return "";
-  pixels[name] ||= readPixels(pictures[name]);
+  try {
+    pixels[name] ||= readPixels(pictures[name]);
+  } catch { return ""; }  // a page on a disk may not read the pictures beside it
   const at = 4 * (y * size()[0] + x);
   return `${name} ${[...pixels[name].slice(at, at + 3)].join(" ")}`;
 }
@@ -182,3 +185,39 @@ stage.addEventListener("wheel", event => {
   draw();
 }, { passive: false });
 addEventListener("resize", () => { if (viewer.open) { showWorst(); draw(); } });
+
+// A class: a table of submissions, each of which opens its pictures.
+const overview = $("overview");
+if (overview) {
+  const addresses = JSON.parse($("addresses").textContent), rows = [...overview.querySelectorAll("tbody tr")];
+  const opened = [$("opened"), document.querySelector(".back")];
+  let last = null;
+  const turn = isOpen => {
+    overview.hidden = isOpen;
+    for (const part of opened) part.hidden = !isOpen;
+  };
+  const openRow = row => {
+    last = row;
+    main.replaceChildren($(row.dataset.template).content.cloneNode(true));
+    for (const image of main.querySelectorAll("img[data-picture]")) image.src = addresses[image.dataset.picture];
+    cards = [...main.querySelectorAll("article")];
+    $("who").textContent = row.dataset.name;
+    turn(true);
+    arrange();
+    scrollTo(0, 0);
+  };
+  overview.addEventListener("click", event => {
+    const row = event.target.closest("tbody tr");
+    if (row) openRow(row);
+  });
+  $("back").addEventListener("click", () => {
+    main.replaceChildren();
+    cards = [];
+    turn(false);
+    last.querySelector("button").focus();
+  });
+  $("find").addEventListener("input", () => {
+    const wanted = $("find").value.toLowerCase();
+    for (const row of rows) row.hidden = !row.textContent.toLowerCase().includes(wanted);
+  });
+}

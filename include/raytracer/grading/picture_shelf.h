@@ -1,0 +1,36 @@
+// The pictures of a page: equal ones once; few of them in the page, many in a folder beside it.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace raytracer {
+
+class PictureShelf {
+  public:
+    // Of the page that will be at this path: "out.html" has the folder "out_pictures".
+    explicit PictureShelf(const std::string& page);
+
+    // A PNG file's bytes; returns its key. Empty bytes have the empty key. From any thread; throws Error
+    // where the folder cannot be written.
+    std::string add(const std::string& png);
+
+    // JSON, from keys to addresses for an <img>.
+    std::string addresses() const;
+
+  private:
+    static constexpr std::size_t mostInPage = std::size_t{20} << 20;  // bytes
+
+    void write(const std::string& key, const std::string& png);
+
+    std::string folder_, link_;  // the folder's path, and its name
+    std::mutex mutex_;
+    std::map<std::string, std::string> keys_;    // by the hash of the bytes, and their number
+    std::map<std::string, std::string> inPage_;  // the bytes, by key, while they are few
+    std::size_t size_ = 0;
+    bool isBeside_ = false;
+};
+
+}  // namespace raytracer

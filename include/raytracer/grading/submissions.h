@@ -1,0 +1,51 @@
+// A class: submissions, of which each is a folder with pictures, or with a program that makes them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "raytracer/grading/diagnosis.h"
+#include "raytracer/grading/grade.h"
+#include "raytracer/grading/picture_shelf.h"
+#include "raytracer/util/progress.h"
+
+namespace raytracer {
+
+struct Submission {
+    std::string name, folder;  // the folder's name, and its absolute path
+};
+
+// The folders in `folder`, by name. Throws Error where it cannot be read or has none.
+std::vector<Submission> submissionsIn(const std::string& folder);
+
+struct GradedSubmission {
+    std::string name;
+    std::vector<GradeResult> results;  // one for each case of the plan, in its order
+
+    double mean() const;
+    std::size_t rightCount(const Thresholds& thresholds) const;
+    const GradeResult& worst() const;
+    double seconds() const;  // of running programs
+    // What is wrong with most of the wrong pictures: a mistake, or why there is no picture; empty if nothing
+    // is wrong.
+    std::string fault(const Thresholds& thresholds) const;
+};
+
+struct ClassOptions {
+    std::string program;  // "{}" is the submission's folder; empty: the folder has the pictures
+    ProgramOptions run;
+    int jobs = 1;      // programs side by side
+    int longEdge = 0;  // 0: the reference's
+};
+
+// Pictures are X.png anywhere beneath the folder, the one nearest to its top; programs are run in a fresh
+// folder each. What is wrong with a submission is part of its result. Throws Error for what is the grader's:
+// a reference that cannot be read, no temporary folder, a full disk. With a shelf, the pictures are put
+// there.
+std::vector<GradedSubmission> gradeClass(const GradePlan& plan, const std::vector<Submission>& submissions,
+                                         const ClassOptions& options, const NamerMaker& makeNamer,
+                                         PictureShelf* shelf, ProgressListener& progress);
+
+}  // namespace raytracer

@@ -1,0 +1,175 @@
+#include "raytracer/grading/grade_files.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "raytracer/json/json_writer.h"
+#include "raytracer/util/html.h"
+#include "raytracer/util/text.h"
+
+namespace raytracer {
+
+namespace {
+
+// A field in quotes where it needs them. A spreadsheet takes what begins with these characters for a formula;
+// an apostrophe makes it text.
+std::string csvField(const std::string& value) {
+    const std::string shown = printable(value);
+    std::string text =
+        shown.empty() || std::string_view("=+-@").find(shown[0]) == std::string_view::npos ? "" : "'";
+    text += shown;
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string fixed(double value, int digits) { return formatted("%.*f", digits, value); }
+
+std::string xmlAttribute(const char* name, const std::string& value) {
+    return std::string(" ") + name + "=\"" + escaped(value) + "\"";
+}
+
+std::string junitCase(const GradedSubmission& submission, const GradeResult& result,
+                      const Thresholds& thresholds) {
+    std::string xml = "    <testcase" + xmlAttribute("classname", submission.name) +
+                      xmlAttribute("name", result.test.name) + xmlAttribute("time", fixed(result.seconds, 3));
+    if (within(result, thresholds)) return xml + "/>\n";
+    const char* const kind = result.comparison ? "failure" : "error";
+    const std::string message =
+        "score " + std::to_string(result.score()) + (remark(result).empty() ? "" : ": ") + remark(result);
+    return xml + ">\n      <" + kind + xmlAttribute("message", message) + xmlAttribute("type", kind) + ">" +
+           escaped(result.output) + "</" + kind + ">\n    </testcase>\n";
+}
+
+struct JunitCounts {
+    std::size_t tests = 0, failures = 0, errors = 0;
+    double seconds = 0;
+
+    void add(const GradedSubmission& submission, const Thresholds& thresholds) {
+        for (const GradeResult& result : submission.results) {
+            ++tests;
+            errors += !result.comparison;
+            failures += result.comparison && !within(result, thresholds);
+            seconds += result.seconds;
+        }
+    }
+
+    std::string attributes() const {
+        return xmlAttribute("tests", std::to_string(tests)) +
+               xmlAttribute("failures", std::to_string(failures)) +
+               xmlAttribute("errors", std::to_string(errors)) + xmlAttribute("time", fixed(seconds, 3));
+    }
+};
+
+void writePicture(JsonWriter& json, const GradeResult& result, const Thresholds& thresholds) {
+    json.beginObject();
+    json.key("picture").value(result.test.name);
+    json.key("score").value(result.score());
+    json.key("right").value(within(result, thresholds));
+    if (result.comparison) json.key("differing").value(result.comparison->pixelsOver(0));
+    else json.key("differing").null();
+    json.key("message").value(printable(result.message));
+    json.key("mistakes").beginArray();
+    for (const std::string& mistake : result.mistakes) json.value(mistake);
+    json.endArray();
+    json.key("sentence").value(result.sentence);
+    json.key("seconds").value(result.seconds);
+    json.key("processor_seconds").value(result.processorSeconds);
+    json.endObject();
+}
+
+std::string outputFor(const GradeResult& result) {
+    std::string text = remark(result);
+    if (const auto& c = result.comparison; c && text.empty() && c->pixelsOver(0) > 0)
+        text = std::to_string(c->pixelsOver(0)) + " pixels differ";
+    if (!result.message.empty() && !result.output.empty()) text += "\n" + printable(result.output, "\n");
+    return text.empty() ? "as the reference" : text;
+}
+
+}  // namespace
+
+std::string remark(const GradeResult& result) {
+    if (!result.comparison) return result.message;
+    if (result.sentence.empty()) return result.message;
+    return (result.message.empty() ? "" : result.message + "; ") + result.sentence;
+}
+
+std::string gradesAsCsv(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
+    std::string csv = "submission";
+    if (!graded.empty())
+        for (const GradeResult& result : graded.front().results) csv += "," + csvField(result.test.name);
+    csv += ",mean,mistake\r\n";
+    for (const GradedSubmission& submission : graded) {
+        csv += csvField(submission.name);
+        for (const GradeResult& result : submission.results) csv += "," + std::to_string(result.score());
+        csv += "," + fixed(submission.mean(), 1) + "," + csvField(submission.fault(thresholds)) + "\r\n";
+    }
+    return csv;
+}
+
+std::string gradesAsJson(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
+    JsonWriter json;
+    json.beginObject();
+    json.key("submissions").beginArray();
+    for (const GradedSubmission& submission : graded) {
+        json.beginObject();
+        json.key("submission").value(printable(submission.name));
+        json.key("mean").value(submission.mean());
+        json.key("right").value(submission.rightCount(thresholds));
+        json.key("mistake").value(printable(submission.fault(thresholds)));
+        json.key("pictures").beginArray();
+        for (const GradeResult& result : submission.results) writePicture(json, result, thresholds);
+        json.endArray();
+        json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+    return json.text() + "\n";
+}
+
+std::string gradesAsJunit(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
+    JunitCounts all;
+    std::string suites;
+    for (const GradedSubmission& submission : graded) {
+        JunitCounts own;
+        own.add(submission, thresholds);
+        all.add(submission, thresholds);
+        suites += "  <testsuite" + xmlAttribute("name", submission.name) + own.attributes() + ">\n";
+        for (const GradeResult& result : submission.results)
+            suites += junitCase(submission, result, thresholds);
+        suites += "  </testsuite>\n";
+    }
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
+           xmlAttribute("name", "raytracer grade") + all.attributes() + ">\n" + suites + "</testsuites>\n";
+}
+
+std::string gradesForGradescope(const GradedSubmission& graded, const Thresholds& thresholds, double points) {
+    JsonWriter json;
+    const double share = points / 100;
+    json.beginObject();
+    json.key("score").value(share * graded.mean() * static_cast<double>(graded.results.size()));
+    json.key("execution_time").value(graded.seconds());
+    json.key("output").value(printable(graded.fault(thresholds)));
+    json.key("output_format").value("text");
+    json.key("visibility").value("visible");
+    json.key("tests").beginArray();
+    for (const GradeResult& result : graded.results) {
+        json.beginObject();
+        json.key("name").value(printable(result.test.name));
+        json.key("score").value(share * result.score());
+        json.key("max_score").value(points);
+        json.key("status").value(within(result, thresholds) ? "passed" : "failed");
+        json.key("output").value(outputFor(result));
+        json.key("output_format").value("text");
+        json.key("extra_data").beginObject();
+        json.key("execution_time").value(result.seconds);
+        json.endObject();
+        json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+    return json.text() + "\n";
+}
+
+}  // namespace raytracer

@@ -1,0 +1,121 @@
+#include "programs.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+
+#include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/error.h"
+#include "raytracer/util/temporary_folder.h"
+
+namespace raytracer {
+
+namespace {
+
+namespace files = std::filesystem;
+
+// The end of what a program printed, where errors are.
+std::string endOfFile(const std::string& path) {
+    constexpr std::streamoff most = 2000;  // characters: some 20 lines
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : 0;
+    const std::streamoff start = std::max<std::streamoff>(0, size - most);
+    std::string text(static_cast<std::size_t>(size - start), '\0');
+    file.seekg(start);
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    return start > 0 ? "... " + text : text;
+}
+
+// The shell, too, reports a signal that killed the program. The message has that already.
+void removeShellsReport(std::string& output, const ProcessEnd& end) {
+    const std::size_t last = output.find_last_of('\n', output.empty() ? 0 : output.size() - 2);
+    const std::size_t start = last == std::string::npos ? 0 : last + 1;
+    if (end.signal && output.find(strsignal(end.signal), start) != std::string::npos) output.erase(start);
+}
+
+// How many folders above its own a path leads: 1 for "../a", 2 for "a/../../../b".
+int stepsUp(const files::path& relative) {
+    int up = 0;
+    for (const files::path& part : relative.lexically_normal()) up += part == "..";
+    return up;
+}
+
+// The scene with the files that it names, copied so that the relative paths lead to them. A file that is
+// named absolutely is found where it is. A scene that cannot be read is copied alone.
+std::string copyScene(const std::string& scene, const std::string& folder) {
+    std::vector<std::string> named;
+    try {
+        named = loadScene(scene, false).files;
+    } catch (const Error&) {
+        named = {scene};
+    }
+    const files::path from = files::path(scene).parent_path();
+    int up = 0;
+    for (const std::string& file : named)
+        up = std::max(up, stepsUp(files::path(file).lexically_relative(from)));
+    files::path to = folder;
+    for (int i = 0; i < up; ++i) to /= "scene";
+    for (const std::string& file : named) {
+        const files::path copy = (to / files::path(file).lexically_relative(from)).lexically_normal();
+        std::error_code error;
+        files::create_directories(copy.parent_path(), error);
+        files::copy_file(file, copy, files::copy_options::overwrite_existing, error);
+        if (error) throw Error({file}, "cannot be copied for a program: " + error.message());
+    }
+    return (to / files::path(scene).filename()).string();
+}
+
+// A run in progress, in a folder that goes with it.
+struct ActiveRun {
+    TemporaryFolder folder, log;
+    std::string picture = folder.file("out.png"), printed = log.file("log");
+};
+
+ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const ProgramOptions& options) {
+    const std::string scene = copyScene(files::absolute(run.test->scene).string(), active.folder.file(""));
+    giveFolderTo(options.user, active.folder.file(""));
+    return {run.command,
+            {scene, active.picture, std::to_string(run.longEdge)},
+            active.printed,
+            options.limits,
+            run.inFolder ? active.folder.file("") : "",
+            options.user};
+}
+
+Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const ProcessEnd& end) {
+    // With a picture, an exit status other than 0 is no failure: the course grades the picture.
+    Rendered rendered{end.stop != ProcessEnd::Stop::None || end.signal != 0, end.description(),
+                      endOfFile(active.printed)};
+    rendered.seconds = end.seconds;
+    rendered.processorSeconds = end.processorSeconds;
+    removeShellsReport(rendered.output, end);
+    if (rendered.failed) return rendered;
+    std::error_code error;
+    const bool isThere = files::symlink_status(active.picture, error).type() == files::file_type::regular;
+    if (isThere) files::copy_file(active.picture, run.picture, error);
+    if (isThere && !error) return rendered;
+    rendered.message += std::string(rendered.message.empty() ? "" : ", ") + "wrote no picture";
+    rendered.failed = true;
+    return rendered;
+}
+
+}  // namespace
+
+void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
+                 const std::function<void(std::size_t, const Rendered&)>& ended) {
+    std::map<std::size_t, std::unique_ptr<ActiveRun>> active;
+    runProcesses(
+        runs.size(), atOnce,
+        [&](std::size_t i) {
+            active[i] = std::make_unique<ActiveRun>();
+            return startOf(runs[i], *active[i], options);
+        },
+        [&](std::size_t i, const ProcessEnd& end) {
+            ended(i, renderedBy(runs[i], *active[i], end));
+            active.erase(i);
+        });
+}
+
+}  // namespace raytracer

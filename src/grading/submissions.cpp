@@ -1,0 +1,247 @@
+#include "raytracer/grading/submissions.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <optional>
+
+#include "programs.h"
+#include "raytracer/util/error.h"
+#include "raytracer/util/parallel.h"
+#include "raytracer/util/temporary_folder.h"
+
+namespace raytracer {
+
+namespace {
+
+namespace files = std::filesystem;
+
+// Where a picture was found, or why not.
+struct FoundPicture {
+    std::string path, message;
+};
+
+// The PNG files beneath a folder, by name; of each name the nearest to the top first, then by path.
+using PicturesByName = std::map<std::string, std::vector<std::pair<int, std::string>>>;
+
+PicturesByName picturesBeneath(const std::string& folder) {
+    PicturesByName pictures;
+    std::error_code error;
+    files::recursive_directory_iterator entry(folder, files::directory_options::skip_permission_denied,
+                                              error);
+    for (const files::recursive_directory_iterator end; !error && entry != end; entry.increment(error))
+        if (entry->path().extension() == ".png" &&
+            entry->symlink_status(error).type() == files::file_type::regular)
+            pictures[entry->path().filename().string()].emplace_back(entry.depth(), entry->path().string());
+    for (auto& [name, places] : pictures) std::ranges::sort(places);
+    return pictures;
+}
+
+// A reference X-raytracing.png is matched by X.png, too.
+std::vector<std::string> fileNames(const GradeCase& test) {
+    std::vector<std::string> names{test.name + ".png"};
+    const std::string ending = "-" + std::string(completeStage().name);
+    if (test.name.ends_with(ending))
+        names.push_back(test.name.substr(0, test.name.size() - ending.size()) + ".png");
+    return names;
+}
+
+FoundPicture findPicture(const Submission& submission, const PicturesByName& pictures,
+                         const GradeCase& test) {
+    for (const std::string& name : fileNames(test)) {
+        const auto known = pictures.find(name);
+        if (known == pictures.end()) continue;
+        const auto& places = known->second;
+        const auto inside = [&](std::size_t i) {
+            return files::path(places[i].second).lexically_relative(submission.folder).string();
+        };
+        const bool isDoubled = places.size() > 1 && places[1].first == places[0].first;
+        return {places[0].second,
+                isDoubled ? name + " is there twice: " + inside(0) + " counts, not " + inside(1) : ""};
+    }
+    return {"", "no picture " + test.name + ".png"};
+}
+
+std::string inShellQuotes(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string commandOf(std::string program, const Submission& submission) {
+    const std::string folder = inShellQuotes(submission.folder);
+    for (std::size_t at = 0; (at = program.find("{}", at)) != std::string::npos; at += folder.size())
+        program.replace(at, 2, folder);
+    return program;
+}
+
+// "too slow: 2.1 s" and "too slow: 2.2 s" are one fault.
+std::string withoutNumbers(std::string text) {
+    std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+    return text;
+}
+
+// The whole class: results, in which a fault may be told already, and the paths of pictures.
+class ClassGrading {
+  public:
+    ClassGrading(const GradePlan& plan, const std::vector<Submission>& submissions,
+                 const ClassOptions& options, ProgressListener& progress)
+        : plan_(plan), submissions_(submissions), options_(options), progress_(progress) {
+        for (const Submission& submission : submissions) {
+            graded_.push_back({submission.name, std::vector<GradeResult>(plan.cases.size())});
+            for (std::size_t c = 0; c < plan.cases.size(); ++c)
+                graded_.back().results[c].test = plan.cases[c];
+        }
+        paths_.resize(submissions.size() * plan.cases.size());
+    }
+
+    void findPictures() {
+        for (std::size_t s = 0; s < submissions_.size(); ++s) {
+            const PicturesByName pictures = picturesBeneath(submissions_[s].folder);
+            for (std::size_t c = 0; c < plan_.cases.size(); ++c) {
+                FoundPicture found = findPicture(submissions_[s], pictures, plan_.cases[c]);
+                path(s, c) = found.path;
+                graded_[s].results[c].message = found.message;
+            }
+        }
+    }
+
+    void makePictures() {
+        std::vector<ProgramRun> runs;
+        for (std::size_t s = 0; s < submissions_.size(); ++s)
+            for (std::size_t c = 0; c < plan_.cases.size(); ++c)
+                runs.push_back({commandOf(options_.program, submissions_[s]), &plan_.cases[c],
+                                longEdgeOf(plan_.cases[c]), made_.file(std::to_string(runs.size()) + ".png"),
+                                true});
+        std::size_t done = 0;
+        runPrograms(runs, options_.run, options_.jobs, [&](std::size_t i, const Rendered& rendered) {
+            GradeResult& result = graded_[i / plan_.cases.size()].results[i % plan_.cases.size()];
+            if (!rendered.failed) paths_[i] = runs[i].picture;
+            result.take(rendered);
+            progress_.progress(static_cast<double>(++done) / static_cast<double>(runs.size()));
+        });
+    }
+
+    // Scene by scene: what is known of one scene's mistakes is needed for its pictures only.
+    void grade(const NamerMaker& makeNamer, PictureShelf* shelf) {
+        std::mutex mutex;
+        std::size_t done = 0;
+        parallelFor(static_cast<std::uint32_t>(plan_.cases.size()), 0, [&](std::uint32_t c) {
+            gradeCaseOfAll(c, makeNamer, shelf);
+            const std::lock_guard lock(mutex);
+            progress_.progress(static_cast<double>(++done) / static_cast<double>(plan_.cases.size()));
+        });
+    }
+
+    std::vector<GradedSubmission> take() { return std::move(graded_); }
+
+  private:
+    std::string& path(std::size_t submission, std::size_t test) {
+        return paths_[submission * plan_.cases.size() + test];
+    }
+
+    int longEdgeOf(const GradeCase& test) {
+        if (options_.longEdge) return options_.longEdge;
+        int& edge = longEdges_[test.reference];
+        if (edge) return edge;
+        const FileBytes file(test.reference, FileKind::Regular);
+        const auto size = sizeInHeader(file);
+        if (!size) readImage(test.reference, FileKind::Regular);  // says what is wrong with it
+        return edge = std::max(size->width, size->height);
+    }
+
+    void gradeCaseOfAll(std::size_t test, const NamerMaker& makeNamer, PictureShelf* shelf) {
+        const ReferencePicture reference(plan_.cases[test].reference);
+        NamedCase named(plan_.cases[test], reference, makeNamer);
+        for (std::size_t s = 0; s < submissions_.size(); ++s) {
+            GradeResult& result = graded_[s].results[test];
+            if (!path(s, test).empty()) gradePicture(result, reference, path(s, test), &named);
+            if (shelf) putOn(*shelf, result, reference);
+            result.referencePng = result.ourPng = result.differencePng = {};
+        }
+    }
+
+    static void putOn(PictureShelf& shelf, GradeResult& result, const ReferencePicture& reference) {
+        result.keys = {shelf.add(reference.png), shelf.add(result.ourPng), shelf.add(result.differencePng)};
+    }
+
+    const GradePlan& plan_;
+    const std::vector<Submission>& submissions_;
+    const ClassOptions& options_;
+    ProgressListener& progress_;
+    TemporaryFolder made_;
+    std::vector<GradedSubmission> graded_;
+    std::vector<std::string> paths_;  // submission by submission; empty: there is no picture
+    std::map<std::string, int> longEdges_;
+};
+
+}  // namespace
+
+std::vector<Submission> submissionsIn(const std::string& folder) {
+    std::vector<Submission> submissions;
+    std::error_code error, ignored;
+    for (files::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        if (entry->is_directory(ignored) && !entry->path().filename().string().starts_with('.'))
+            submissions.push_back(
+                {entry->path().filename().string(), files::absolute(entry->path()).string()});
+    if (error) throw Error({folder}, "cannot read the folder: " + error.message());
+    if (submissions.empty()) throw Error({folder}, "expected a folder for each submission, found none");
+    std::ranges::sort(submissions, {}, &Submission::name);
+    return submissions;
+}
+
+double GradedSubmission::mean() const {
+    const double sum =
+        std::accumulate(results.begin(), results.end(), 0.0,
+                        [](double total, const GradeResult& result) { return total + result.score(); });
+    return results.empty() ? 0 : sum / static_cast<double>(results.size());
+}
+
+std::size_t GradedSubmission::rightCount(const Thresholds& thresholds) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        results, [&](const GradeResult& result) { return within(result, thresholds); }));
+}
+
+const GradeResult& GradedSubmission::worst() const { return *std::ranges::min_element(results, isWorse); }
+
+double GradedSubmission::seconds() const {
+    return std::accumulate(results.begin(), results.end(), 0.0,
+                           [](double total, const GradeResult& result) { return total + result.seconds; });
+}
+
+// A picture that several mistakes explain counts for each of them: what explains the others too is the one.
+std::string GradedSubmission::fault(const Thresholds& thresholds) const {
+    std::map<std::string, std::size_t> count;
+    std::vector<std::string> order;
+    std::size_t wrong = 0;
+    const auto add = [&](const std::string& text) {
+        if (!text.empty() && count[withoutNumbers(text)]++ == 0) order.push_back(text);
+    };
+    for (const GradeResult& result : results) {
+        if (within(result, thresholds)) continue;
+        ++wrong;
+        if (!result.comparison) add(result.message);
+        for (const std::string& mistake : result.mistakes) add(mistake);
+    }
+    if (wrong == 0) return {};
+    if (order.empty()) return "no known mistake";
+    const auto most = std::ranges::max_element(
+        order, {}, [&](const std::string& text) { return count[withoutNumbers(text)]; });
+    const std::size_t times = count[withoutNumbers(*most)];
+    if (times == wrong) return *most;
+    return *most + " (" + std::to_string(times) + " of " + std::to_string(wrong) + " wrong pictures)";
+}
+
+std::vector<GradedSubmission> gradeClass(const GradePlan& plan, const std::vector<Submission>& submissions,
+                                         const ClassOptions& options, const NamerMaker& makeNamer,
+                                         PictureShelf* shelf, ProgressListener& progress) {
+    ClassGrading grading(plan, submissions, options, progress);
+    if (options.program.empty()) grading.findPictures();
+    else grading.makePictures();
+    grading.grade(makeNamer, shelf);
+    return grading.take();
+}
+
+}  // namespace raytracer

@@ -1,0 +1,202 @@
+"""A class of forty, made here: pictures with each kind of mistake, and programs with each way to go wrong.
+
+Usage: class_check.py RAYTRACER COMPILER LIBRARY ..., from the source folder: the compiler and the libraries of
+which the students' program (students.py) is made. Exit status 77 (CTest: skipped) without Pillow.
+"""
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+from grade_check import check, conclude, failures, write_program
+from students import KNOWN, build
+
+SCENES = ["spheres_cylinder", "refraction", "cone_cube"]
+SIZE = 48
+# What is wrong with whom, in part. The pictures are those of students.py.
+PICTURES = {
+    "right_1": [], "right_2": [],
+    **{name: [name] for name in ("no_ambient", "no_diffuse", "no_specular", "no_shadows", "no_reflections", "order_srt",
+                                 "order_tsr", "radians", "rotate_back", "flip_up_down", "flip_left_right", "film_mirrored",
+                                 "clockwise", "top_left", "swapped", "gamma", "srgb", "cut", "no_first_light")},
+    "pair_1": ["no_specular", "flip_up_down"], "pair_2": ["no_shadows", "gamma"], "pair_3": ["swapped", "no_ambient"],
+}
+# Of these the pictures are graded without a program, too.
+PICTURES_ALONE = ["right_1", "no_specular", "swapped", "pair_1"]
+# Programs, and the message of each. $1 is the scene, $2 the picture, {student} a right program.
+PROGRAMS = {
+    "good": ('{student} "$1" "$2" "$3"', ""),
+    "status": ('{student} "$1" "$2" "$3"; exit 3', ""),
+    "crash": ('{student} "$1" "$2" "$3"; kill -SEGV $$', "crashed: Segmentation fault"),
+    "hang": ("sleep 60", "hung: stopped after 10 s"),
+    "busy": ("while :; do :; done", "too slow: 0.5 s of processor time"),
+    "flood": ("exec yes", "crashed: File size limit exceeded|too slow: 0.5 s of processor time"),
+    "forks": ("for i in $(seq 300); do sleep 60 & done; wait", "started too many processes"),
+    "daemon": ('{student} "$1" "$2" "$3"; setsid sh -c \'echo $$ > {pid}; exec sleep 60\' & sleep 0.2', ""),
+    "elsewhere": ('{student} "$1" ./elsewhere.png "$3"', "wrote no picture"),
+    "copies": ('cp "$(dirname "$1")/$(basename "$1" .json).png" "$2" || cp references/*.png "$2"', "exit status 1, wrote no picture"),
+    "fifo": ('mkfifo "$2"', "wrote no picture"),
+    "link": ('ln -s {reference} "$2"', "wrote no picture"),
+    "input": ('read line; {student} "$1" "$2" "$3"', ""),
+    "nothing": ("true", "wrote no picture"),
+    "size": ('{student} "$1" "$2" 20', "the pictures' sizes differ: 20 x 20 and 48 x 48"),
+    "none": ("", "could not be started, wrote no picture"),
+}
+
+
+def run(*arguments, **options):
+    return subprocess.run(list(map(str, arguments)), capture_output=True, text=True, timeout=300, **options)
+
+
+def make_scenes(raytracer, folder):
+    """exam/ with the scenes and what they name, references/ with our pictures of them."""
+    for name in ("exam", "references", "pictures", "class"):
+        (folder / name).mkdir()
+    shutil.copytree("scenes/textures", folder / "exam/textures")
+    for name in SCENES:
+        shutil.copy(f"scenes/{name}.json", folder / "exam")
+        run(raytracer, f"scenes/{name}.json", folder / "references" / f"{name}.png", SIZE, "--quiet")
+
+
+def make_pictures(student, folder):
+    for name, mistakes in PICTURES.items():
+        for i, scene in enumerate(SCENES):
+            place = folder / "pictures" / name / ("." if i % 2 else "out/pictures")
+            place.mkdir(parents=True, exist_ok=True)
+            run(student, folder / "exam" / f"{scene}.json", place / f"{scene}.png", SIZE, *mistakes)
+        shutil.copytree(folder / "pictures" / name, folder / "class" / name)
+        if name not in PICTURES_ALONE:
+            shutil.rmtree(folder / "pictures" / name)
+        write_program(folder / "class" / name / "raytracer",
+                      'cp "$(find "$(dirname "$0")" -name "$(basename "$1" .json).png")" "$2"\n')
+
+
+def make_programs(student, folder):
+    for name, (body, _) in PROGRAMS.items():
+        (folder / "class" / name).mkdir()
+        words = {"student": student, "pid": folder / "pid", "reference": folder / "references/refraction.png"}
+        for word, value in words.items():
+            body = body.replace("{" + word + "}", str(value))
+        if name != "none":
+            write_program(folder / "class" / name / "raytracer", body + "\n")
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return {row["submission"]: row for row in csv.DictReader(file)}
+
+
+def expected_words(mistakes):
+    return [KNOWN[mistake] for mistake in mistakes]
+
+
+def check_pictures(raytracer, folder):
+    done = run(raytracer, "grade", "exam", "--references", "references", "--submissions", "pictures", "--max-pixels", 20,
+               "--report", "class.html", "--csv", "class.csv", "--json", "class.json", "--junit", "class.xml",
+               cwd=folder)
+    check((done.returncode, done.stderr) == (0, ""), f"pictures: {done.returncode} {done.stderr}")
+    rows = rows_of(folder / "class.csv")
+    check(sorted(rows) == sorted(PICTURES_ALONE), f"a row for each submission: {sorted(rows)}")
+    check(list(rows["right_1"]) == ["submission", *sorted(SCENES), "mean", "mistake"], f"columns: {list(rows['right_1'])}")
+    for name in PICTURES_ALONE:
+        mistakes, said = PICTURES[name], rows[name]["mistake"]
+        check(all(words in said for words in expected_words(mistakes)) and bool(said) == bool(mistakes), f"{name}: {said!r}")
+        mean = sum(int(rows[name][scene]) for scene in SCENES) / len(SCENES)
+        check(abs(mean - float(rows[name]["mean"])) < 0.06, f"{name}: mean {rows[name]['mean']}")
+        check(re.search(rf"^ *{rows[name]['mean']} +\d+/3 +{name}\b", done.stdout, re.M), f"{name}: {done.stdout}")
+    answer = json.loads((folder / "class.json").read_text("utf-8"))
+    check({one["submission"]: one["mistake"] for one in answer["submissions"]} ==
+          {name: row["mistake"] for name, row in rows.items()}, "JSON and CSV say the same")
+    check_junit(folder / "class.xml", rows)
+
+
+def check_junit(path, rows):
+    """The structure that CI systems read: https://github.com/testmoapp/junitxml."""
+    root = xml.parse(path).getroot()
+    check(root.tag == "testsuites" and [suite.get("name") for suite in root] == sorted(rows), "JUnit: a suite for each")
+    for suite in (root, *root):
+        cases = suite.findall(".//testcase")
+        counts = {"tests": len(cases), "failures": len(suite.findall(".//failure")), "errors": len(suite.findall(".//error"))}
+        check({key: int(suite.get(key)) for key in counts} == counts and float(suite.get("time")) >= 0, f"JUnit: {suite.attrib}")
+    for case in root.iter("testcase"):
+        check(set(case.attrib) == {"classname", "name", "time"} and all(one.get("message") for one in case), f"JUnit: {case.attrib}")
+    wrong = {case.get("classname") for case in root.iter("testcase") if len(case)}
+    check(wrong == {name for name, row in rows.items() if row["mistake"]}, "JUnit: who fails")
+
+
+def check_class(raytracer, folder):
+    temporary = folder / "tmp"
+    temporary.mkdir()
+    done = run(raytracer, "grade", "exam", "--references", "references", "--submissions", "class", "--program",
+               "{}/raytracer", "--jobs", 8, "--timeout", 0.5, "--wall", 10, "--max-pixels", 20, "--report",
+               "forty.html", "--csv", "forty.csv", cwd=folder, env=os.environ | {"TMPDIR": str(temporary)})
+    check((done.returncode, done.stderr) == (0, ""), f"programs: {done.returncode} {done.stderr}")
+    rows = rows_of(folder / "forty.csv")
+    check(sorted(rows) == sorted([*PROGRAMS, *PICTURES]) and len(rows) == 40, f"a row for each of forty: {sorted(rows)}")
+    for name, mistakes in PICTURES.items():
+        said = rows[name]["mistake"]
+        check(all(words in said for words in expected_words(mistakes)) and bool(said) == bool(mistakes), f"{name}: {said!r}")
+    for name, (_, message) in PROGRAMS.items():
+        said = re.sub(r"\b0.\d+ s of", "0.5 s of", rows[name]["mistake"])
+        said = said.split(" (")[0] if name == "flood" else said
+        check(said in message.split("|"), f"{name}: {said!r}, not {message!r}")
+        check(float(rows[name]["mean"]) > 99 if not message else float(rows[name]["mean"]) == 0, f"{name}: {rows[name]['mean']}")
+    daemon = Path(f"/proc/{(folder / 'pid').read_text().strip()}")
+    check(not daemon.exists(), "nothing survives")
+    check(not list(temporary.iterdir()), f"nothing is left: {list(temporary.iterdir())}")
+    check(not list(folder.rglob("elsewhere.png")), "what is written elsewhere is gone")
+
+
+def check_one(raytracer, folder):
+    """--gradescope: https://gradescope-autograders.readthedocs.io/en/latest/specs/#output-format."""
+    (folder / "one").mkdir()
+    shutil.copytree(folder / "pictures/no_specular", folder / "one/ada")
+    (folder / "one/ada/cone_cube.png").unlink(missing_ok=True)
+    (folder / "one/ada/out/pictures/cone_cube.png").unlink(missing_ok=True)
+    grade = [raytracer, "grade", "exam", "--references", "references", "--gradescope", "results.json", "--points", 20]
+    done = run(*grade, "--submissions", "one", "--min-score", 50, cwd=folder)
+    check(done.returncode == 1, f"below --min-score: {done.returncode} {done.stderr}")
+    results = json.loads((folder / "results.json").read_text("utf-8"))
+    top = {"score": float, "execution_time": (int, float), "output": str, "output_format": str, "visibility": str, "tests": list}
+    check(set(results) == set(top) and all(isinstance(results[key], kind) for key, kind in top.items()), f"Gradescope: {results}")
+    check(abs(results["score"] - sum(test["score"] for test in results["tests"])) < 1e-9, "Gradescope: the sum")
+    for test in results["tests"]:
+        check(0 <= test["score"] <= test["max_score"] == 20 and test["status"] in ("passed", "failed"), f"Gradescope: {test}")
+        check(set(test) == {"name", "score", "max_score", "status", "output", "output_format", "extra_data"}, f"Gradescope: {test}")
+    outputs = {test["name"]: test["output"] for test in results["tests"]}
+    check(outputs["cone_cube"] == "no picture cone_cube.png" and "without specular light" in outputs["refraction"], f"{outputs}")
+    refused = run(*grade, "--submissions", "pictures", cwd=folder)
+    check((refused.returncode, refused.stderr) == (2, f"raytracer: --gradescope: expected one submission, found {len(PICTURES_ALONE)}\n"),
+          f"{refused.stderr}")
+    refused = run(*grade[:-4], "--submissions", "pictures", "--program", "true", cwd=folder)
+    check((refused.returncode, refused.stderr) == (2, 'raytracer: --program: expected {} for the submission\'s folder, found "true"\n'),
+          f"{refused.stderr}")
+    refused = run(*grade[:-4], "--submissions", "one/ada/none", cwd=folder)
+    check((refused.returncode, refused.stderr) == (2, "one/ada/none: cannot read the folder: No such file or directory\n"),
+          f"{refused.stderr}")
+
+
+def main():
+    raytracer, compiler, *libraries = sys.argv[1:]
+    raytracer = str(Path(raytracer).resolve())
+    student = Path(raytracer).with_name("student")
+    build(compiler, Path.cwd(), libraries, student)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        make_scenes(raytracer, folder)
+        make_pictures(student, folder)
+        make_programs(student, folder)
+        check_pictures(raytracer, folder)
+        check_class(raytracer, folder)
+        check_one(raytracer, folder)
+    return conclude()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
