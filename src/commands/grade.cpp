@@ -252,8 +252,7 @@ struct GradeFiles {
     std::optional<OutputFile> report, csv, json, junit, gradescope;
 };
 
-int gradeFolder(const GradeArguments& arguments, const GradePlan& plan) {
-    GradeFiles output(arguments);
+int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
     const std::vector<GradeResult> results = gradeAll(plan, arguments);
     if (output.report) output.report->write(reportOf(arguments, results));
     const GradedSubmission one{arguments.program.empty() ? "raytracer" : arguments.program, results};
@@ -278,7 +277,7 @@ void printClass(std::span<const GradedSubmission> graded, const Thresholds& thre
     }
 }
 
-int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan) {
+int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
     if (!arguments.program.empty() && arguments.program.find("{}") == std::string::npos)
         throw usageError("--program: expected {} for the submission's folder, found " +
                          inQuotes(arguments.program));
@@ -286,7 +285,6 @@ int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan) {
     if (!arguments.gradescope.empty() && submissions.size() != 1)
         throw usageError("--gradescope: expected one submission, found " +
                          std::to_string(submissions.size()));
-    GradeFiles output(arguments);
     std::optional<PictureShelf> shelf;
     if (output.report) shelf.emplace(arguments.report);
     std::vector<GradedSubmission> graded;
@@ -316,10 +314,12 @@ int grade(int argc, char** argv) {
     arguments.addTo(line);
     if (const auto status = line.parse(argc, argv)) return *status;
     requireUser(arguments.user);
+    GradeFiles output(arguments);
     const GradePlan plan = planFor(arguments);
     if (plan.cases.empty())
         throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png");
-    return arguments.submissions.empty() ? gradeFolder(arguments, plan) : gradeSubmissions(arguments, plan);
+    return arguments.submissions.empty() ? gradeFolder(arguments, plan, output)
+                                         : gradeSubmissions(arguments, plan, output);
 }
 
 }  // namespace raytracer::commands

@@ -15,9 +15,10 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 from grade_check import check, conclude, failures, write_program
+from report_check import Browser
 from students import KNOWN, build
 
-SCENES = ["spheres_cylinder", "refraction", "cone_cube"]
+SCENES = ["refraction", "spheres_cylinder"]
 SIZE = 48
 # What is wrong with whom, in part. The pictures are those of students.py.
 PICTURES = {
@@ -48,6 +49,48 @@ PROGRAMS = {
     "size": ('{student} "$1" "$2" 20', "the pictures' sizes differ: 20 x 20 and 48 x 48"),
     "none": ("", "could not be started, wrote no picture"),
 }
+
+# The page of the class, exercised from inside: each line of the result is a check and whether it held.
+PAGE_TEST = r"""
+(async () => {
+  const results = {}, errors = [];
+  window.addEventListener("error", event => errors.push(event.message));
+  const wait = ms => new Promise(done => setTimeout(done, ms));
+  const until = async condition => { for (let i = 0; i < 500 && !condition(); ++i) await wait(20); };
+  const rows = [...overview.querySelectorAll("tbody tr")], means = rows.map(row => +row.children[1].textContent);
+  const find = text => { $("find").value = text; $("find").dispatchEvent(new Event("input")); };
+  const rowOf = name => rows.find(row => row.dataset.name === name);
+  results.rows = rows.length === 40 && !overview.hidden && main.children.length === 0;
+  results.worstFirst = means.every((mean, i) => i === 0 || means[i - 1] <= mean);
+  find("SPECULAR");
+  const found = rows.filter(row => !row.hidden);
+  results.find = found.length === 2 && found.every(row => row.textContent.includes("specular"));
+  find("");
+  results.findAll = rows.every(row => !row.hidden);
+  rowOf("no_specular").querySelector("button").click();
+  results.opens = overview.hidden && !$("opened").hidden && visible().length === 2 && $("who").textContent === "no_specular";
+  results.named = visible().every(card => card.querySelector(".mistake").textContent.includes("without specular light"));
+  results.command = /^raytracer explain exam\/\w+\.json \d+ \d+ 48$/.test(main.querySelector("code").textContent);
+  const images = [...main.querySelectorAll("img")];
+  for (const image of images) image.scrollIntoView();
+  await until(() => images.every(image => image.complete && image.naturalWidth));
+  results.images = images.length === 6 && images.every(image => image.naturalWidth === 48);
+  main.querySelector("button[data-kind=reference]").click();
+  await until(() => viewer.open && stage.querySelector("img.shown"));
+  results.viewer = viewer.open && $("kind").textContent === "reference";
+  keys[" "]();
+  draw();
+  results.swaps = $("kind").textContent === "ours" && $("values").textContent.includes("ours");
+  leave();
+  $("back").click();
+  results.back = !overview.hidden && main.children.length === 0 && document.activeElement === rowOf("no_specular").querySelector("button");
+  rowOf("crash").click();
+  results.crash = visible().length === 2 && main.textContent.includes("crashed: Segmentation fault") &&
+    main.querySelectorAll("button[data-kind=ours]").length === 0;
+  results["errors: " + errors.join("; ")] = errors.length === 0;
+  return results;
+})();
+"""
 
 
 def run(*arguments, **options):
@@ -109,7 +152,7 @@ def check_pictures(raytracer, folder):
         check(all(words in said for words in expected_words(mistakes)) and bool(said) == bool(mistakes), f"{name}: {said!r}")
         mean = sum(int(rows[name][scene]) for scene in SCENES) / len(SCENES)
         check(abs(mean - float(rows[name]["mean"])) < 0.06, f"{name}: mean {rows[name]['mean']}")
-        check(re.search(rf"^ *{rows[name]['mean']} +\d+/3 +{name}\b", done.stdout, re.M), f"{name}: {done.stdout}")
+        check(re.search(rf"^ *{rows[name]['mean']} +\d+/2 +{name}\b", done.stdout, re.M), f"{name}: {done.stdout}")
     answer = json.loads((folder / "class.json").read_text("utf-8"))
     check({one["submission"]: one["mistake"] for one in answer["submissions"]} ==
           {name: row["mistake"] for name, row in rows.items()}, "JSON and CSV say the same")
@@ -153,12 +196,23 @@ def check_class(raytracer, folder):
     check(not list(folder.rglob("elsewhere.png")), "what is written elsewhere is gone")
 
 
+def check_page(folder):
+    if not shutil.which("chromium"):
+        return print("the page in a browser: skipped, no chromium")
+    browser = Browser(folder / "profile")
+    try:
+        browser.open(folder / "forty.html")
+        for name, held in browser.evaluate(PAGE_TEST).items():
+            check(held, f"the page: {name}")
+    finally:
+        browser.close()
+
+
 def check_one(raytracer, folder):
     """--gradescope: https://gradescope-autograders.readthedocs.io/en/latest/specs/#output-format."""
     (folder / "one").mkdir()
     shutil.copytree(folder / "pictures/no_specular", folder / "one/ada")
-    (folder / "one/ada/cone_cube.png").unlink(missing_ok=True)
-    (folder / "one/ada/out/pictures/cone_cube.png").unlink(missing_ok=True)
+    (folder / "one/ada/spheres_cylinder.png").unlink()
     grade = [raytracer, "grade", "exam", "--references", "references", "--gradescope", "results.json", "--points", 20]
     done = run(*grade, "--submissions", "one", "--min-score", 50, cwd=folder)
     check(done.returncode == 1, f"below --min-score: {done.returncode} {done.stderr}")
@@ -170,7 +224,7 @@ def check_one(raytracer, folder):
         check(0 <= test["score"] <= test["max_score"] == 20 and test["status"] in ("passed", "failed"), f"Gradescope: {test}")
         check(set(test) == {"name", "score", "max_score", "status", "output", "output_format", "extra_data"}, f"Gradescope: {test}")
     outputs = {test["name"]: test["output"] for test in results["tests"]}
-    check(outputs["cone_cube"] == "no picture cone_cube.png" and "without specular light" in outputs["refraction"], f"{outputs}")
+    check(outputs["spheres_cylinder"] == "no picture spheres_cylinder.png" and "without specular light" in outputs["refraction"], f"{outputs}")
     refused = run(*grade, "--submissions", "pictures", cwd=folder)
     check((refused.returncode, refused.stderr) == (2, f"raytracer: --gradescope: expected one submission, found {len(PICTURES_ALONE)}\n"),
           f"{refused.stderr}")
@@ -187,13 +241,14 @@ def main():
     raytracer = str(Path(raytracer).resolve())
     student = Path(raytracer).with_name("student")
     build(compiler, Path.cwd(), libraries, student)
-    with tempfile.TemporaryDirectory() as name:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
         folder = Path(name)
         make_scenes(raytracer, folder)
         make_pictures(student, folder)
         make_programs(student, folder)
         check_pictures(raytracer, folder)
         check_class(raytracer, folder)
+        check_page(folder)
         check_one(raytracer, folder)
     return conclude()
 

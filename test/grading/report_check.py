@@ -213,4 +213,5 @@ def main():
     return conclude()
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())
