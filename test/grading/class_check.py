@@ -196,6 +196,21 @@ def check_class(raytracer, folder):
     check(not list(folder.rglob("elsewhere.png")), "what is written elsewhere is gone")
 
 
+def check_user(raytracer, folder):
+    """As root, a program has another user's rights, and its folder is that user's."""
+    if os.geteuid() != 0:
+        refused = run(raytracer, "grade", "exam", "--references", "references", "--program", "true", "--user", "nobody", cwd=folder)
+        check((refused.returncode, refused.stderr) == (2, "only root may run programs as another user\n"), refused.stderr)
+        return
+    program = "sh -c 'id -un; touch \"$(dirname \"$1\")/own\" && echo and writes' -"
+    done = run(raytracer, "grade", "exam", "--references", "references", "--program", program, "--user", "nobody",
+               "--junit", "user.xml", cwd=folder)
+    printed = [case.find("error").text for case in xml.parse(folder / "user.xml").getroot().iter("testcase")]
+    check(done.returncode == 1 and printed == ["nobody\nand writes\n"] * len(SCENES), f"--user: {printed} {done.stderr}")
+    refused = run(raytracer, "grade", "exam", "--program", "true", "--user", "no such", cwd=folder)
+    check((refused.returncode, refused.stderr) == (2, "there is no user no such\n"), refused.stderr)
+
+
 def check_page(folder):
     if not shutil.which("chromium"):
         return print("the page in a browser: skipped, no chromium")
@@ -250,6 +265,7 @@ def main():
         check_class(raytracer, folder)
         check_page(folder)
         check_one(raytracer, folder)
+        check_user(raytracer, folder)
     return conclude()
 
 

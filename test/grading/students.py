@@ -124,7 +124,7 @@ MORE = {"clamp_lights": "each light's sum clamped",
         "clamp_rays": "each reflected and refracted ray clamped", "edge_to_edge": "from edge to edge"}
 # No names of ours; what may be said all the same, as it is true.
 UNKNOWN = {"half_shininess": None, "attenuation": None, "absolute_cosine": None, "focal_doubled": None, "contrast": None,
-           "shadows_from_behind": "all that could be lit is in shadow", "one_sided": "equals the picture"}
+           "shadows_from_behind": "all that could be lit is in shadow", "one_sided": "not turned to the ray|equals the picture"}
 
 MAIN = """
 int main(int argc, char** argv) {
