@@ -204,6 +204,22 @@ TEST_CASE("grade: the shell's remark on a crash is left out of what the program 
     CHECK(gradeCase(blackCase(folder), programRenderer("sh -c 'kill -SEGV $$'", {}), 0).output.empty());
 }
 
+TEST_CASE("grade: the shelf of a page's pictures has equal ones once, and many in a folder") {
+    const TemporaryFolder folder;
+    PictureShelf shelf(folder.file("all.html"));
+    const std::string key = shelf.add("one");
+    CHECK(shelf.add("one") == key);
+    CHECK(shelf.add("").empty());
+    CHECK(shelf.addresses() == "{\n  \"" + key + "\": \"data:image/png;base64,b25l\"\n}");
+    CHECK_FALSE(std::filesystem::exists(folder.file("all_pictures")));
+    const std::string large = shelf.add(std::string(std::size_t{21} << 20, 'x'));
+    CHECK(textOf(folder.file("all_pictures/" + key + ".png")) == "one");
+    for (const std::string& one : {key, large})
+        CHECK(shelf.addresses().find("\"" + one + "\": \"all_pictures/" + one + ".png\"") !=
+              std::string::npos);
+    CHECK(std::filesystem::file_size(folder.file("all_pictures/" + large + ".png")) == std::size_t{21} << 20);
+}
+
 TEST_CASE("child process: how it ends") {
     const TemporaryFolder folder;
     const std::string log = folder.file("log");
