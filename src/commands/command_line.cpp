@@ -67,6 +67,11 @@ std::string withDefault(const std::string& placeholder, const std::string& value
     return value.empty() ? placeholder : placeholder + "=" + value;
 }
 
+WrongUsage joinedWords(const std::string& option, const char* between, const std::string& other,
+                       const char* end = "") {
+    return {option + between + other + end};
+}
+
 // "-" is the name of a file, and -1 a number.
 bool looksLikeOption(const std::string& word) {
     return word.size() > 1 && word[0] == '-' && !numberOf<double>(word);
@@ -195,9 +200,9 @@ void CommandLine::giveArguments() {
 void CommandLine::requireTogether() const {
     for (const auto& [option, other] : excluded_)
         if (given(option) && given(other))
-            throw WrongUsage{option + " and " + other + " exclude each other: give one of them"};
+            throw joinedWords(option, " and ", other, " exclude each other: give one of them");
     for (const auto& [option, other] : needed_)
-        if (given(option) && !given(other)) throw WrongUsage{option + " has no effect without " + other};
+        if (given(option) && !given(other)) throw joinedWords(option, " has no effect without ", other);
 }
 
 std::optional<int> CommandLine::parse(int argc, char** argv) {

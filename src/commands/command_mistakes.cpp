@@ -116,8 +116,8 @@ std::string CommandLine::order() const {
 }
 
 void CommandLine::failUnknown(const std::string& option) const {
-    for (const auto& [lacking, reason] : lacking_)
-        if (lacking == option) throw WrongUsage{"there is no " + option + ": " + reason};
+    const auto lacking = std::ranges::find(lacking_, option, &Pair::first);
+    if (lacking != lacking_.end()) throw WrongUsage{"there is no " + option + ": " + lacking->second};
     const std::string_view bare = withoutDashes(option);
     NearestName nearest(bare);
     for (const Word& word : words_)

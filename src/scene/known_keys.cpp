@@ -38,9 +38,8 @@ void KnownKeys::report(const JsonObject& object, JsonView member) {
     NearestName nearest(key);
     for (const std::string_view name : object.known()) nearest.consider(name);
     const std::string message = "unknown key " + inQuotes(key) + nearest.question();
-    const Error error = object.json().errorAtKey(member, message);
-    if (strict_) throw error;
-    warnings_.emplace_back(error.what());
+    if (strict_) throw object.json().errorAtKey(member, message);
+    warnings_.emplace_back(object.json().errorAtKey(member, message).what());
 }
 
 std::vector<std::string> KnownKeys::warnings(const std::string& path) const {
