@@ -218,16 +218,17 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
 
 // Renders again whenever a file has changed; an error waits for the change that mends it.
 [[noreturn]] void watchScene(const RenderArguments& arguments, const PictureArguments& wanted) {
+    std::vector<std::string> files{arguments.scene};
     for (;;) {
+        const auto start = FileWatch::Time::clock::now();
         FileWatch watch;
-        watch.add(arguments.scene);
-        std::vector<std::string> files;
+        for (const std::string& file : files) watch.add(file);
         try {
             renderPicture(arguments, wanted, files);
         } catch (const Error& error) {
             tell(error);
         }
-        for (const std::string& file : files) watch.add(file);
+        for (const std::string& file : files) watch.add(file, start);
         watch.wait();
     }
 }

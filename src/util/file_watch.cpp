@@ -15,8 +15,10 @@ FileWatch::State FileWatch::stateOf(const std::string& path) {
     return state;
 }
 
-void FileWatch::add(const std::string& path) {
-    if (!files_.contains(path)) files_[path] = stateOf(path);
+void FileWatch::add(const std::string& path, Time readSince) {
+    if (files_.contains(path)) return;
+    const State now = stateOf(path);
+    files_[path] = now.time < readSince ? now : State();
 }
 
 std::map<std::string, FileWatch::State> FileWatch::states() const {

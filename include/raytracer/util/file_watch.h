@@ -13,7 +13,11 @@ namespace raytracer {
 // Files by name, as they were when they were added. One that is not there may come to be.
 class FileWatch {
   public:
-    void add(const std::string& path);  // nothing where it is watched already
+    using Time = std::filesystem::file_time_type;
+
+    // Does nothing where it is watched already. With `readSince`, the file has been read since then: where it
+    // has changed since too, it counts as changed.
+    void add(const std::string& path, Time readSince = Time::max());
 
     // Returns once a file is another than when it was added, and no file has changed for a moment: a program
     // that saves may write in several steps. Looks ten times a second, for no portable call tells of a
