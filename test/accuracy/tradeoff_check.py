@@ -20,7 +20,7 @@ def run(*arguments):
 
 def render(scene, out, size, options=""):
     """The picture's bytes, and how the program ended."""
-    done = run(scene, out, size, "--quiet", *options.split())
+    done = run(scene, out, size, *options.split())
     return out.read_bytes(), done
 
 
