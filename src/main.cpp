@@ -8,7 +8,8 @@
 #include "raytracer/util/memory.h"
 #include "raytracer/util/standard_streams.h"
 
-int main(int argc, char** argv) {
+// What cannot even be told, for want of memory, ends the program by an abort.
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
     raytracer::prepareStandardStreams();
     try {
         return raytracer::commands::run(argc, argv);

@@ -113,7 +113,8 @@ void printSuspect(const Suspect& suspect, const std::string& name, const PixelPl
         if (!mistake.hint.empty()) print("  " + mistake.hint + "\n");
     print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + inWords(bytesAt(suspect.image, pixel)) + " in " +
           name + ", " + inWords(bytesAt(suspect.right, pixel)) + " is right\n");
-    for (const std::string& term : missing) print("without " + term + " it would be as in " + name + "\n");
+    const std::string asIn = " it would be as in " + name + "\n";
+    for (const std::string& term : missing) print(("without " + term).append(asIn));
 }
 
 void writeSuspect(JsonWriter& json, const Suspect& suspect, const PixelPlace& pixel,

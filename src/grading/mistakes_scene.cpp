@@ -11,13 +11,14 @@ namespace {
 
 using Edit = std::function<void(SceneDescription&, RenderOptions&)>;
 
-Edit ofMaterials(std::function<void(MaterialDescription&)> change) {
+Edit ofMaterials(const std::function<void(MaterialDescription&)>& change) {
     return [=](SceneDescription& scene, RenderOptions&) {
         std::for_each(scene.materials.begin(), scene.materials.end(), change);
     };
 }
 
-Edit ofLights(std::function<void(LightDescription& light, std::size_t index, std::size_t count)> change) {
+Edit ofLights(
+    const std::function<void(LightDescription& light, std::size_t index, std::size_t count)>& change) {
     return [=](SceneDescription& scene, RenderOptions&) {
         for (std::size_t i = 0; i < scene.lights.size(); ++i) change(scene.lights[i], i, scene.lights.size());
     };
@@ -33,7 +34,7 @@ Edit without(bool Terms::*term) {
     };
 }
 
-Edit withRecursion(std::function<int(int)> change) {
+Edit withRecursion(const std::function<int(int)>& change) {
     return [=](SceneDescription&, RenderOptions& options) {
         options.max_recursion = change(options.max_recursion);
     };

@@ -35,7 +35,7 @@ void reorder(TransformDescription& transform, const std::array<char, 3>& order) 
 const char* wordOf(char part) { return part == 't' ? "translate" : part == 'r' ? "rotate" : "scale"; }
 
 std::function<void(SceneDescription&, RenderOptions&)> ofTransforms(
-    std::function<void(TransformDescription&)> change) {
+    const std::function<void(TransformDescription&)>& change) {
     return [=](SceneDescription& scene, RenderOptions&) {
         for (TransformDescription& transform : scene.transforms) change(transform);
     };

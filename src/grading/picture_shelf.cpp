@@ -22,7 +22,7 @@ std::string PictureShelf::add(const std::string& png) {
     const std::lock_guard lock(mutex_);
     const auto [known, isNew] = keys_.emplace(std::to_string(hash) + "." + std::to_string(png.size()),
                                               "p" + std::to_string(keys_.size()));
-    const std::string key = known->second;
+    std::string key = known->second;
     if (!isNew) return key;
     size_ += png.size();
     if (isBeside_) {

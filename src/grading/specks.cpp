@@ -18,13 +18,17 @@ int offBy(const ByteImage& a, std::size_t pixelA, const ByteImage& b, std::size_
     return largest;
 }
 
+std::size_t indexIn(const ByteImage& image, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+}
+
 // Calls visit(number) for the up to eight neighbours.
 template <class Visit>
 void forEachNeighbour(const ByteImage& image, std::size_t pixel, Visit visit) {
     const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
     for (int ny = std::max(0, y - 1); ny <= std::min(image.height - 1, y + 1); ++ny)
         for (int nx = std::max(0, x - 1); nx <= std::min(image.width - 1, x + 1); ++nx)
-            if (nx != x || ny != y) visit(static_cast<std::size_t>(ny * image.width + nx));
+            if (nx != x || ny != y) visit(indexIn(image, nx, ny));
 }
 
 // A wrong pixel where the right picture is smooth, whose error is like that of three neighbours at most: at a
@@ -82,11 +86,11 @@ std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& 
                                      std::span<const std::size_t> wrong, const SpeckSample& sample) {
     const auto specks =
         std::ranges::count_if(wrong, [&](std::size_t i) { return isSpeck(picture, right, i); });
-    if (static_cast<double>(specks) < leastSpecks * static_cast<double>(picture.pixels.size() / 3))
+    if (static_cast<double>(specks) < leastSpecks * static_cast<double>(picture.pixels.size()) / 3)
         return std::nullopt;
     std::size_t shadows = 0, mirrors = 0;
     for (std::size_t i = 0; i < sample.pixels.size(); ++i) {
-        const auto pixel = static_cast<std::size_t>(sample.pixels[i].y * picture.width + sample.pixels[i].x);
+        const std::size_t pixel = indexIn(picture, sample.pixels[i].x, sample.pixels[i].y);
         if (isInShadow(picture, pixel, sample.trees[i])) ++shadows;
         else mirrors += sendsRays(sample.trees[i]);
     }
