@@ -229,8 +229,8 @@ std::string randomObj(unsigned seed, bool withError) {
 }  // namespace
 
 TEST_CASE("A mesh has at most 200,000,000 triangles") {
-    requireTriangles(200'000'000, "mesh.obj");
-    CHECK_THROWS_WITH(requireTriangles(200'000'001, "mesh.obj"),
+    raytracer::requireTriangles(200'000'000, "mesh.obj");
+    CHECK_THROWS_WITH(raytracer::requireTriangles(200'000'001, "mesh.obj"),
                       "mesh.obj: more than 200,000,000 triangles: use several meshes");
 }
 
