@@ -47,8 +47,7 @@ void ProgressBar::progress(double fraction) {
 std::string ProgressBar::line(double fraction, double elapsedSeconds, std::size_t columns) {
     const double left = fraction > 0 ? elapsedSeconds * (1 - fraction) / fraction : 0;
     const long seconds = std::lround(left);
-    std::string numbers =
-        formatted("%3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
+    std::string numbers = formatted("%3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
     constexpr std::size_t others = 4;  // "[", "] " and the last column, which stays empty
     if (columns < numbers.size() + others + 1) return numbers;
     const std::size_t width = std::min(widestBar, columns - numbers.size() - others);
