@@ -12,7 +12,7 @@ namespace raytracer {
 
 // Pixels looked at, and points whose ray trees are, at least: fewer do not tell the error.
 inline constexpr std::size_t leastLook = 1000;
-// So many times the target are clearly more, and such a part of it is clearly less.
+// An error of this many times the target is too large wherever it is; the target divided by it is negligible.
 inline constexpr double widely = 4;
 // A squared error and so many standard errors must be within the target's: it is taken from a skew sample,
 // and the first setting that seems to reach the target is chosen.

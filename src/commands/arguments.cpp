@@ -13,6 +13,16 @@ void requirePictureFits(const std::string& file, const PixelRectangle& crop, boo
     requireMemory(file, {{pixels, 3 * band.area()}, {"the PNG", 6 * band.area()}});
 }
 
+std::string without(const std::string& option, std::span<char*> words) {
+    std::string line;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word = words[i];
+        if (word == option) ++i;
+        else if (!word.starts_with(option + "=")) line += (line.empty() ? "" : " ") + word;
+    }
+    return line;
+}
+
 void addThreads(CommandLine& line, int& threads) {
     line.number("--threads", threads, {0, 4096}, "Number of threads; 0: one for each processor");
 }

@@ -30,12 +30,10 @@ Examples:
 
 template <class Image>
 void writeAll(const PartFiles& parts, PictureWriter<Image>& writer, bool quiet) {
-    std::optional<ProgressBar> bar;
-    if (!quiet) bar.emplace();
-    double done = 0;
+    StepProgress progress(quiet, writer.bands().size());
     for (const PixelRectangle& band : writer.bands()) {
         writer.write(parts.read<Image>(band));
-        if (bar) bar->progress(++done / static_cast<double>(writer.bands().size()));
+        progress.next();
     }
     writer.finish();
 }

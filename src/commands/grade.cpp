@@ -121,19 +121,23 @@ struct GradeArguments {
     }
 };
 
-// Our own renderer, in this process.
-Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out) {
+RenderOptions optionsOf(const GradeCase& test, int longEdge, SceneDescription& scene) {
     RenderArguments arguments;
     arguments.longEdge = longEdge;
     arguments.pass = test.stage->pass;
     arguments.only = test.stage->only;
+    return arguments.prepare(scene);
+}
+
+// Our own renderer, in this process.
+Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out) {
     SceneDescription scene;
     try {
         scene = loadScene(test.scene, false).description;
     } catch (const Error& error) {
         return {true, error.what(), ""};
     }
-    const RenderOptions options = arguments.prepare(scene);
+    const RenderOptions options = optionsOf(test, longEdge, scene);
     requirePictureFits(test.scene, options.crop, false);
     ByteSink sink(options.crop);
     makeRenderer(scene, Precision::Double)->render(options, sink);
@@ -143,13 +147,9 @@ Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out)
 
 // What our pictures of a case are held against.
 std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& size) {
-    RenderArguments arguments;
-    arguments.longEdge = std::max(size.width, size.height);
-    arguments.pass = test.stage->pass;
-    arguments.only = test.stage->only;
     try {
         SceneDescription scene = loadScene(test.scene, false).description;
-        const RenderOptions options = arguments.prepare(scene);
+        const RenderOptions options = optionsOf(test, std::max(size.width, size.height), scene);
         if (options.size.width != size.width || options.size.height != size.height) return nullptr;
         return std::make_unique<MistakeNamer>(scene, options);
     } catch (const Error&) {
@@ -167,42 +167,15 @@ GradePlan planFor(const GradeArguments& arguments) {
     return plan;
 }
 
-void printHead() {
-    print(formatted("%5s %9s %9s %9s %9s %9s  %s\n", "score", "off", "by > 1", "by > 8", "speckle", "seconds",
-                    "picture"));
-}
-
-void printRow(const GradeResult& result) {
-    const auto count = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
-    std::string row = formatted("%5d %49.2f  ", 0, result.seconds);
-    if (const auto& c = result.comparison)
-        row = formatted("%5d %9llu %9llu %9llu %9llu %9.2f  ", c->score, count(c->pixelsOver(0)),
-                        count(c->pixelsOver(1)), count(c->pixelsOver(8)), count(c->speckle), result.seconds);
-    const std::string message = result.message.empty() ? "" : ": " + result.message;
-    print(row + printable(result.test.name + message) + "\n");
-    if (!result.sentence.empty()) print(std::string(59, ' ') + result.sentence + "\n");
-}
-
-// The program's last line, which mostly says what went wrong.
-void printLastWords(const GradeResult& result) {
-    const std::string& text = result.output;
-    const std::size_t end = text.find_last_not_of(" \r\n\t");
-    if (result.message.empty() || end == std::string::npos) return;
-    const std::size_t newline = text.find_last_of("\r\n", end);
-    const std::size_t start = newline == std::string::npos ? 0 : newline + 1;
-    print(std::string(59, ' ') + text.substr(start, end + 1 - start) + "\n");
-}
-
 std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& arguments) {
     const CaseRenderer render = arguments.program.empty()
                                     ? CaseRenderer(renderHere)
                                     : programRenderer(arguments.program, arguments.programOptions());
     std::vector<GradeResult> results;
-    printHead();
+    print(gradeTableHead());
     for (const GradeCase& test : plan.cases) {
         results.push_back(gradeCase(test, render, arguments.size.value_or(0), namerOf));
-        printRow(results.back());
-        printLastWords(results.back());
+        print(gradeTableRow(results.back()));
     }
     return results;
 }
@@ -260,23 +233,6 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
     return printSummary(results, plan, arguments.thresholds) ? 0 : 1;
 }
 
-void printClass(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
-    std::size_t width = 10;
-    for (const GradedSubmission& submission : graded)
-        width = std::max(width, printable(submission.name).size());
-    print(formatted(" mean   right  %-*s  %s\n", static_cast<int>(width), "submission", "what is wrong"));
-    for (const GradedSubmission& submission : graded) {
-        const std::size_t right = submission.rightCount(thresholds), all = submission.results.size();
-        std::string row = formatted("%5.1f %3zu/%-3zu  %-*s", submission.mean(), right, all,
-                                    static_cast<int>(width), printable(submission.name).c_str());
-        if (right < all) row += "  " + printable(submission.fault(thresholds));
-        if (right < all && all > 1)
-            row +=
-                "; worst: " + submission.worst().test.name + formatted(" (%d)", submission.worst().score());
-        print(row + "\n");
-    }
-}
-
 int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
     if (!arguments.program.empty() && arguments.program.find("{}") == std::string::npos)
         throw usageError("--program: expected {} for the submission's folder, found " +
@@ -297,7 +253,7 @@ int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, Gra
     const std::string title = arguments.submissions + " on " + arguments.scenes;
     if (output.report) output.report->write(classReport(graded, arguments.thresholds, title, *shelf));
     output.write(graded, arguments);
-    printClass(graded, arguments.thresholds);
+    print(classTable(graded, arguments.thresholds));
     const bool isBelow =
         arguments.thresholds.minScore && std::ranges::any_of(graded, [&](const GradedSubmission& submission) {
             return submission.worst().score() < *arguments.thresholds.minScore;

@@ -1,7 +1,6 @@
 // raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS: the picture of a scene.
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,23 +97,7 @@ struct Picture {
     bool isBlack = true;  // as far as it is rendered
 };
 
-// Progress of one band after the other.
-class BandProgress final : public ProgressListener {
-  public:
-    BandProgress(bool quiet, std::size_t bands) : bands_(static_cast<double>(bands)) {
-        if (!quiet) bar_.emplace();
-    }
-    void progress(double fraction) override {
-        if (bar_) bar_->progress((done_ + fraction) / bands_);
-    }
-    void next() { ++done_; }
-
-  private:
-    std::optional<ProgressBar> bar_;
-    double done_ = 0, bands_;
-};
-
-void renderBand(PixelSink& sink, Picture& picture, const PixelRectangle& band, BandProgress& progress) {
+void renderBand(PixelSink& sink, Picture& picture, const PixelRectangle& band, StepProgress& progress) {
     RenderOptions options = picture.options;
     options.crop = band;
     options.part = picture.part.part;
@@ -134,7 +117,7 @@ void warnOfBlack(const Picture& picture) {
 template <class Sink, class Image>
 void renderTo(Picture& picture, PictureWriter<Image>& writer) {
     Stopwatch watch;
-    BandProgress progress(picture.arguments.quiet, writer.bands().size());
+    StepProgress progress(picture.arguments.quiet, writer.bands().size());
     for (const PixelRectangle& band : writer.bands()) {
         Sink sink(band);
         renderBand(sink, picture, band, progress);
@@ -166,17 +149,6 @@ void choose(Picture& picture) {
                 .counts;
     if (picture.choice) picture.counts += picture.choice->counts;
     picture.timings.choose = watch.lap();
-}
-
-// A command line without an option and its value.
-std::string without(const std::string& option, std::span<char*> words) {
-    std::string line;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = words[i];
-        if (word == option) ++i;
-        else if (!word.starts_with(option + "=")) line += (line.empty() ? "" : " ") + word;
-    }
-    return line;
 }
 
 // With the exit status.

@@ -87,7 +87,55 @@ std::string outputFor(const GradeResult& result) {
     return text.empty() ? "as the reference" : text;
 }
 
+// The program's last line, which mostly says what went wrong.
+std::string lastWords(const GradeResult& result) {
+    const std::string& text = result.output;
+    const std::size_t end = text.find_last_not_of(" \r\n\t");
+    if (result.message.empty() || end == std::string::npos) return "";
+    const std::size_t newline = text.find_last_of("\r\n", end);
+    const std::size_t start = newline == std::string::npos ? 0 : newline + 1;
+    return text.substr(start, end + 1 - start);
+}
+
 }  // namespace
+
+std::string gradeTableHead() {
+    return formatted("%5s %9s %9s %9s %9s %9s  %s\n", "score", "off", "by > 1", "by > 8", "speckle",
+                     "seconds", "picture");
+}
+
+std::string gradeTableRow(const GradeResult& result) {
+    const auto count = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+    std::string row = formatted("%5d %49.2f  ", 0, result.seconds);
+    if (const auto& c = result.comparison)
+        row = formatted("%5d %9llu %9llu %9llu %9llu %9.2f  ", c->score, count(c->pixelsOver(0)),
+                        count(c->pixelsOver(1)), count(c->pixelsOver(8)), count(c->speckle), result.seconds);
+    const std::string message = result.message.empty() ? "" : ": " + result.message;
+    row += printable(result.test.name + message) + "\n";
+    const std::string below(59, ' ');  // the picture's name begins two columns before
+    for (const std::string& line : {result.sentence, lastWords(result)})
+        if (!line.empty()) row += below + line + "\n";
+    return row;
+}
+
+std::string classTable(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
+    std::size_t width = 10;
+    for (const GradedSubmission& submission : graded)
+        width = std::max(width, printable(submission.name).size());
+    std::string table =
+        formatted(" mean   right  %-*s  %s\n", static_cast<int>(width), "submission", "what is wrong");
+    for (const GradedSubmission& submission : graded) {
+        const std::size_t right = submission.rightCount(thresholds), all = submission.results.size();
+        table += formatted("%5.1f %3zu/%-3zu  %-*s", submission.mean(), right, all, static_cast<int>(width),
+                           printable(submission.name).c_str());
+        if (right < all) table += "  " + printable(submission.fault(thresholds));
+        if (right < all && all > 1)
+            table +=
+                "; worst: " + submission.worst().test.name + formatted(" (%d)", submission.worst().score());
+        table += "\n";
+    }
+    return table;
+}
 
 std::string remark(const GradeResult& result) {
     if (!result.comparison) return result.message;

@@ -55,4 +55,17 @@ std::string ProgressBar::line(double fraction, double elapsedSeconds, std::size_
     return '[' + std::string(filled, '#') + std::string(width - filled, ' ') + "] " + numbers;
 }
 
+StepProgress::StepProgress(bool quiet, std::size_t steps) : steps_(static_cast<double>(steps)) {
+    if (!quiet) bar_.emplace();
+}
+
+void StepProgress::progress(double fraction) {
+    if (bar_) bar_->progress((done_ + fraction) / steps_);
+}
+
+void StepProgress::next() {
+    progress(1);
+    ++done_;
+}
+
 }  // namespace raytracer

@@ -9,15 +9,10 @@ import subprocess
 import sys
 import tempfile
 
-RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+from checks import RAYTRACER, check, conclude, failures
+
 SCENE = str(pathlib.Path("test/good/least.json").resolve())
 COMMANDS = {"render": [], "assemble": ["assemble"], "compare": ["compare"], "grade": ["grade"], "explain": ["explain"], "tradeoff": ["tradeoff"]}
-failures = []
-
-
-def check(what, expected, found):
-    if expected != found:
-        failures.append(f"{what}: expected {expected!r}, found {found!r}")
 
 
 def run(*arguments):
@@ -265,8 +260,7 @@ def main():
     check_shown()
     check_decimal()
     check_many()
-    print("\n".join(failures) if failures else "every command line as it should be")
-    return 1 if failures else 0
+    return conclude("every command line as it should be")
 
 
 if __name__ == "__main__":

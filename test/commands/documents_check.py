@@ -9,13 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
-failures = []
-
-
-def check(what, expected, found):
-    if expected != found:
-        failures.append(f"{what}: expected {expected!r}, found {found!r}")
+from checks import RAYTRACER, check, conclude
 
 
 def output(*words):
@@ -83,8 +77,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for checked in (check_bash, check_zsh, check_fish, check_manual):
             checked(folder)
-    print("\n".join(failures) if failures else "every document as it should be")
-    return 1 if failures else 0
+    return conclude("every document as it should be")
 
 
 sys.exit(main())

@@ -15,15 +15,10 @@ import sys
 import tempfile
 import time
 
-RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+from checks import RAYTRACER, check, conclude
+
 SCENE = str(pathlib.Path("test/good/least.json").resolve())
 NOBODY = ["setpriv", "--reuid", "65534", "--regid", "65534", "--clear-groups"]
-failures = []
-
-
-def check(what, expected, found):
-    if expected != found:
-        failures.append(f"{what}: expected {expected!r}, found {found!r}")
 
 
 def refused(what, line, done):
@@ -300,8 +295,7 @@ def main():
         with tempfile.TemporaryDirectory() as name:
             os.chmod(name, 0o755)
             one(pathlib.Path(name))
-    print("\n".join(failures) if failures else "every file as it should be")
-    return 1 if failures else 0
+    return conclude("every file as it should be")
 
 
 if __name__ == "__main__":

@@ -10,7 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+from checks import RAYTRACER, check, conclude, failures
+
 SCENE = """{
     "camera": {
         "type": "perspective", "focal_length": 1, "eye": [0, 0, 4], "look": [0, 0, -1], "up": [0, 1, 0],
@@ -103,12 +104,6 @@ WARNINGS = [
     ('"film_left": -0.5, "film_right": 0.5', '"film_left": 0.5, "film_right": -0.5', "4:22",
      "/camera/film_left: the picture is mirrored: film_left is above film_right; swap them"),
 ]
-failures = []
-
-
-def check(what, expected, found):
-    if expected != found:
-        failures.append(f"{what}: expected {expected!r}, found {found!r}")
 
 
 def answered(folder, words):
@@ -187,5 +182,4 @@ with tempfile.TemporaryDirectory() as temporary:
     check_several(pathlib.Path(temporary))
     check_cost(pathlib.Path(temporary))
 count = len(COMMANDS) + len(SCENES) + len(MEANINGS) + len(WARNINGS)
-print("\n".join(failures) if failures else f"{count} mistakes are answered")
-sys.exit(1 if failures else 0)
+sys.exit(conclude(f"{count} mistakes are answered"))

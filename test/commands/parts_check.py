@@ -5,25 +5,13 @@ a minute.
 """
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import zlib
 
-RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+from checks import RAYTRACER, check, conclude, run
+
 SCENE = "scenes/refraction.json"
-failures = []
-
-
-def check(what, expected, found):
-    if expected != found:
-        failures.append(f"{what}: expected {expected!r}, found {found!r}")
-
-
-def run(*arguments):
-    """(status, stderr)"""
-    done = subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, timeout=100)
-    return done.returncode, done.stderr.decode()
 
 
 def render_parts(out, count, *arguments, scene=SCENE, size=97):
@@ -160,8 +148,7 @@ def main():
     for test in (check_knobs, check_faults, check_scene_files, check_refusals):
         with tempfile.TemporaryDirectory() as folder:
             test(pathlib.Path(folder))
-    print("\n".join(failures) if failures else "parts make the pictures of one run; what does not fit is named")
-    return 1 if failures else 0
+    return conclude("parts make the pictures of one run; what does not fit is named")
 
 
 if __name__ == "__main__":

@@ -5,24 +5,12 @@ Usage: series_check.py RAYTRACER, from the source folder.
 import json
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
-RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+from checks import RAYTRACER, check, conclude, run
+
 SCENE = pathlib.Path("scenes/spheres_cylinder.json").resolve()
-failures = []
-
-
-def check(what, expected, found):
-    if expected != found:
-        failures.append(f"{what}: expected {expected!r}, found {found!r}")
-
-
-def run(*arguments):
-    """(status, stderr)"""
-    done = subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, timeout=100)
-    return done.returncode, done.stderr.decode()
 
 
 def with_value(scene, *place, value):
@@ -124,8 +112,7 @@ def main():
     for test in (check_set, check_frames, check_skipped):
         with tempfile.TemporaryDirectory() as folder:
             test(pathlib.Path(folder))
-    print("\n".join(failures) if failures else "values are set, frames rendered, and what is there is kept")
-    return 1 if failures else 0
+    return conclude("values are set, frames rendered, and what is there is kept")
 
 
 if __name__ == "__main__":

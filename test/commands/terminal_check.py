@@ -15,14 +15,9 @@ import sys
 import tempfile
 import termios
 
-RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+from checks import RAYTRACER, check, conclude
+
 LEAST = json.loads(pathlib.Path("test/good/least.json").read_text(encoding="utf-8"))
-failures = []
-
-
-def check(what, expected, found):
-    if expected != found:
-        failures.append(f"{what}: expected {expected!r}, found {found!r}")
 
 
 def on_terminal(columns, *words, until=None, **environment):
@@ -90,5 +85,4 @@ def check_dumb(folder):
 with tempfile.TemporaryDirectory() as temporary:
     for checked in (check_done, check_wrapped, check_bar, check_dumb):
         checked(temporary)
-print("\n".join(failures) if failures else "the terminal shows what it should")
-sys.exit(1 if failures else 0)
+sys.exit(conclude("the terminal shows what it should"))

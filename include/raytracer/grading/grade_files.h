@@ -1,4 +1,4 @@
-// Grades as files for other programs.
+// Grades as tables for people, and as files for other programs.
 #pragma once
 
 #include <span>
@@ -20,6 +20,13 @@ std::string gradesAsJunit(std::span<const GradedSubmission> graded, const Thresh
 // Gradescope's results.json: a test for each picture, of `points` each, by its score.
 // https://gradescope-autograders.readthedocs.io/en/latest/specs/#output-format
 std::string gradesForGradescope(const GradedSubmission& graded, const Thresholds& thresholds, double points);
+
+// The table of one program's pictures: its head, and the lines of a picture with what is wrong with it.
+std::string gradeTableHead();
+std::string gradeTableRow(const GradeResult& result);
+
+// The table of a class, a line for each submission.
+std::string classTable(std::span<const GradedSubmission> graded, const Thresholds& thresholds);
 
 // What is to be said of a result in one line: why there is no picture, or what is wrong with it.
 std::string remark(const GradeResult& result);

@@ -21,8 +21,8 @@ struct MemoryNeed {
     double bytes = 0;
 };
 
-// Throws Error, about `file`, where there is not enough for all of them: "not enough memory for 18000 × 18000
-// pixels (972 MB) and the PNG (1.94 GB): ulimit -v leaves 12.3 MB".
+// Throws Error, about `file`, where there is not enough for all of them: "not enough memory for
+// 18000 × 18000 pixels (972 MB) and the PNG (1.94 GB): ulimit -v leaves 12.3 MB".
 void requireMemory(const std::string& file, std::initializer_list<MemoryNeed> needs);
 
 }  // namespace raytracer

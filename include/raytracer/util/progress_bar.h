@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "raytracer/util/progress.h"
@@ -40,6 +41,18 @@ class ProgressBar final : public ProgressListener {
 
   private:
     TerminalLine line_;
+};
+
+// A bar for equal steps, one after the other, whose own progress is told in between.
+class StepProgress final : public ProgressListener {
+  public:
+    StepProgress(bool quiet, std::size_t steps);  // quiet: without a bar
+    void progress(double fraction) override;      // of the present step
+    void next();                                  // the step is done
+
+  private:
+    std::optional<ProgressBar> bar_;
+    double done_ = 0, steps_;
 };
 
 }  // namespace raytracer

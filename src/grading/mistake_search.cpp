@@ -1,0 +1,162 @@
+#include "mistake_search.h"
+
+#include <algorithm>
+
+#include "raytracer/scene/mesh_file.h"
+
+namespace raytracer {
+
+namespace {
+
+// A name explains at least this share of the wrong pixels.
+constexpr double leastExplained = 0.9;
+// What explains this much is not improved by a second mistake: the rest is the rounding of another program.
+constexpr double fullyExplained = 0.998;
+
+double netOf(const Candidate& candidate) { return candidate.fit.net(); }
+
+// One picture, held against the variants.
+class Search {
+  public:
+    Search(const KnownVariants& known, const ByteImage& picture, const Judged& judged)
+        : known_(known),
+          picture_(picture),
+          judged_(judged),
+          some_(judged, 96, 32, picture.width),
+          many_(judged, 1000, 1000, picture.width) {}
+
+    // What explains the picture, all equally well; nothing where nothing does.
+    Candidates best() {
+        const Candidates& singles = bestSingles();
+        if (rest(singles) <= 1 - fullyExplained) return singles;
+        Candidates pairs = pairsWithSingles();
+        if (rest(pairs) > 1 - leastExplained && rest(singles) > 1 - leastExplained) pairs = bestPairs();
+        constexpr double worthIt = 0.4;  // of what a single mistake leaves unexplained, two may leave
+        if (rest(pairs) <= worthIt * rest(singles) && rest(pairs) <= 1 - leastExplained) return pairs;
+        return rest(singles) <= 1 - leastExplained ? singles : Candidates();
+    }
+
+  private:
+    static double rest(const Candidates& some) { return some.empty() ? 1 : 1 - netOf(some.front()); }
+
+    const Candidates& bestSingles() {
+        constexpr double least = 0.3;  // in a first look
+        for (const auto& single : known_.singles) {
+            const Fit fit = fitTo(some_, *single);
+            alone_.push_back(fit.explained);
+            if (fit.explained >= least) singles_.push_back({single, fit});
+        }
+        singles_ = looked(std::move(singles_));
+        hopeful_ = singles_;
+        singles_ = narrowed(std::move(singles_));
+        return singles_;
+    }
+
+    // What explains the pixels that the best single mistakes leave unexplained, together with these.
+    Candidates pairsWithSingles() {
+        constexpr double least = 0.5;  // of a single mistake, and then of what is left
+        Candidates candidates;
+        for (const Candidate& base : hopeful_) {
+            if (netOf(base) < least) continue;
+            Sample sample(unexplainedBy(*base.variant, picture_, known_.right, judged_), 24, 12,
+                          picture_.width);
+            for (std::size_t other = 0; other < known_.singles.size(); ++other) {
+                const std::size_t index =
+                    static_cast<std::size_t>(base.variant->mistakes()[0] - known_.mistakes.data());
+                if (!canBePair(index, other)) continue;
+                addIfGood(candidates, std::min(index, other), std::max(index, other), sample, least);
+            }
+        }
+        return narrowed(looked(std::move(candidates)));
+    }
+
+    Candidates bestPairs() {
+        constexpr double least = 0.75;  // in a first look
+        Candidates candidates;
+        Sample few(judged_, 24, 12, picture_.width);
+        for (std::size_t a = 0; a < known_.singles.size(); ++a)
+            for (std::size_t b = a + 1; b < known_.singles.size(); ++b)
+                if (canBePair(a, b) && isWorthIt(a, b)) addIfGood(candidates, a, b, few, least);
+        return narrowed(looked(std::move(candidates)));
+    }
+
+    void addIfGood(Candidates& candidates, std::size_t a, std::size_t b, Sample& sample, double least) const {
+        const auto pair = std::make_shared<Variant>(*known_.singles[a], *known_.singles[b]);
+        const Fit fit = fitTo(sample, *pair);
+        if (fit.explained >= least) candidates.push_back({pair, fit});
+    }
+
+    bool canBePair(std::size_t a, std::size_t b) const {
+        const Mistake &one = known_.mistakes[a], &other = known_.mistakes[b];
+        return a != b && (one.kind.empty() || one.kind != other.kind);
+    }
+
+    // Of a scene that takes long to build, a pair that needs one of its own is looked at where one of the two
+    // alone explains some pixels.
+    bool isWorthIt(std::size_t a, std::size_t b) const {
+        constexpr double some = 0.04;
+        const bool isCheap = known_.isSmall || !known_.mistakes[a].edit || !known_.mistakes[b].edit;
+        return isCheap || std::max(alone_[a], alone_[b]) >= some;
+    }
+
+    // The best of them, each held against more pixels.
+    Candidates looked(Candidates candidates) const {
+        keepBest(candidates, 16, [](const Candidate& c) { return c.fit.explained; });
+        for (Candidate& candidate : candidates) candidate.fit = fitTo(many_, *candidate.variant);
+        keepBest(candidates, 6, netOf);
+        return candidates;
+    }
+
+    // The best of these, each held against the whole picture.
+    Candidates narrowed(Candidates candidates) const {
+        constexpr double equallyWell = 0.003, hopeful = 0.1;
+        std::erase_if(candidates, [&](const Candidate& c) { return netOf(c) < leastExplained - hopeful; });
+        for (Candidate& candidate : candidates)
+            if (!candidate.variant->isOfTrees())
+                candidate.fit = fitOfAll(picture_, known_.right, judged_, *candidate.variant);
+        keepBest(candidates, candidates.size(), netOf);
+        std::erase_if(candidates,
+                      [&](const Candidate& c) { return netOf(c) < netOf(candidates.front()) - equallyWell; });
+        return candidates;
+    }
+
+    template <class Value>
+    static void keepBest(Candidates& candidates, std::size_t count, Value value) {
+        std::ranges::stable_sort(candidates, std::greater(), value);
+        if (candidates.size() > count)
+            candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(count), candidates.end());
+    }
+
+    Fit fitTo(Sample& sample, Variant& variant) const {
+        return fitOfSome(picture_, known_.right, sample, variant);
+    }
+
+    const KnownVariants& known_;
+    const ByteImage& picture_;
+    const Judged& judged_;
+    mutable Sample some_, many_;  // whose trees are made when needed
+    std::vector<double> alone_;   // what each mistake explains without another
+    Candidates hopeful_, singles_;
+};
+
+}  // namespace
+
+KnownVariants::KnownVariants(const SceneDescription& description, RenderOptions options) {
+    options.samples = 1;
+    options.adaptive = 0;
+    scene = std::make_shared<RenderedScene>(description, options);
+    mistakes = knownMistakes(description, options);
+    for (const Mistake& mistake : mistakes)
+        singles.push_back(std::make_shared<Variant>(std::vector{&mistake}, scene));
+    right = Variant({}, scene).picture();
+    std::size_t parts = description.shapes.size();
+    for (const ShapeDescription& shape : description.shapes)
+        if (shape.mesh) parts += shape.mesh->triangleCount();
+    isSmall = parts <= 200;
+}
+
+Candidates explanationsOf(const ByteImage& picture, const Judged& judged, const KnownVariants& known) {
+    return Search(known, picture, judged).best();
+}
+
+}  // namespace raytracer

@@ -1,0 +1,34 @@
+// Which known mistakes, one or two, explain a picture.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mistake.h"
+#include "picture_fit.h"
+#include "variant.h"
+
+namespace raytracer {
+
+// A scene, and what each mistake makes of it.
+struct KnownVariants {
+    KnownVariants(const SceneDescription& description, RenderOptions options);
+
+    std::shared_ptr<RenderedScene> scene;
+    std::vector<Mistake> mistakes;
+    std::vector<std::shared_ptr<Variant>> singles;
+    ByteImage right;
+    bool isSmall;  // to build such a scene takes less than a tenth of a millisecond
+};
+
+struct Candidate {
+    std::shared_ptr<Variant> variant;
+    Fit fit;
+};
+
+using Candidates = std::vector<Candidate>;
+
+// What explains the picture, all equally well; nothing where nothing does.
+Candidates explanationsOf(const ByteImage& picture, const Judged& judged, const KnownVariants& known);
+
+}  // namespace raytracer

@@ -1,0 +1,24 @@
+"""What the checks of the commands share: the program, what is not as expected, and how a check ends."""
+import pathlib
+import subprocess
+import sys
+
+RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
+failures = []
+
+
+def check(what, expected, found):
+    if expected != found:
+        failures.append(f"{what}: expected {expected!r}, found {found!r}")
+
+
+def run(*arguments):
+    """(status, stderr)"""
+    done = subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, timeout=100)
+    return done.returncode, done.stderr.decode()
+
+
+def conclude(good):
+    """Prints the failures, or this; returns the exit status."""
+    print("\n".join(failures) or good)
+    return 1 if failures else 0
