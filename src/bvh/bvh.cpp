@@ -2,13 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
-
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
 
 #include "bvh_kernel.h"
 
@@ -37,17 +31,6 @@ const BvhKernel& kernelOf(InstructionSet set) {
 
 Bvh::Bvh(std::size_t count, InstructionSet set) : kernel_(&kernelOf(set)) { frame_.count = count; }
 
-void* allocateOnLargePages(std::size_t bytes, std::size_t alignment) {
-    constexpr std::size_t page = std::size_t{1} << 21;  // x86's and most ARM's
-    alignment = bytes >= 2 * page ? page : std::max(alignment, sizeof(void*));
-    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-    if (!memory) throw std::bad_alloc();
-#if defined(__linux__)
-    if (bytes >= 2 * page) madvise(memory, bytes, MADV_HUGEPAGE);
-#endif
-    return memory;
-}
-
 float floatBelow(double x) {
     const float nearest = static_cast<float>(x);
     return static_cast<double>(nearest) > x ? std::nextafter(nearest, -infinite) : nearest;
@@ -63,7 +46,7 @@ bool Bvh::usable(const FloatBox& box) {
 }
 
 std::size_t Bvh::memory() const {
-    return nodes_.capacity() * sizeof(BvhNode) + words_.capacity() * sizeof(words_[0]);
+    return nodes_.size() * sizeof(BvhNode) + words_.size() * sizeof(words_[0]);
 }
 
 BvhCursor::BvhCursor(const Bvh& bvh, const BvhRay& ray) : kernel_(bvh.kernel_) {

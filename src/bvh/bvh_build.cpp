@@ -34,8 +34,8 @@ class BvhBuilder {
   private:
     // A subtree under construction, with references of its own that relocate() makes global.
     struct Part {
-        std::vector<BvhNode> nodes;
-        std::vector<std::uint32_t> words;
+        LargeVector<BvhNode> nodes;
+        LargeVector<std::uint32_t> words;
     };
 
     // A range of the top's that a thread will build, and where its root is to be entered.
@@ -48,7 +48,9 @@ class BvhBuilder {
 
     template <class MakeReference>
     void buildTree(std::uint32_t count, const MakeReference& makeReference);
+    void reserveFor(std::size_t count, Part& part) const;
     void assemble(Part& top, std::uint32_t root);
+    void joinTasks(Part& top);
 
     std::uint32_t buildRange(Part& part, const Range& range, int depth, bool top);
     std::uint32_t splitIntoChildren(const Range& range, int depth, bool top, Range (&children)[8]);
@@ -64,7 +66,7 @@ class BvhBuilder {
     int threads_;
     std::uint32_t leafSize_ = 1;
     std::uint32_t taskSize_ = 0;
-    std::vector<PrimitiveReference> references_;
+    LargeVector<PrimitiveReference> references_;
     RangeSplitter splitter_;
     std::vector<Task> tasks_;
     std::span<const FloatBox> boxes_;
@@ -80,9 +82,8 @@ void BvhBuilder::build(std::span<const FloatBox> boxes, std::span<const std::uin
     bvh_.frame_.balls = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
         const FloatBox& box = boxes[i];
-        PrimitiveReference reference{
-            {{box.low[0], box.low[1], box.low[2], 0}, {box.high[0], box.high[1], box.high[2], 0}}};
-        return reference;
+        return PrimitiveReference{{box.low[0], box.low[1], box.low[2], 0},
+                                  {box.high[0], box.high[1], box.high[2], 0}};
     });
 }
 
@@ -102,12 +103,11 @@ void BvhBuilder::build(const MeshData& mesh) {
     buildTree(static_cast<std::uint32_t>(mesh.triangleCount()), [&](std::uint32_t i) {
         const glm::dvec3 a = framePoint(3 * i), b = framePoint(3 * i + 1), c = framePoint(3 * i + 2);
         const glm::dvec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
-        BuildBox box{{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0},
-                     {static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z), 0}};
+        Float4 low{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0},
+            high{static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z), 0};
         // An ulp or two outwards, and something for 0.
         const auto outwards = [](Float4 v) { return (v < 0 ? -v : v) * 0x1p-23f + 0x1p-100f; };
-        box.low -= outwards(box.low), box.high += outwards(box.high);
-        return PrimitiveReference{box};
+        return PrimitiveReference{low - outwards(low), high + outwards(high)};
     });
 }
 
@@ -132,6 +132,7 @@ void BvhBuilder::buildTree(std::uint32_t count, const MakeReference& makeReferen
         taskSize_ = std::max(parallelSize / 8, count / (tasksPerThread * static_cast<unsigned>(threads_)));
 
     Part top;
+    if (taskSize_ == 0) reserveFor(count, top);
     const std::uint32_t root = buildRange(top, all, 0, taskSize_ != 0);
     parallelFor(static_cast<std::uint32_t>(tasks_.size()), threads_, [&](std::uint32_t i) {
         Task& task = tasks_[i];
@@ -140,8 +141,28 @@ void BvhBuilder::buildTree(std::uint32_t count, const MakeReference& makeReferen
     assemble(top, root);
 }
 
+// Address space for as much as the builder has made of any mesh so far, and a little more: vectors that grow
+// are in memory twice.
+void BvhBuilder::reserveFor(std::size_t count, Part& part) const {
+    part.nodes.reserve(count / (bvh_.frame_.triangles ? 16 : 3) + 1);
+    if (bvh_.frame_.triangles) part.words.reserve(8 * count + BvhBlock::words);
+}
+
 // Puts the parts one after another. In the top, a child with leafBit is a task's number.
 void BvhBuilder::assemble(Part& top, std::uint32_t root) {
+    bvh_.root_ = root;
+    bvh_.hasRoot_ = true;
+    if (tasks_.empty()) {
+        bvh_.nodes_ = std::move(top.nodes);
+        bvh_.words_ = std::move(top.words);
+    } else {
+        joinTasks(top);
+    }
+    bvh_.words_.resize(bvh_.words_.size() + BvhBlock::words,
+                       0);  // loads of eight coordinates run past the last
+}
+
+void BvhBuilder::joinTasks(Part& top) {
     std::vector<std::uint32_t> nodeStart, wordStart;
     std::size_t nodes = top.nodes.size(), words = top.words.size();
     for (const Task& task : tasks_) {
@@ -156,14 +177,14 @@ void BvhBuilder::assemble(Part& top, std::uint32_t root) {
     };
     for (BvhNode& node : top.nodes)
         for (std::uint32_t& child : node.child)
-            if (!tasks_.empty() && (child & BvhNode::leafBit))
+            if (child & BvhNode::leafBit)
                 child = moved(tasks_[child & ~BvhNode::leafBit].root, child & ~BvhNode::leafBit);
     bvh_.nodes_.reserve(nodes);
     bvh_.nodes_.assign(top.nodes.begin(), top.nodes.end());
     bvh_.nodes_.resize(nodes);
     bvh_.words_.reserve(words + BvhBlock::words);
     bvh_.words_.assign(top.words.begin(), top.words.end());
-    bvh_.words_.resize(words + BvhBlock::words);  // loads of eight coordinates run past the last ones
+    bvh_.words_.resize(words);
     parallelFor(static_cast<std::uint32_t>(tasks_.size()), threads_, [&](std::uint32_t i) {
         Part& part = tasks_[i].part;
         for (std::size_t n = 0; n < part.nodes.size(); ++n) {
@@ -174,8 +195,6 @@ void BvhBuilder::assemble(Part& top, std::uint32_t root) {
             std::memcpy(&bvh_.words_[wordStart[i]], part.words.data(), 4 * part.words.size());
         part = {};
     });
-    bvh_.root_ = root;
-    bvh_.hasRoot_ = true;
 }
 
 std::uint32_t BvhBuilder::buildRange(Part& part, const Range& range, int depth, bool top) {

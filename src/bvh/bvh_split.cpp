@@ -70,7 +70,7 @@ void RangeSplitter::bin(std::uint32_t begin, std::uint32_t end, const Binning& b
     for (std::uint32_t i = begin; i < end; ++i) {
         const Int4 place = binning(references_[i]);
         for (int axis = binning.firstAxis; axis <= binning.lastAxis; ++axis) {
-            bins.bin[axis][place[axis]].box.add(references_[i].box);
+            bins.bin[axis][place[axis]].box.add(references_[i].box());
             ++bins.bin[axis][place[axis]].count;
         }
     }

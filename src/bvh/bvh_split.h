@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "raytracer/numerics/vector4.h"
+#include "raytracer/util/large_vector.h"
 
 namespace raytracer {
 
@@ -29,14 +29,15 @@ struct BuildBox {
 
 // A primitive to be sorted in: its box, and its number in the bits of low[3].
 struct PrimitiveReference {
-    BuildBox box;
-    std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(float{box.low[3]}); }
-    void setPrimitive(std::uint32_t number) { box.low[3] = std::bit_cast<float>(number), box.high[3] = 0; }
+    Float4 low, high;
+    BuildBox box() const { return {low, high}; }
+    std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(float{low[3]}); }
+    void setPrimitive(std::uint32_t number) { low[3] = std::bit_cast<float>(number), high[3] = 0; }
 
     // Twice the box's middle. Without the number, which as a denormal would be slow to add.
     Float4 center() const {
         const Int4 mask{-1, -1, -1, 0};
-        return std::bit_cast<Float4>(std::bit_cast<Int4>(box.low) & mask) + box.high;
+        return std::bit_cast<Float4>(std::bit_cast<Int4>(low) & mask) + high;
     }
 };
 
@@ -45,13 +46,15 @@ struct Range {
     BuildBox box, centers;
 
     std::uint32_t size() const { return end - begin; }
-    void add(const PrimitiveReference& reference) { box.add(reference.box), centers.add(reference.center()); }
+    void add(const PrimitiveReference& reference) {
+        box.add(reference.box()), centers.add(reference.center());
+    }
 };
 
 class RangeSplitter {
   public:
     // With more than one thread, they share the binning of a large range.
-    RangeSplitter(std::vector<PrimitiveReference>& references, int threads)
+    RangeSplitter(LargeVector<PrimitiveReference>& references, int threads)
         : references_(references), threads_(threads) {}
 
     // At the plane between two bins with the least surface area times primitives on both sides; from a
@@ -73,7 +76,7 @@ class RangeSplitter {
                    Range& right) const;
     void halve(const Range& range, Range& left, Range& right) const;
 
-    std::vector<PrimitiveReference>& references_;
+    LargeVector<PrimitiveReference>& references_;
     int threads_;
 };
 

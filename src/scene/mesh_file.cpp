@@ -79,30 +79,6 @@ void requireTriangles(std::size_t count, const std::string& path) {
         throw Error({path}, "more than 200,000,000 triangles: use several meshes");
 }
 
-namespace {
-
-// Frees each chunk once it is copied, so that little is in memory twice.
-void appendTriangles(std::vector<ObjTriangles>& chunks, MeshData& mesh, const std::string& path) {
-    std::size_t corners = 0;
-    for (const ObjTriangles& chunk : chunks) corners += chunk.positionIndex.size();
-    requireTriangles(corners / 3, path);
-    const bool textured =
-        std::ranges::any_of(chunks, [](const auto& chunk) { return !chunk.texCoordIndex.empty(); });
-    mesh.positionIndex.reserve(corners);
-    mesh.texCoordIndex.reserve(textured ? corners : 0);
-    for (ObjTriangles& taken : chunks) {
-        const ObjTriangles chunk = std::move(taken);
-        mesh.positionIndex.insert(mesh.positionIndex.end(), chunk.positionIndex.begin(),
-                                  chunk.positionIndex.end());
-        mesh.texCoordIndex.insert(mesh.texCoordIndex.end(), chunk.texCoordIndex.begin(),
-                                  chunk.texCoordIndex.end());
-        if (textured) mesh.texCoordIndex.resize(mesh.positionIndex.size(), MeshData::noTexCoord);
-    }
-    if (!textured) mesh.texCoords = {};
-}
-
-}  // namespace
-
 void MeshData::findBounds() {
     low = glm::dvec3(std::numeric_limits<double>::infinity());
     high = -low;
@@ -172,15 +148,22 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const s
     if (whole.hasReturns) return parseObjInChunks(withNewlines(text), chunkCount, path);
     requireUsable(whole, path);
 
+    requireTriangles(whole.triangles, path);
+
     MeshData mesh;
     mesh.positions.resize(whole.positions);
     mesh.texCoords.resize(whole.texCoords);
-    std::vector<ObjTriangles> triangles(chunkCount);
+    mesh.positionIndex.resize(3 * whole.triangles);
+    if (whole.texCoords > 0) mesh.texCoordIndex.resize(3 * whole.triangles);
+    std::vector<ObjFaces> faces(chunkCount);
     parallelFor(jobs, 0, [&](std::uint32_t i) {
-        triangles[i] = parseObjChunk({chunks[i], path}, above[i], whole, mesh);
+        faces[i] = parseObjChunk({chunks[i], path}, above[i], whole, mesh);
     });
-    parallelFor(jobs, 0, [&](std::uint32_t i) { cutConcavePolygons(triangles[i], mesh); });
-    appendTriangles(triangles, mesh, path);
+    if (std::ranges::none_of(faces, &ObjFaces::textured)) {
+        mesh.texCoords = {};
+        mesh.texCoordIndex = {};
+    }
+    parallelFor(jobs, 0, [&](std::uint32_t i) { cutConcavePolygons(faces[i], mesh); });
     mesh.findBounds();
     return mesh;
 }

@@ -1,5 +1,6 @@
 #include "obj_chunk.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -27,12 +28,12 @@ class ChunkParser {
     ChunkParser(const ObjCounts& above, const ObjCounts& whole, MeshData& mesh)
         : above_(above), whole_(whole), mesh_(mesh) {}
 
-    ObjTriangles parse(ObjChunk chunk) {
+    ObjFaces parse(ObjChunk chunk) {
         for (std::size_t physicalLines = 0; !chunk.text.empty(); above_.lines += physicalLines) {
             ObjLine line(takeObjLine(chunk.text, physicalLines), chunk.path, above_.lines + 1);
             parseLine(line);
         }
-        return std::move(triangles_);
+        return std::move(faces_);
     }
 
   private:
@@ -74,7 +75,7 @@ class ChunkParser {
     }
 
     void parseFace(ObjLine& line) {
-        const auto firstTriangle = static_cast<std::uint32_t>(triangles_.positionIndex.size() / 3);
+        const auto firstTriangle = static_cast<std::uint32_t>(above_.triangles);
         const Corner first = takeCorner(line, 0);
         Corner previous = takeCorner(line, 1);
         bool sameForm = previous.hasTexCoord() == first.hasTexCoord();
@@ -86,7 +87,8 @@ class ChunkParser {
             previous = corner;
         }
         if (!sameForm) line.fail("either all corners of a face have a texture coordinate or none");
-        if (count > 3) triangles_.polygons.push_back({firstTriangle, count});
+        if (count > 3) faces_.polygons.push_back({firstTriangle, count});
+        faces_.textured |= first.hasTexCoord();
     }
 
     Corner takeCorner(ObjLine& line, std::size_t count) const {
@@ -101,20 +103,17 @@ class ChunkParser {
     }
 
     void addTriangle(const Corner& a, const Corner& b, const Corner& c) {
-        std::vector<std::uint32_t>&positionIndex = triangles_.positionIndex,
-        &texCoordIndex = triangles_.texCoordIndex;
-        if (a.hasTexCoord()) {
-            texCoordIndex.resize(positionIndex.size(),
-                                 MeshData::noTexCoord);  // fills in the triangles before, which had none
-            texCoordIndex.insert(texCoordIndex.end(), {a.texCoord, b.texCoord, c.texCoord});
-        }
-        positionIndex.insert(positionIndex.end(), {a.position, b.position, c.position});
+        const std::size_t place = 3 * above_.triangles++;
+        const Corner corner[] = {a, b, c};
+        for (std::size_t i = 0; i < 3; ++i) mesh_.positionIndex[place + i] = corner[i].position;
+        if (whole_.texCoords == 0) return;
+        for (std::size_t i = 0; i < 3; ++i) mesh_.texCoordIndex[place + i] = corner[i].texCoord;
     }
 
     ObjCounts above_;  // of what stands above the current line
     const ObjCounts whole_;
     MeshData& mesh_;
-    ObjTriangles triangles_;
+    ObjFaces faces_;
 };
 
 // Whether a line ends in a carriage return alone, as on Macs before 2001.
@@ -142,6 +141,7 @@ ObjCounts& ObjCounts::operator+=(const ObjCounts& other) {
     positions += other.positions;
     texCoords += other.texCoords;
     faces += other.faces;
+    triangles += other.triangles;
     hasReturns |= other.hasReturns;
     return *this;
 }
@@ -151,33 +151,37 @@ ObjCounts countObjChunk(std::string_view chunk) {
     counts.hasReturns = hasReturns(chunk);
     if (counts.hasReturns) return counts;
     for (std::size_t physicalLines = 0; !chunk.empty(); counts.lines += physicalLines) {
-        switch (ObjLine(takeObjLine(chunk, physicalLines)).keyword()) {
+        ObjLine line(takeObjLine(chunk, physicalLines));
+        switch (line.keyword()) {
             case ObjKeyword::position: ++counts.positions; break;
             case ObjKeyword::texCoord: ++counts.texCoords; break;
-            case ObjKeyword::face: ++counts.faces; break;
+            case ObjKeyword::face:
+                ++counts.faces;
+                counts.triangles += std::max<std::size_t>(line.words(), 2) - 2;
+                break;
             case ObjKeyword::other: break;
         }
     }
     return counts;
 }
 
-ObjTriangles parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole,
-                           MeshData& mesh) {
+ObjFaces parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole,
+                       MeshData& mesh) {
     return ChunkParser(above, whole, mesh).parse(chunk);
 }
 
-void cutConcavePolygons(ObjTriangles& chunk, const MeshData& mesh) {
+void cutConcavePolygons(const ObjFaces& faces, MeshData& mesh) {
     std::vector<glm::dvec3> corners;
-    for (const auto& [firstTriangle, count] : std::exchange(chunk.polygons, {})) {
+    for (const auto& [firstTriangle, count] : faces.polygons) {
         const std::size_t begin = std::size_t{3} * firstTriangle, size = std::size_t{3} * (count - 2);
-        const std::span position = std::span(chunk.positionIndex).subspan(begin, size);
+        const std::span position = std::span(mesh.positionIndex).subspan(begin, size);
         corners.clear();
         for (std::uint32_t i = 0; i < count; ++i) corners.push_back(mesh.positions[position[placeInFan(i)]]);
         const auto triangles = triangulateConcave(corners);
         if (triangles.empty()) continue;
         replaceFan(position, triangles);
-        if (begin < chunk.texCoordIndex.size())
-            replaceFan(std::span(chunk.texCoordIndex).subspan(begin, size), triangles);
+        if (!mesh.texCoordIndex.empty())
+            replaceFan(std::span(mesh.texCoordIndex).subspan(begin, size), triangles);
     }
 }
 

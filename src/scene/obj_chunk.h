@@ -14,21 +14,21 @@
 namespace raytracer {
 
 struct ObjCounts {
-    std::size_t lines = 0, positions = 0, texCoords = 0, faces = 0;
+    std::size_t lines = 0, positions = 0, texCoords = 0, faces = 0, triangles = 0;
     bool hasReturns = false;  // line ends that are a carriage return alone
 
     ObjCounts& operator+=(const ObjCounts& other);
 };
 
-// As in MeshData, but texCoordIndex ends with the last triangle that has texture coordinates.
-struct ObjTriangles {
+// What else is to be known of a chunk's faces.
+struct ObjFaces {
     // A face of more than three corners: the fan of its triangles.
     struct Polygon {
         std::uint32_t firstTriangle, corners;
     };
 
-    std::vector<std::uint32_t> positionIndex, texCoordIndex;
     std::vector<Polygon> polygons;
+    bool textured = false;  // one has texture coordinates
 };
 
 struct ObjChunk {
@@ -39,14 +39,13 @@ struct ObjChunk {
 // Counts nothing where a line ends in a carriage return alone.
 ObjCounts countObjChunk(std::string_view chunk);
 
-// Fills the chunk's part of mesh.positions and mesh.texCoords, which have their final sizes already, and
-// returns its triangles. Throws Error at the first line with a mistake.
-ObjTriangles parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole,
-                           MeshData& mesh);
+// Fills the chunk's part of the mesh, whose vectors have their final sizes already (texCoordIndex where there
+// are texture coordinates). Throws Error at the first line with a mistake.
+ObjFaces parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole, MeshData& mesh);
 
 // Replaces the fans of polygons that are not convex by triangles that cover them exactly. All positions of
 // the mesh must be there.
-void cutConcavePolygons(ObjTriangles& triangles, const MeshData& mesh);
+void cutConcavePolygons(const ObjFaces& faces, MeshData& mesh);
 
 // Throws Error where a mesh of so many triangles is too large.
 void requireTriangles(std::size_t count, const std::string& path);

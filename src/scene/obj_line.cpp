@@ -8,15 +8,10 @@
 #include "raytracer/util/number.h"
 
 namespace raytracer {
-namespace {
-
-constexpr std::string_view blanks = " \t\r";
-
-}  // namespace
-
 bool endsInBackslash(std::string_view physicalLine) {
-    const std::size_t last = physicalLine.find_last_not_of(blanks);
-    return last != physicalLine.npos && physicalLine[last] == '\\';
+    std::size_t end = physicalLine.size();
+    while (end > 0 && isObjBlank(physicalLine[end - 1])) --end;
+    return end > 0 && physicalLine[end - 1] == '\\';
 }
 
 std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines) {
@@ -34,16 +29,6 @@ std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines)
     return line;
 }
 
-ObjKeyword ObjLine::keyword() {
-    startWord();
-    while (!isAtWordEnd()) ++p_;
-    const std::string_view word(word_, p_);
-    if (word == "v") return ObjKeyword::position;
-    if (word == "f") return ObjKeyword::face;
-    if (word == "vt") return ObjKeyword::texCoord;
-    return ObjKeyword::other;
-}
-
 double ObjLine::number() {
     if (atEnd()) fail("expected a number, found the end of the line");
     const char* const begin = p_ + (*p_ == '+' && end_ - p_ > 1 && p_[1] != '-');
@@ -54,9 +39,8 @@ double ObjLine::number() {
     return value;
 }
 
-ObjLine::Corner ObjLine::corner() {
-    startWord();
-    Corner corner{.position = index()};
+ObjLine::Corner ObjLine::textured(std::int64_t position) {
+    Corner corner{.position = position};
     if (takeSlash()) {
         if (!isAtWordEnd() && *p_ != '/') corner.texCoord = index();
         if (takeSlash() && !isAtWordEnd()) wholeNumber();
@@ -65,22 +49,16 @@ ObjLine::Corner ObjLine::corner() {
     return corner;
 }
 
-std::int64_t ObjLine::wholeNumber() {
+std::int64_t ObjLine::anyWholeNumber() {
     std::int64_t value = 0;
     const char* const begin = std::exchange(p_, readNumber(p_, end_, value));
     if (p_ == begin) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
     return value;
 }
 
-std::int64_t ObjLine::index() {
-    const std::int64_t value = wholeNumber();
-    if (value == 0) failWord("indices count from 1, or from -1 backwards; found ");
-    return value;
-}
-
 bool ObjLine::isAtContinuation() const {
     const std::string_view rest(p_ + 1, end_);
-    const std::size_t next = rest.find_first_not_of(blanks);
+    const std::size_t next = rest.find_first_not_of(" \t\r");
     return next != rest.npos && rest[next] == '\n';
 }
 
@@ -92,7 +70,7 @@ void ObjLine::fail(const std::string& message) const {
 void ObjLine::failWord(const char* message) const {
     constexpr std::size_t longest = 40;
     ObjLine rest(std::string_view(word_, end_));
-    while (!rest.isAtWordEnd()) ++rest.p_;
+    rest.skipWord();
     std::string word(word_, rest.p_);
     const bool isLong = word.size() > longest;
     word.resize(std::min(word.size(), longest));

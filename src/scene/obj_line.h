@@ -3,6 +3,7 @@
 // stand right behind a word.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -12,6 +13,7 @@ namespace raytracer {
 
 enum class ObjKeyword { position, texCoord, face, other };
 
+inline bool isObjBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool endsInBackslash(std::string_view physicalLine);
 
 // Removes the first line from `text` and returns it without its line end. `physicalLines` is how many lines
@@ -25,11 +27,25 @@ class ObjLine {
     explicit ObjLine(std::string_view line, std::string_view path = {}, std::size_t number = 0)
         : p_(line.data()), end_(p_ + line.size()), path_(path), number_(number) {}
 
-    ObjKeyword keyword();
+    ObjKeyword keyword() {
+        startWord();
+        skipWord();
+        const std::string_view word(word_, p_);
+        if (word == "v") return ObjKeyword::position;
+        if (word == "f") return ObjKeyword::face;
+        return word == "vt" ? ObjKeyword::texCoord : ObjKeyword::other;
+    }
     // Skips blanks. A comment counts as the end.
     bool atEnd() {
         startWord();
         return p_ == end_ || *p_ == '#';
+    }
+
+    // How many words are left; moves behind them.
+    std::size_t words() {
+        std::size_t count = 0;
+        for (; !atEnd(); ++count) skipWord();
+        return count;
     }
 
     // A finite number, correctly rounded.
@@ -40,26 +56,48 @@ class ObjLine {
     struct Corner {
         std::int64_t position = 0, texCoord = 0;
     };
-    Corner corner();
+    Corner corner() {
+        startWord();
+        const std::int64_t position = index();
+        return isAtWordEnd() ? Corner{.position = position} : textured(position);
+    }
 
     [[noreturn]] void fail(const std::string& message) const;
 
   private:
-    std::int64_t wholeNumber();
-    std::int64_t index();
+    Corner textured(std::int64_t position);
+    std::int64_t index() {
+        const std::int64_t value = wholeNumber();
+        if (value == 0) failWord("indices count from 1, or from -1 backwards; found ");
+        return value;
+    }
+    // Most have few digits and no sign.
+    std::int64_t wholeNumber() {
+        const char *p = p_, *const last = p_ + std::min<std::ptrdiff_t>(end_ - p_, 9);
+        std::uint32_t value = 0;
+        for (; p != last && isDigit(*p); ++p) value = 10 * value + static_cast<std::uint32_t>(*p - '0');
+        if (p == p_ || (p != end_ && isDigit(*p))) return anyWholeNumber();
+        p_ = p;
+        return value;
+    }
+    std::int64_t anyWholeNumber();
+    static bool isDigit(char c) { return c >= '0' && c <= '9'; }
     bool takeSlash() {
         const bool isSlash = p_ != end_ && *p_ == '/';
         p_ += isSlash;
         return isSlash;
     }
     // A line end inside a line follows a backslash.
-    bool isAtBlank() const {
-        return *p_ == ' ' || *p_ == '\t' || *p_ == '\r' || *p_ == '\n' || (*p_ == '\\' && isAtContinuation());
-    }
+    bool isAtBlank() const { return isObjBlank(*p_) || *p_ == '\n' || (*p_ == '\\' && isAtContinuation()); }
     bool isAtContinuation() const;
-    bool isAtWordEnd() const { return p_ == end_ || *p_ == '#' || isAtBlank(); }
+    bool isAtWordEnd() const { return p_ == end_ || (!isPlain(*p_) && (*p_ == '#' || isAtBlank())); }
+    // Most of what words are of: neither a blank nor the sign of a comment or continuation.
+    static bool isPlain(char c) { return c > '#' && c != '\\'; }
+    void skipWord() {
+        while (!isAtWordEnd()) ++p_;
+    }
     void startWord() {
-        while (p_ != end_ && isAtBlank()) ++p_;
+        while (p_ != end_ && !isPlain(*p_) && isAtBlank()) ++p_;
         word_ = p_;
     }
     [[noreturn]] void failWord(const char* message) const;

@@ -16,7 +16,7 @@ using raytracer::MeshData;
 namespace {
 
 constexpr auto none = MeshData::noTexCoord;
-using Indices = std::vector<std::uint32_t>;
+using Indices = decltype(MeshData::positionIndex);
 
 MeshData parse(const std::string& text) { return raytracer::parseObj(text); }
 
@@ -39,7 +39,8 @@ bool same(const MeshData& a, const MeshData& b) {
 TEST_CASE("An OBJ's faces become triangles in file order") {
     SECTION("a triangle") {
         const MeshData mesh = parse(square + "f 1 2 3\n");
-        CHECK(mesh.positions == std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+        CHECK(mesh.positions ==
+              raytracer::LargeVector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
         CHECK(mesh.low == glm::dvec3(0, 0, 0));
         CHECK(mesh.high == glm::dvec3(1, 1, 0));
         CHECK(mesh.positionIndex == Indices{0, 1, 2});
@@ -82,7 +83,7 @@ TEST_CASE("An OBJ's corners come in four forms") {
         const MeshData mesh = parse(corners + "f 1/1 2/2 3/4\n");
         CHECK(mesh.positionIndex == Indices{0, 1, 2});
         CHECK(mesh.texCoordIndex == Indices{0, 1, 3});
-        CHECK(mesh.texCoords == std::vector<glm::dvec2>{{0, 0}, {1, 0.25}, {0.5, 0}, {0.5, 0.75}});
+        CHECK(mesh.texCoords == raytracer::LargeVector<glm::dvec2>{{0, 0}, {1, 0.25}, {0.5, 0}, {0.5, 0.75}});
     }
     SECTION("v//vn: coordinates that no face uses are dropped") {
         const MeshData mesh = parse(corners + "f 1//1 2//-1 3//1\n");

@@ -13,13 +13,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "raytracer/bvh/build_options.h"
+#include "raytracer/util/large_vector.h"
 
 namespace raytracer {
 
@@ -49,21 +48,6 @@ struct BvhBeam {
 
 // In a tree a node is found by its place in units of this many bytes.
 inline constexpr std::uint32_t bvhUnit = 32;
-
-// Large arrays on large pages, where the system has them: a tree is read here and there.
-void* allocateOnLargePages(std::size_t bytes, std::size_t alignment);
-template <class T>
-struct LargePages {
-    using value_type = T;
-    LargePages() = default;
-    template <class U>
-    LargePages(const LargePages<U>&) {}
-    T* allocate(std::size_t count) {
-        return static_cast<T*>(allocateOnLargePages(count * sizeof(T), alignof(T)));
-    }
-    void deallocate(T* p, std::size_t) { std::free(p); }
-    bool operator==(const LargePages&) const { return true; }
-};
 
 // Child boxes as planes[2 * axis + (0: low, 1: high)][child]. A slot without a child is an inverted infinite
 // box.
@@ -120,8 +104,8 @@ class Bvh {
     Bvh(std::size_t count, InstructionSet set);
 
     const BvhKernel* kernel_ = nullptr;
-    std::vector<BvhNode, LargePages<BvhNode>> nodes_;
-    std::vector<std::uint32_t, LargePages<std::uint32_t>> words_;  // of blocks
+    LargeVector<BvhNode> nodes_;
+    LargeVector<std::uint32_t> words_;  // of blocks
     std::uint32_t root_ = 0;
     bool hasRoot_ = false;
     BvhFrame frame_;

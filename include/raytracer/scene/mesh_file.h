@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include "raytracer/util/large_vector.h"
 
 namespace raytracer {
 
@@ -15,10 +16,10 @@ namespace raytracer {
 // counter-clockwise seen from outside, in file order. A polygon of n corners is n - 2 triangles: the fan
 // about its first corner, if it is convex.
 struct MeshData {
-    std::vector<glm::dvec3> positions;         // in units of 2^exponent of the file's
-    std::vector<glm::dvec2> texCoords;         // (u, v), v up
-    std::vector<std::uint32_t> positionIndex;  // 3 for each triangle
-    std::vector<std::uint32_t> texCoordIndex;  // 3 for each triangle, or empty where no face has vt
+    LargeVector<glm::dvec3> positions;         // in units of 2^exponent of the file's
+    LargeVector<glm::dvec2> texCoords;         // (u, v), v up
+    LargeVector<std::uint32_t> positionIndex;  // 3 for each triangle
+    LargeVector<std::uint32_t> texCoordIndex;  // 3 for each triangle, or empty where no face has vt
     static constexpr std::uint32_t noTexCoord = ~std::uint32_t{0};  // for a corner without vt: (0, 0)
     // 10 words each, at 31 bits, in the leaves of the tree.
     static constexpr std::size_t mostTriangles = 200'000'000;

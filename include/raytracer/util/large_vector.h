@@ -1,0 +1,39 @@
+// Vectors of what there is much of, on large pages where the system has them: the first touch of a page costs
+// as much as to fill it several times, and what is read here and there needs fewer entries of the processor's
+// table of pages.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace raytracer {
+
+// At least aligned to this; to be freed with std::free. Throws std::bad_alloc.
+void* allocateOnLargePages(std::size_t bytes, std::size_t alignment);
+
+template <class T>
+struct LargePages {
+    using value_type = T;
+    LargePages() = default;
+    template <class U>
+    LargePages(const LargePages<U>&) {}
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(allocateOnLargePages(count * sizeof(T), alignof(T)));
+    }
+    void deallocate(T* p, std::size_t) { std::free(p); }
+    // What resize() adds has no value yet where T has no constructor of its own.
+    template <class U, class... Arguments>
+    void construct(U* place, Arguments&&... arguments) {
+        if constexpr (sizeof...(Arguments) == 0) ::new (static_cast<void*>(place)) U;
+        else ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+    }
+    bool operator==(const LargePages&) const { return true; }
+};
+
+template <class T>
+using LargeVector = std::vector<T, LargePages<T>>;
+
+}  // namespace raytracer
