@@ -15,6 +15,7 @@
 #include "depth.h"
 #include "picture_points.h"
 #include "raytracer/pictures/color_sink.h"
+#include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/pixel_estimate.h"
 
 namespace raytracer {
@@ -79,15 +80,6 @@ class Search {
         choice_.first = {std::move(sink).colors(), counts.cutoffBound};
     }
 
-    double contrastAt(const PixelPlace& place) const {
-        Contrast contrast;
-        const ImageSize& size = options_.size;
-        for (int y = std::max(0, place.y - 1); y < std::min(size.height, place.y + 2); ++y)
-            for (int x = std::max(0, place.x - 1); x < std::min(size.width, place.x + 2); ++x)
-                contrast.add(choice_.first.colors[static_cast<std::size_t>(y) * size.width + x]);
-        return std::max(contrast.value(), leastContrast(size));
-    }
-
     PixelPlace placeOf(std::uint32_t i) const {
         const auto width = static_cast<std::uint32_t>(options_.size.width);
         return {static_cast<int>(i % width), static_cast<int>(i / width)};
@@ -97,8 +89,10 @@ class Search {
     double weightOf(double contrast) const { return std::min(contrast / 4, widely * target_); }
 
     void sortPixels() {
-        for (std::uint32_t i = 0; i < choice_.first.colors.size(); ++i) {
-            pixels_.emplace_back(static_cast<float>(contrastAt(placeOf(i))), i);
+        const std::vector<double> contrast = contrasts(choice_.first.colors, options_.size);
+        const double least = leastContrast(options_.size);
+        for (std::uint32_t i = 0; i < contrast.size(); ++i) {
+            pixels_.emplace_back(static_cast<float>(std::max(contrast[i], least)), i);
             totalWeight_ += weightOf(static_cast<double>(pixels_.back().first));
         }
         std::ranges::sort(pixels_);

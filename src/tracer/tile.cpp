@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "point_stream.h"
+#include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/packet_order.h"
 #include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/tracer/sample_sequence.h"
@@ -34,6 +35,7 @@ class Tile {
     void render(const FirstSamples* first, PixelSink& sink) {
         if (first) takeOver(*first);
         else sampleFirst();
+        if (options_.adaptive > 0) findContrasts();
         for (int taken = 1; leaveThoseDone(taken); taken = sampleMore(taken)) {
         }
         write(sink);
@@ -59,11 +61,20 @@ class Tile {
         });
     }
 
+    void findContrasts() {
+        std::vector<glm::dvec3> colors;
+        for (const Pixel& pixel : pixels_) colors.push_back(pixel.estimate.color());
+        contrasts_ = contrasts(colors, {sampled_.width(), sampled_.height()});
+        const double least = leastContrast(options_.size);
+        for (double& contrast : contrasts_) contrast = std::max(contrast, least);
+    }
+
     // Whether any pixel goes on.
     bool leaveThoseDone(int taken) {
         if (options_.adaptive > 0)
             std::erase_if(active_, [&](const PixelPlace& place) {
-                return of(place).estimate.error(contrastAround(place)) <= options_.adaptive;
+                const std::size_t i = indexOf(place);
+                return pixels_[i].estimate.error(contrasts_[i]) <= options_.adaptive;
             });
         if (taken < options_.samples) return !active_.empty();
         if (options_.adaptive > 0) context_.counts->limited += active_.size();
@@ -92,20 +103,12 @@ class Tile {
         stream.finish();
     }
 
-    double contrastAround(const PixelPlace& place) const {
-        Contrast contrast;
-        for (int y = std::max(place.y - 1, sampled_.y0); y < std::min(place.y + 2, sampled_.y1); ++y)
-            for (int x = std::max(place.x - 1, sampled_.x0); x < std::min(place.x + 2, sampled_.x1); ++x)
-                contrast.add(of({x, y}).estimate.first());
-        return std::max(contrast.value(), leastContrast(options_.size));
-    }
-
     void write(PixelSink& sink) const {
         std::vector<glm::dvec3> row(static_cast<std::size_t>(tile_.width()));
         double& bound = context_.counts->cutoffBound;
         for (int y = tile_.y0; y < tile_.y1; ++y) {
             for (int x = tile_.x0; x < tile_.x1; ++x) {
-                const Pixel& pixel = of({x, y});
+                const Pixel& pixel = pixels_[indexOf({x, y})];
                 row[static_cast<std::size_t>(x - tile_.x0)] = pixel.estimate.color();
                 bound = std::max(bound, pixel.truncationBound / pixel.estimate.samples());
             }
@@ -116,7 +119,6 @@ class Tile {
     std::size_t indexOf(const PixelPlace& place) const {
         return static_cast<std::size_t>((place.y - sampled_.y0) * sampled_.width() + place.x - sampled_.x0);
     }
-    const Pixel& of(const PixelPlace& place) const { return pixels_[indexOf(place)]; }
 
     const Scene& scene_;
     const RenderContext& context_;
@@ -124,6 +126,7 @@ class Tile {
     SampleSequence sequence_;
     PixelRectangle tile_, sampled_;
     std::vector<Pixel> pixels_;       // of sampled_
+    std::vector<double> contrasts_;   // of sampled_, where it matters
     std::vector<PixelPlace> active_;  // of tile_: those that take more samples
 };
 

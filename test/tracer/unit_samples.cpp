@@ -2,9 +2,11 @@
 #include <array>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/tracer/sample_sequence.h"
 
@@ -78,10 +80,12 @@ TEST_CASE("a pixel's error: by the contrast around it, and by what its samples s
     CHECK(mixed.error(4) == 0.25);
 }
 
-TEST_CASE("contrast is that of colours as shown, in the worst channel") {
-    Contrast contrast;
-    contrast.add({0.25, -3, 5});
-    CHECK(contrast.value() == 0);
-    contrast.add({0.5, 0.75, 1});
-    CHECK(contrast.value() == 0.75);
+TEST_CASE("contrast is that of the 3 x 3 colours around a pixel, as shown, in the worst channel") {
+    std::vector<glm::dvec3> colors(4 * 3, glm::dvec3(0.25, -3, 5));  // shown as (0.25, 0, 1)
+    colors[0] = {0.5, 0.75, 1};
+    CHECK(contrasts(colors, {4, 3}) == std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 0, 0, 0, 0, 0, 0});
+    colors[11] = {0.25, 0.25, 0};
+    CHECK(contrasts(colors, {4, 3}) == std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 1, 1, 0, 0, 1, 1});
+    CHECK(contrasts(colors, {12, 1}) == std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
+    CHECK(contrasts(colors, {1, 12}) == std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
 }

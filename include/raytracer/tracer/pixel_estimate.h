@@ -8,18 +8,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "raytracer/pictures/pixels.h"
-
 namespace raytracer {
 
 // How many samples a pixel has taken when it may stop: 1, 4, 8, 16 ... up to the limit.
 inline int nextLevel(int samples, int limit) { return std::min(limit, samples == 1 ? 4 : 2 * samples); }
-
-// A neighbourhood that looks flat may hide something smaller than a pixel: with this contrast, the least
-// error of n samples, 2 / (n sqrt(pixels)), is the RMSE of a picture that is wrong in 1/n of four pixels.
-inline double leastContrast(const ImageSize& size) {
-    return std::min(1.0, 8 / std::sqrt(static_cast<double>(size.width) * size.height));
-}
 
 class PixelEstimate {
   public:
@@ -33,7 +25,6 @@ class PixelEstimate {
     }
 
     glm::dvec3 color() const { return sum_ / static_cast<double>(count_); }
-    const glm::dvec3& first() const { return first_; }  // as shown
     int samples() const { return count_; }
 
     // An estimate of the colour's error, of 1. The samples' own standard deviation says how it falls with n
@@ -56,25 +47,6 @@ class PixelEstimate {
     glm::dvec3 sum_{0}, first_{0}, difference_{0};  // the last one: from the first sample, as shown
     double squares_ = 0;
     int count_ = 0;
-};
-
-// How far colours are apart, as a picture shows them, in the channel in which that is most.
-class Contrast {
-  public:
-    void add(const glm::dvec3& color) {
-        const glm::dvec3 shown = glm::clamp(color, 0.0, 1.0);
-        low_ = glm::min(low_, shown);
-        high_ = glm::max(high_, shown);
-    }
-
-    // At least one colour was added.
-    double value() const {
-        const glm::dvec3 spread = high_ - low_;
-        return std::max({spread.x, spread.y, spread.z});
-    }
-
-  private:
-    glm::dvec3 low_{1}, high_{0};
 };
 
 }  // namespace raytracer
