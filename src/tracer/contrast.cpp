@@ -10,22 +10,22 @@ namespace raytracer {
 
 namespace {
 
-struct Extent {
+struct ColorRange {
     glm::dvec3 low{1}, high{0};
 
-    void add(const Extent& other) {
+    void add(const ColorRange& other) {
         low = glm::min(low, other.low);
         high = glm::max(high, other.high);
     }
 };
 
 // Of three pixels side by side.
-void measureRow(std::span<const glm::dvec3> colors, std::span<Extent> extents) {
-    std::ranges::fill(extents, Extent());
+void measureRow(std::span<const glm::dvec3> colors, std::span<ColorRange> ranges) {
+    std::ranges::fill(ranges, ColorRange());
     for (std::size_t x = 0; x < colors.size(); ++x) {
         const glm::dvec3 shown = glm::clamp(colors[x], 0.0, 1.0);
         const std::size_t end = std::min(x + 2, colors.size());
-        for (std::size_t i = x == 0 ? 0 : x - 1; i < end; ++i) extents[i].add({shown, shown});
+        for (std::size_t i = x == 0 ? 0 : x - 1; i < end; ++i) ranges[i].add({shown, shown});
     }
 }
 
@@ -33,7 +33,7 @@ void measureRow(std::span<const glm::dvec3> colors, std::span<Extent> extents) {
 
 std::vector<double> contrasts(std::span<const glm::dvec3> colors, const ImageSize& size) {
     const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
-    std::array<std::vector<Extent>, 3> rows;  // row y is in rows[y % 3]
+    std::array<std::vector<ColorRange>, 3> rows;  // row y is in rows[y % 3]
     for (auto& row : rows) row.resize(width);
     std::vector<double> result;
     result.reserve(width * height);
@@ -41,10 +41,10 @@ std::vector<double> contrasts(std::span<const glm::dvec3> colors, const ImageSiz
     for (std::size_t y = 0; y < height; ++y) {
         if (y + 1 < height) measureRow(colors.subspan((y + 1) * width, width), rows[(y + 1) % 3]);
         for (std::size_t x = 0; x < width; ++x) {
-            Extent extent = rows[y % 3][x];
-            if (y > 0) extent.add(rows[(y - 1) % 3][x]);
-            if (y + 1 < height) extent.add(rows[(y + 1) % 3][x]);
-            const glm::dvec3 spread = extent.high - extent.low;
+            ColorRange range = rows[y % 3][x];
+            if (y > 0) range.add(rows[(y - 1) % 3][x]);
+            if (y + 1 < height) range.add(rows[(y + 1) % 3][x]);
+            const glm::dvec3 spread = range.high - range.low;
             result.push_back(std::max({spread.x, spread.y, spread.z}));
         }
     }
