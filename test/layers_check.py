@@ -4,7 +4,7 @@
     layers_check.py ROOT
 
 The order is the one of src/README.md. include/raytracer/ROOM/ is what a room offers; src/ROOM/ is private to it and to
-its tests. A library that one room, or one file, wraps is included there alone.
+its tests. A library that one room, or one file, wraps is included there alone; the platform is util's.
 """
 import pathlib
 import re
@@ -20,7 +20,9 @@ wrapped = {
     r"nlohmann/": {"json"},
     r"stb_image": {"pictures"},
     r"libdeflate": {"pictures"},
+    r"(sys|linux)/|(unistd|fcntl|poll|dirent|pwd|grp|pthread|signal|malloc|io|windows|psapi)\.h$": {"util"},
 }
+platform = re.compile(r"\s*#\s*(el)?if.*(_WIN32|__MINGW32__|__linux__|__APPLE__|__unix__)")
 
 # The plain tracer that the tests compare the tracer with shares no more with it than the description of a scene.
 independent = {"test/tracer/plain_tracer.h": {"scene", "pictures"}}
@@ -37,6 +39,8 @@ def faults_of(root, path):
     relative = path.relative_to(root)
     room, is_test = room_of(relative), relative.parts[0] == "test"
     for number, line in enumerate(path.read_text().splitlines(), 1):
+        if platform.match(line) and room != "util":
+            yield f"{relative}:{number}: {room} asks for the platform, which util alone knows"
         match = re.match(r'\s*#\s*include\s*(["<])([^">]+)', line)
         if not match:
             continue

@@ -61,8 +61,10 @@ int measure(TradeoffArguments& arguments) {
     std::vector<LoadedScene> loaded;  // all first: a mistake in the last is told before an hour of work
     for (const std::string& scene : arguments.scenes) loaded.push_back(loadScene(scene, false));
     makeFolder(arguments.out);
-    const std::filesystem::path out = arguments.out;
-    OutputFile csv(out / "tradeoff.csv"), svg(out / "tradeoff.svg"), page(out / "tradeoff.html");
+    const auto inFolder = [out = std::filesystem::path(arguments.out)](const char* name) {
+        return (out / name).string();
+    };
+    OutputFile csv(inFolder("tradeoff.csv")), svg(inFolder("tradeoff.svg")), page(inFolder("tradeoff.html"));
     std::vector<SceneTradeoff> scenes;
     for (std::size_t i = 0; i < loaded.size(); ++i) {
         const std::string name = std::filesystem::path(arguments.scenes[i]).stem().string();

@@ -1,6 +1,5 @@
 #include "programs.h"
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -32,7 +31,7 @@ std::string endOfFile(const std::string& path) {
 void removeShellsReport(std::string& output, const ProcessEnd& end) {
     const std::size_t last = output.find_last_of('\n', output.empty() ? 0 : output.size() - 2);
     const std::size_t start = last == std::string::npos ? 0 : last + 1;
-    if (end.signal && output.find(strsignal(end.signal), start) != std::string::npos) output.erase(start);
+    if (end.signal && output.find(signalName(end.signal), start) != std::string::npos) output.erase(start);
 }
 
 // How many folders above its own a path leads: 1 for "../a", 2 for "a/../../../b".

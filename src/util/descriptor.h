@@ -1,11 +1,13 @@
 // Open files of the operating system.
 #pragma once
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 
-#include <poll.h>
 #include <unistd.h>
 
 namespace raytracer {
@@ -33,16 +35,26 @@ class Descriptor {
     int number_ = -1;
 };
 
+// Of the platform, from here to writeAll. None, with errno, where the file cannot be opened. A pipe waits for
+// its writer only where `waits`.
+Descriptor openToRead(const std::string& path, bool waits);
+
+// As read, from a place in the file: -1, with errno, where it fails.
+std::int64_t readAt(int descriptor, std::span<char> bytes, std::uint64_t offset);
+
+// A file's bytes as memory; null where it is to be read instead.
+const char* mapFile(int descriptor, std::size_t size);
+void unmapFile(const char* begin, std::size_t size);
+
 // Another program may have made our output one that does not wait.
-inline void waitForRoom(int descriptor) {
-    pollfd room{descriptor, POLLOUT, 0};
-    ::poll(&room, 1, -1);
-}
+void waitForRoom(int descriptor);
 
 // False, with errno, where not all could be written.
 inline bool writeAll(int descriptor, std::span<const char> bytes) {
+    constexpr std::size_t most = std::size_t{1} << 30;  // Windows counts in int
     while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        const auto size = static_cast<unsigned>(std::min(bytes.size(), most));
+        const auto count = ::write(descriptor, bytes.data(), size);
         if (count >= 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
         else if (errno == EAGAIN) waitForRoom(descriptor);
         else if (errno != EINTR) return false;

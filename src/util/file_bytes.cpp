@@ -1,7 +1,5 @@
 #include "raytracer/util/file_bytes.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,7 +15,7 @@ namespace {
 bool readToEnd(int descriptor, std::string& bytes, const std::string& path) {
     char block[1 << 16];  // a pipe's capacity on Linux
     for (;;) {
-        const ssize_t count = ::read(descriptor, block, sizeof block);
+        const auto count = ::read(descriptor, block, sizeof block);
         if (count == 0) return true;
         if (bytes.size() + sizeof block > bytes.capacity())
             requireMemory(path, {{"what is in it", 2 * static_cast<double>(bytes.capacity())}});
@@ -32,9 +30,7 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     const auto require = [&](bool done) {
         if (!done) throw systemError(path, "cannot read", errno == ENOENT ? hintAt(path) : "");
     };
-    // Opening a pipe would wait for its writer.
-    const int waits = kind == FileKind::Regular ? O_NONBLOCK : 0;
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | waits));
+    const Descriptor file = openToRead(path, kind != FileKind::Regular);
     require(static_cast<bool>(file));
     struct stat status {};
     require(::fstat(file.get(), &status) == 0);
@@ -44,9 +40,8 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     size_ = static_cast<std::size_t>(status.st_size);
     // Files of /proc say that their size is 0. They are read as a pipe is.
     if (isRegular && size_ > 0) {
-        void* const map = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.get(), 0);
-        mapped_ = map != MAP_FAILED;
-        if (mapped_) begin_ = static_cast<const char*>(map);
+        begin_ = mapFile(file.get(), size_);
+        mapped_ = begin_ != nullptr;
     }
     if (mapped_) return;
     require(readToEnd(file.get(), copy_, path));
@@ -55,7 +50,7 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
 }
 
 FileBytes::~FileBytes() {
-    if (mapped_) ::munmap(const_cast<char*>(begin_), size_);
+    if (mapped_) unmapFile(begin_, size_);
 }
 
 void FileBytes::fail(const std::string& message) const { throw Error({path_}, message); }

@@ -1,8 +1,6 @@
 #include "raytracer/util/file_reader.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 
@@ -19,7 +17,7 @@ struct FileReader::State {
 
 FileReader::FileReader(const std::string& path) : state_(std::make_unique<State>()) {
     state_->path = path;
-    state_->file = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // no wait for a pipe
+    state_->file = openToRead(path, false);
     struct stat status {};
     if (!state_->file || ::fstat(state_->file.get(), &status) != 0) throw systemError(path, "cannot read");
     if (!S_ISREG(status.st_mode)) throw Error({path}, "cannot read: it is no regular file");
@@ -32,8 +30,7 @@ std::uint64_t FileReader::size() const { return state_->size; }
 
 void FileReader::read(std::uint64_t offset, std::span<char> bytes) const {
     while (!bytes.empty()) {
-        const ssize_t count =
-            ::pread(state_->file.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        const std::int64_t count = readAt(state_->file.get(), bytes, offset);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) throw systemError(state_->path, "cannot read");
         if (count == 0) throw Error({state_->path}, "cannot read: it has become shorter");

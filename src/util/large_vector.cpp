@@ -1,22 +1,32 @@
 #include "raytracer/util/large_vector.h"
 
-#include <algorithm>
-
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
 
 namespace raytracer {
+namespace {
+
+constexpr std::size_t largePage = std::size_t{1} << 21;  // x86's and most ARM's
+
+bool isWorthPages(std::size_t bytes) { return bytes >= 2 * largePage; }
+
+std::align_val_t alignmentFor(std::size_t bytes, std::size_t alignment) {
+    return std::align_val_t{isWorthPages(bytes) ? largePage : alignment};
+}
+
+}  // namespace
 
 void* allocateOnLargePages(std::size_t bytes, std::size_t alignment) {
-    constexpr std::size_t page = std::size_t{1} << 21;  // x86's and most ARM's
-    alignment = bytes >= 2 * page ? page : std::max(alignment, sizeof(void*));
-    void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-    if (!memory) throw std::bad_alloc();
+    void* const memory = ::operator new(bytes, alignmentFor(bytes, alignment));
 #if defined(__linux__)
-    if (bytes >= 2 * page) madvise(memory, bytes, MADV_HUGEPAGE);
+    if (isWorthPages(bytes)) madvise(memory, bytes, MADV_HUGEPAGE);
 #endif
     return memory;
+}
+
+void freeLargePages(void* memory, std::size_t bytes, std::size_t alignment) {
+    ::operator delete(memory, alignmentFor(bytes, alignment));
 }
 
 }  // namespace raytracer

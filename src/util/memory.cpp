@@ -1,76 +1,14 @@
 #include "raytracer/util/memory.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <limits>
-#include <utility>
 
+#include "memory_limits.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-// The number that the file begins with; unlimited where there is none ("max").
-double numberIn(const std::string& path) {
-    double number = 0;
-    return std::ifstream(path) >> number ? number : unlimited;
-}
-
-double availableBytes() {
-    std::ifstream file("/proc/meminfo");
-    for (std::string key, rest; file >> key; std::getline(file, rest)) {
-        double kibibytes = 0;
-        if (key == "MemAvailable:" && file >> kibibytes) return 1024 * kibibytes;
-    }
-    return unlimited;
-}
-
-// Of a control group and of all that it is part of. Inside of a container, the outer part of the path is not
-// there.
-double groupLimit(const std::string& root, std::string path, const char* file) {
-    double least = unlimited;
-    for (;; path.resize(path.rfind('/'))) {
-        least = std::min(least, numberIn(root + path + file));
-        if (path.find('/') == path.npos) return least;
-    }
-}
-
-// The lines of /proc/self/cgroup are NUMBER:CONTROLLERS:PATH; version 2 has no controllers.
-double controlGroupLimit() {
-    double least = unlimited;
-    std::ifstream file("/proc/self/cgroup");
-    for (std::string line; std::getline(file, line);) {
-        const std::size_t first = line.find(':'), second = line.find(':', first + 1);
-        if (second == line.npos) continue;
-        const std::string controllers = line.substr(first + 1, second - first - 1);
-        const std::string path = line.substr(second + 1);
-        if (controllers.empty()) least = std::min(least, groupLimit("/sys/fs/cgroup", path, "/memory.max"));
-        if (controllers.find("memory") != controllers.npos)
-            least = std::min(least, groupLimit("/sys/fs/cgroup/memory", path, "/memory.limit_in_bytes"));
-    }
-    return least;
-}
-
-// Of the process: its addresses, and what of them is in memory.
-std::pair<double, double> usedBytes() {
-    double addresses = 0, resident = 0;
-    std::ifstream("/proc/self/statm") >> addresses >> resident;
-    const auto page = static_cast<double>(::sysconf(_SC_PAGESIZE));
-    return {page * addresses, page * resident};
-}
-
-double addressLimit() {
-    rlimit limit{};
-    const bool isSet = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-    return isSet ? static_cast<double>(limit.rlim_cur) : unlimited;
-}
 
 std::string inBytes(double bytes) {
     constexpr std::array units = {"bytes", "kB", "MB", "GB", "TB"};
@@ -82,11 +20,7 @@ std::string inBytes(double bytes) {
 }  // namespace
 
 MemoryLeft memoryLeft() {
-    const auto [addresses, resident] = usedBytes();
-    const MemoryLeft limits[] = {{availableBytes(), "the machine has left "},
-                                 {controlGroupLimit() - resident, "the control group's limit leaves "},
-                                 {addressLimit() - addresses, "ulimit -v leaves "}};
-    MemoryLeft least = *std::ranges::min_element(limits, {}, &MemoryLeft::bytes);
+    MemoryLeft least = std::ranges::min(memoryLimits(), {}, &MemoryLeft::bytes);
     least.bytes = std::max(0.0, least.bytes);
     least.inWords += inBytes(least.bytes);
     return least;

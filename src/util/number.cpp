@@ -1,8 +1,11 @@
 #include "raytracer/util/number.h"
 
 #include <cstdlib>
+#include <version>
 
 namespace raytracer {
+
+#if defined(__cpp_lib_to_chars)
 
 const char* readNumber(const char* begin, const char* end, double& number) {
     const auto [stop, error] = std::from_chars(begin, end, number);
@@ -11,5 +14,44 @@ const char* readNumber(const char* begin, const char* end, double& number) {
         number = std::strtod(std::string(begin, stop).c_str(), nullptr);
     return stop;
 }
+
+#else
+
+namespace {
+
+const char* endOfDigits(const char* at, const char* end) {
+    while (at != end && *at >= '0' && *at <= '9') ++at;
+    return at;
+}
+
+const char* behindSign(const char* at, const char* end, std::string_view signs) {
+    return at != end && signs.find(*at) != signs.npos ? at + 1 : at;
+}
+
+// Where the number that std::from_chars would read ends, but for infinities and NaN.
+const char* endOfNumber(const char* begin, const char* end) {
+    const char* const whole = behindSign(begin, end, "-");
+    const char* const point = endOfDigits(whole, end);
+    const char* const fraction = behindSign(point, end, ".");
+    const char* const stop = endOfDigits(fraction, end);
+    const bool hasDigits = point > whole || stop > fraction;
+    if (!hasDigits) return begin;
+    const char* const exponent = behindSign(stop, end, "eE");
+    const char* const digits = exponent > stop ? behindSign(exponent, end, "+-") : stop;
+    const char* const exponentEnd = endOfDigits(digits, end);
+    return exponentEnd > digits ? exponentEnd : stop;
+}
+
+}  // namespace
+
+// For libc++, which has std::from_chars for double since version 20 only. strtod rounds correctly too, and
+// where setlocale is never called its point is a point.
+const char* readNumber(const char* begin, const char* end, double& number) {
+    const char* const stop = endOfNumber(begin, end);
+    if (stop != begin) number = std::strtod(std::string(begin, stop).c_str(), nullptr);
+    return stop;
+}
+
+#endif
 
 }  // namespace raytracer

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <limits>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include <pthread.h>
-#include <sys/resource.h>
 
 namespace raytracer {
 namespace {
@@ -77,14 +75,6 @@ class Threads {
 };
 
 }  // namespace
-
-// The arguments and the environment take up to a quarter of it (execve); what has been called so far, little.
-std::size_t mainStack() {
-    rlimit limit{};
-    getrlimit(RLIMIT_STACK, &limit);
-    if (limit.rlim_cur == RLIM_INFINITY) return std::numeric_limits<std::size_t>::max();
-    return static_cast<std::size_t>(limit.rlim_cur / 4 * 3);
-}
 
 int threadCount(int asked) {
     return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

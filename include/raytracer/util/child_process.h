@@ -27,6 +27,8 @@ struct ProcessStart {
     std::string user = {};    // whose rights it has; empty: ours
 };
 
+std::string signalName(int signal);  // "Segmentation fault"
+
 struct ProcessEnd {
     enum class Stop { None, Hung, TooSlow, TooManyProcesses };
 

@@ -4,15 +4,15 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <new>
 #include <utility>
 #include <vector>
 
 namespace raytracer {
 
-// At least aligned to this; to be freed with std::free. Throws std::bad_alloc.
+// At least aligned to this. Throws std::bad_alloc.
 void* allocateOnLargePages(std::size_t bytes, std::size_t alignment);
+void freeLargePages(void* memory, std::size_t bytes, std::size_t alignment);
 
 template <class T>
 struct LargePages {
@@ -23,7 +23,7 @@ struct LargePages {
     T* allocate(std::size_t count) {
         return static_cast<T*>(allocateOnLargePages(count * sizeof(T), alignof(T)));
     }
-    void deallocate(T* p, std::size_t) { std::free(p); }
+    void deallocate(T* p, std::size_t count) { freeLargePages(p, count * sizeof(T), alignof(T)); }
     // What resize() adds has no value yet where T has no constructor of its own.
     template <class U, class... Arguments>
     void construct(U* place, Arguments&&... arguments) {

@@ -7,8 +7,13 @@
 
 namespace raytracer {
 
+#if defined(__MINGW32__)
+#define RAYTRACER_PRINTF gnu_printf  // C's, not that of Windows' own library
+#else
+#define RAYTRACER_PRINTF printf
+#endif
 // What printf prints, of any length.
-[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+[[gnu::format(RAYTRACER_PRINTF, 1, 2)]] std::string formatted(const char* format, ...);
 
 constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8, without meaning
 

@@ -19,7 +19,12 @@ Seconds Seconds::now() {
 std::uint64_t peakMemoryBytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts KiB
+#if defined(__APPLE__)
+    constexpr std::uint64_t unit = 1;
+#else
+    constexpr std::uint64_t unit = 1024;  // Linux counts KiB
+#endif
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
 }
 
 }  // namespace raytracer

@@ -16,7 +16,7 @@
 #include <cstring>
 #include <vector>
 
-#include "descriptor.h"
+#include "../descriptor.h"
 
 namespace raytracer {
 

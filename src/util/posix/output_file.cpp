@@ -1,9 +1,7 @@
 #include "raytracer/util/output_file.h"
 
 #include <fcntl.h>
-#include <linux/magic.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -12,11 +10,12 @@
 #include <random>
 #include <utility>
 
-#include "descriptor.h"
-#include "leftover.h"
+#include "../descriptor.h"
+#include "../leftover.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/text.h"
+#include "signals.h"
 
 namespace raytracer {
 namespace {
@@ -26,9 +25,9 @@ using Status = struct stat;
 
 // A link there is to an open file, which no rename can replace.
 bool isInProc(const fs::path& link) {
-    struct statfs status {};
-    const fs::path folder = link.has_parent_path() ? link.parent_path() : ".";
-    return ::statfs(folder.c_str(), &status) == 0 && status.f_type == PROC_SUPER_MAGIC;
+    std::error_code error;
+    const fs::path folder = fs::canonical(link.has_parent_path() ? link.parent_path() : ".", error);
+    return folder.string().starts_with("/proc/");
 }
 
 // What is behind the symbolic links, whether it is there or not; empty where a rename cannot get there.

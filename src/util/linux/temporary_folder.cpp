@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "descriptor.h"
-#include "leftover.h"
+#include "../descriptor.h"
+#include "../leftover.h"
+#include "../posix/signals.h"
 #include "raytracer/util/error.h"
 
 namespace raytracer {

@@ -12,13 +12,12 @@
 #include <cstring>
 #include <list>
 #include <optional>
-#include <sstream>
 #include <thread>
 
-#include "descriptor.h"
-#include "leftover.h"
+#include "../descriptor.h"
+#include "../leftover.h"
+#include "../posix/signals.h"
 #include "raytracer/util/error.h"
-#include "raytracer/util/text.h"
 #include "supervisor.h"
 
 namespace raytracer {
@@ -100,19 +99,7 @@ class Running {
 
 }  // namespace
 
-std::string ProcessEnd::description() const {
-    std::ostringstream text;
-    switch (stop) {
-        case Stop::Hung: return formatted("hung: stopped after %.3g s", seconds);
-        case Stop::TooSlow: return formatted("too slow: %.2g s of processor time", processorSeconds);
-        case Stop::TooManyProcesses: return "started too many processes";
-        case Stop::None: break;
-    }
-    if (signal) text << "crashed: " << strsignal(signal);
-    else if (exitStatus == 127) text << "could not be started";
-    else if (exitStatus) text << "exit status " << exitStatus;
-    return text.str();
-}
+std::string signalName(int signal) { return strsignal(signal); }
 
 void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStart(std::size_t)>& start,
                   const std::function<void(std::size_t, const ProcessEnd&)>& ended) {
@@ -140,13 +127,6 @@ void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStar
             ended(number, *end);
         }
     }
-}
-
-ProcessEnd runProcess(const ProcessStart& start) {
-    ProcessEnd result;
-    runProcesses(
-        1, 1, [&](std::size_t) { return start; }, [&](std::size_t, const ProcessEnd& end) { result = end; });
-    return result;
 }
 
 void requireUser(const std::string& name) {

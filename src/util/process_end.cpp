@@ -1,0 +1,29 @@
+#include <sstream>
+
+#include "raytracer/util/child_process.h"
+#include "raytracer/util/text.h"
+
+namespace raytracer {
+
+std::string ProcessEnd::description() const {
+    std::ostringstream text;
+    switch (stop) {
+        case Stop::Hung: return formatted("hung: stopped after %.3g s", seconds);
+        case Stop::TooSlow: return formatted("too slow: %.2g s of processor time", processorSeconds);
+        case Stop::TooManyProcesses: return "started too many processes";
+        case Stop::None: break;
+    }
+    if (signal) text << "crashed: " << signalName(signal);
+    else if (exitStatus == 127) text << "could not be started";
+    else if (exitStatus) text << "exit status " << exitStatus;
+    return text.str();
+}
+
+ProcessEnd runProcess(const ProcessStart& start) {
+    ProcessEnd result;
+    runProcesses(
+        1, 1, [&](std::size_t) { return start; }, [&](std::size_t, const ProcessEnd& end) { result = end; });
+    return result;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,59 @@
+// The manifest makes names UTF-8 for Windows. The C library, msvcrt, still has no locale with UTF-8, and
+// libstdc++'s std::filesystem makes wide characters of a name by mbrtowc: the linker puts this in its place
+// (--wrap).
+#include <cerrno>
+#include <cwchar>
+#include <string_view>
+#include <utility>
+
+#include "raytracer/util/text.h"
+
+namespace raytracer {
+namespace {
+
+constexpr std::size_t wrong = static_cast<std::size_t>(-1), incomplete = static_cast<std::size_t>(-2);
+
+std::size_t bytesOf(unsigned char lead) { return lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4; }
+
+char32_t codeOf(std::string_view bytes) {
+    char32_t code = static_cast<unsigned char>(bytes[0]);
+    if (bytes.size() > 1) code &= 0x7fU >> bytes.size();
+    for (const char c : bytes.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
+    return code;
+}
+
+// A character beyond U+FFFF is two wide ones: the second, kept in the state, is that of its last byte.
+std::size_t wideFromUtf8(wchar_t* to, const char* from, std::size_t size, std::mbstate_t* state) {
+    if (*state != 0) {
+        *to = static_cast<wchar_t>(std::exchange(*state, 0));
+        return 1;
+    }
+    const std::size_t bytes = bytesOf(static_cast<unsigned char>(*from));
+    if (size < bytes) return incomplete;
+    const std::string_view character(from, bytes);
+    const bool isAscii = bytes == 1;
+    if (!isAscii && printableBytes(character) != bytes) {
+        errno = EILSEQ;
+        return wrong;
+    }
+    const char32_t code = codeOf(character);
+    if (bytes < 4) {
+        *to = static_cast<wchar_t>(code);
+        return code == 0 ? 0 : bytes;
+    }
+    *to = static_cast<wchar_t>(0xd7c0 + (code >> 10));
+    *state = static_cast<std::mbstate_t>(0xdc00 + (code & 0x3ff));
+    return bytes - 1;
+}
+
+}  // namespace
+}  // namespace raytracer
+
+extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t size, std::mbstate_t* state);
+std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t size, std::mbstate_t* state) {
+    wchar_t ignored = 0;
+    std::mbstate_t none = 0;
+    if (!from) return 0;
+    if (size == 0) return raytracer::incomplete;
+    return raytracer::wideFromUtf8(to ? to : &ignored, from, size, state ? state : &none);
+}
