@@ -25,8 +25,12 @@ constexpr std::uint32_t nodeUnits = sizeof(BvhNode) / bvhUnit;
 
 class BvhBuilder {
   public:
-    BvhBuilder(Bvh& bvh, int threads)
-        : bvh_(bvh), threads_(threadCount(threads)), splitter_(references_, threads_) {}
+    // A leaf has at most leafSize primitives.
+    BvhBuilder(Bvh& bvh, int threads, std::uint32_t leafSize)
+        : bvh_(bvh),
+          threads_(threadCount(threads)),
+          leafSize_(leafSize),
+          splitter_(references_, threads_, leafSize) {}
 
     void build(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names);
     void build(const MeshData& mesh);
@@ -64,7 +68,7 @@ class BvhBuilder {
 
     Bvh& bvh_;
     int threads_;
-    std::uint32_t leafSize_ = 1;
+    std::uint32_t leafSize_;
     std::uint32_t taskSize_ = 0;
     LargeVector<PrimitiveReference> references_;
     RangeSplitter splitter_;
@@ -78,12 +82,10 @@ class BvhBuilder {
 void BvhBuilder::build(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names) {
     boxes_ = boxes;
     names_ = names;
-    leafSize_ = 1;
     bvh_.frame_.balls = std::any_of(boxes.begin(), boxes.end(), [](const FloatBox& box) { return box.ball; });
     buildTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) {
-        const FloatBox& box = boxes[i];
-        return PrimitiveReference{{box.low[0], box.low[1], box.low[2], 0},
-                                  {box.high[0], box.high[1], box.high[2], 0}};
+        const auto &low = boxes[i].low, &high = boxes[i].high;
+        return PrimitiveReference{{low[0], low[1], low[2], 0}, {high[0], high[1], high[2], 0}};
     });
 }
 
@@ -91,7 +93,6 @@ void BvhBuilder::build(const MeshData& mesh) {
     positions_ = mesh.positions;
     indices_ = mesh.positionIndex;
     bvh_.frame_.triangles = true;
-    leafSize_ = blockSize;
     bvh_.frame_.center = mesh.low + (mesh.high - mesh.low) / 2.0;
     const glm::dvec3 half = glm::max(mesh.high - bvh_.frame_.center, bvh_.frame_.center - mesh.low);
     const double extent = std::max(half.x, std::max(half.y, half.z));
@@ -141,8 +142,7 @@ void BvhBuilder::buildTree(std::uint32_t count, const MakeReference& makeReferen
     assemble(top, root);
 }
 
-// Address space for as much as the builder has made of any mesh so far, and a little more: vectors that grow
-// are in memory twice.
+// Address space, a little more than trees have taken: vectors that grow are in memory twice.
 void BvhBuilder::reserveFor(std::size_t count, Part& part) const {
     part.nodes.reserve(count / (bvh_.frame_.triangles ? 16 : 3) + 1);
     if (bvh_.frame_.triangles) part.words.reserve(8 * count + BvhBlock::words);
@@ -283,7 +283,7 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
 Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names,
                  const BuildOptions& options) {
     Bvh bvh(boxes.size(), options.instructionSet);
-    BvhBuilder(bvh, options.threads).build(boxes, names);
+    BvhBuilder(bvh, options.threads, 1).build(boxes, names);
     for (const FloatBox& box : boxes)
         for (int axis = 0; axis < 3; ++axis)
             bvh.frame_.extent = std::max(
@@ -293,7 +293,7 @@ Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, std::span<const std::uint32_t>
 
 Bvh Bvh::ofTriangles(const MeshData& mesh, const BuildOptions& options) {
     Bvh bvh(mesh.triangleCount(), options.instructionSet);
-    BvhBuilder(bvh, options.threads).build(mesh);
+    BvhBuilder(bvh, options.threads, blockSize).build(mesh);
     return bvh;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int mostBins = 16;
 // Fewer than this need only half of the bins; for more, the longest axis will do (Notes.txt).
-constexpr std::uint32_t fewPrimitives = 64;
+constexpr std::uint32_t fewPrimitives = 32;
 constexpr int medianDepth = 24;  // from here on halves, so that the depth is bounded: BvhTraversal::stackSize
 
 int longest(Float4 size) {
@@ -43,6 +43,11 @@ struct RangeSplitter::Bins {
     struct Bin {
         BuildBox box;
         std::uint32_t count;
+
+        void add(const BuildBox& more, std::uint32_t primitives) {
+            box.add(more);
+            count += primitives;
+        }
     };
     Bin bin[3][mostBins];
 
@@ -52,10 +57,8 @@ struct RangeSplitter::Bins {
     }
     void add(const Bins& other) {
         for (int axis = 0; axis < 3; ++axis)
-            for (int i = 0; i < mostBins; ++i) {
-                bin[axis][i].box.add(other.bin[axis][i].box);
-                bin[axis][i].count += other.bin[axis][i].count;
-            }
+            for (int i = 0; i < mostBins; ++i)
+                bin[axis][i].add(other.bin[axis][i].box, other.bin[axis][i].count);
     }
 };
 
@@ -66,13 +69,32 @@ void RangeSplitter::split(const Range& range, int depth, bool onAllThreads, Rang
     else halve(range, left, right);
 }
 
+// Neighbours mostly fall into the same bin: in three sets of bins, none waits for the one before to be
+// stored.
+void RangeSplitter::binAlongOne(std::uint32_t begin, std::uint32_t end, const Binning& binning,
+                                Bins& bins) const {
+    const int axis = binning.firstAxis;
+    const auto add = [&, low = float{binning.low[axis]}, scale = float{binning.scale[axis]}](
+                         std::uint32_t i, std::uint32_t set) {
+        const PrimitiveReference& reference = references_[i];
+        bins.bin[set][static_cast<int>((reference.twiceCenter(axis) - low) * scale)].add(reference.box(), 1);
+    };
+    std::uint32_t i = begin;
+    for (; i + 3 <= end; i += 3)
+        for (std::uint32_t set = 0; set < 3; ++set) add(i + set, set);
+    for (; i < end; ++i) add(i, 0);
+    for (int more = 1; more < 3; ++more)
+        for (int place = 0; place < binning.count; ++place) {
+            const Bins::Bin& from = bins.bin[(axis + more) % 3][place];
+            bins.bin[axis][place].add(from.box, from.count);
+        }
+}
+
 void RangeSplitter::bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const {
+    if (binning.firstAxis == binning.lastAxis) return binAlongOne(begin, end, binning, bins);
     for (std::uint32_t i = begin; i < end; ++i) {
         const Int4 place = binning(references_[i]);
-        for (int axis = binning.firstAxis; axis <= binning.lastAxis; ++axis) {
-            bins.bin[axis][place[axis]].box.add(references_[i].box());
-            ++bins.bin[axis][place[axis]].count;
-        }
+        for (int axis = 0; axis < 3; ++axis) bins.bin[axis][place[axis]].add(references_[i].box(), 1);
     }
 }
 
@@ -99,33 +121,45 @@ RangeSplitter::Plane RangeSplitter::best(const Range& range, const Binning& binn
         for (int i = binning.count - 1; i > 0; --i) {
             box.add(bins.bin[axis][i].box);
             count += bins.bin[axis][i].count;
-            rightCost[i] = count ? box.halfArea() * static_cast<float>(count) : BuildBox::infinite;
+            rightCost[i] = count ? cost(box, count) : BuildBox::infinite;
         }
         box = {}, count = 0;
         for (int i = 1; i < binning.count; ++i) {
             box.add(bins.bin[axis][i - 1].box);
             count += bins.bin[axis][i - 1].count;
             if (count == 0) continue;
-            const float cost = box.halfArea() * static_cast<float>(count) + rightCost[i];
-            if (cost < best.cost) best = {axis, i, cost};
+            const float both = cost(box, count) + rightCost[i];
+            if (both < best.cost) best = {axis, i, both, box, {}};
         }
     }
+    if (best.axis >= 0)
+        for (int i = best.bin; i < binning.count; ++i) best.right.add(bins.bin[best.axis][i].box);
     return best;
 }
 
+// Without branches, which a processor would foresee half of the time only (Lomuto's way).
 void RangeSplitter::partition(const Range& range, const Binning& binning, const Plane& plane, Range& left,
                               Range& right) const {
-    Range sides[2];
-    std::uint32_t begin = range.begin, end = range.end;
-    while (begin < end) {
-        PrimitiveReference& reference = references_[begin];
-        const bool isRight = binning(reference)[plane.axis] >= plane.bin;
-        sides[isRight].add(reference);
-        if (isRight) std::swap(reference, references_[--end]);
-        else ++begin;
+    // What is added to a centre, so that it stays within the bounds of the side that it is not on.
+    constexpr float infinite = BuildBox::infinite;
+    constexpr Float4 beyond[2] = {{0, 0, 0, 0}, {infinite, infinite, infinite, infinite}};
+    const auto bin = static_cast<float>(plane.bin), low = float{binning.low[plane.axis]},
+               scale = float{binning.scale[plane.axis]};
+    PrimitiveReference* const all = references_.data();
+    BuildBox centers[2];
+    std::uint32_t middle = range.begin;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        const PrimitiveReference reference = all[i];
+        const Float4 center = reference.center();
+        const int side = (all[i].twiceCenter(plane.axis) - low) * scale >= bin;
+        centers[0].add({center + beyond[side], center - beyond[side]});
+        centers[1].add({center + beyond[1 - side], center - beyond[1 - side]});
+        all[i] = all[middle];
+        all[middle] = reference;
+        middle += static_cast<std::uint32_t>(1 - side);
     }
-    left = sides[0], left.begin = range.begin, left.end = begin;
-    right = sides[1], right.begin = begin, right.end = range.end;
+    left = {range.begin, middle, plane.left, centers[0]};
+    right = {middle, range.end, plane.right, centers[1]};
 }
 
 void RangeSplitter::halve(const Range& range, Range& left, Range& right) const {

@@ -34,6 +34,9 @@ struct PrimitiveReference {
     std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(float{low[3]}); }
     void setPrimitive(std::uint32_t number) { low[3] = std::bit_cast<float>(number), high[3] = 0; }
 
+    float twiceCenter(int axis) const {
+        return reinterpret_cast<const float*>(&low)[axis] + reinterpret_cast<const float*>(&high)[axis];
+    }
     // Twice the box's middle. Without the number, which as a denormal would be slow to add.
     Float4 center() const {
         const Int4 mask{-1, -1, -1, 0};
@@ -54,10 +57,10 @@ struct Range {
 class RangeSplitter {
   public:
     // With more than one thread, they share the binning of a large range.
-    RangeSplitter(LargeVector<PrimitiveReference>& references, int threads)
-        : references_(references), threads_(threads) {}
+    RangeSplitter(LargeVector<PrimitiveReference>& references, int threads, std::uint32_t leafSize)
+        : references_(references), threads_(threads), leafSize_(leafSize) {}
 
-    // At the plane between two bins with the least surface area times primitives on both sides; from a
+    // At the plane between two bins with the least surface area times full leaves on both sides; from a
     // certain depth on, or where all centres coincide, into halves. Sorts the references of the range.
     void split(const Range& range, int depth, bool onAllThreads, Range& left, Range& right) const;
 
@@ -66,18 +69,25 @@ class RangeSplitter {
         int axis = -1;
         int bin = 0;  // the first of the right side
         float cost = BuildBox::infinite;
+        BuildBox left, right;
     };
     struct Binning;
     struct Bins;
 
     Plane best(const Range& range, const Binning& binning, bool onAllThreads) const;
     void bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const;
+    void binAlongOne(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const;
+    // The surface of so many primitives times the leaves that they fill.
+    float cost(const BuildBox& box, std::uint32_t count) const {
+        return box.halfArea() * static_cast<float>((count + leafSize_ - 1) / leafSize_);
+    }
     void partition(const Range& range, const Binning& binning, const Plane& plane, Range& left,
                    Range& right) const;
     void halve(const Range& range, Range& left, Range& right) const;
 
     LargeVector<PrimitiveReference>& references_;
     int threads_;
+    std::uint32_t leafSize_;
 };
 
 }  // namespace raytracer
