@@ -7,6 +7,7 @@
 
 // src/pictures/deflate.cpp
 extern "C" unsigned char* raytracerCompressZlib(unsigned char* data, int length, int* outLength, int level);
+extern "C" void* raytracerAllocate(std::size_t size);
 
 // For broken files stb 2.27 returns memory that it has not written.
 #define STBI_MALLOC(size) std::calloc(1, size)
@@ -18,6 +19,9 @@ extern "C" unsigned char* raytracerCompressZlib(unsigned char* data, int length,
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 
+#define STBIW_MALLOC raytracerAllocate
+#define STBIW_REALLOC std::realloc
+#define STBIW_FREE std::free
 #define STBIW_ZLIB_COMPRESS raytracerCompressZlib
 #define STBIW_CRC32(buffer, length) libdeflate_crc32(0, buffer, static_cast<std::size_t>(length))
 #define STB_IMAGE_WRITE_IMPLEMENTATION

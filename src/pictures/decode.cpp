@@ -109,7 +109,7 @@ using Decoder = Channel* (*)(const stbi_uc*, int, int*, int*, int*, int);
 
 // The pixels, each of `wanted` channels, of `text`: the file's own, or the same with another palette.
 template <class Channel>
-std::vector<Channel> decode(const FileBytes& file, std::string_view text, int wanted, Texture& image,
+LargeVector<Channel> decode(const FileBytes& file, std::string_view text, int wanted, Texture& image,
                             Decoder<Channel> decoder) {
     requireMemoryToDecode(file, sizeof(Channel));
     int channelsInFile = 0;

@@ -1,6 +1,7 @@
 #include "deflate.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -8,6 +9,7 @@
 #include <libdeflate.h>
 
 #include "deflate_blocks.h"
+#include "raytracer/util/large_vector.h"
 #include "raytracer/util/parallel.h"
 
 namespace raytracer {
@@ -108,6 +110,10 @@ void appendBigEndian(Bytes& bytes, std::uint32_t number) {
 void setDeflateThreads(int threads) { deflateThreads = threads; }
 
 }  // namespace raytracer
+
+// stb's hook.
+extern "C" void* raytracerAllocate(std::size_t size);
+void* raytracerAllocate(std::size_t size) { return raytracer::mallocOnLargePages(size); }
 
 // stb's hook: a zlib stream in memory from malloc, or null. `level` is stbi_write_png_compression_level, 1
 // to 12.

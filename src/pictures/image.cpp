@@ -84,7 +84,7 @@ PfmHeader readWholePfm(const FileBytes& file) {
 
 FloatImage decodePfm(const FileBytes& file) {
     const PfmHeader header = readWholePfm(file);
-    FloatImage image{header.width, header.height, std::vector<float>(pixelBytes(header) / sizeof(float))};
+    FloatImage image{header.width, header.height, LargeVector<float>(pixelBytes(header) / sizeof(float))};
     const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
     const char* row = header.rows.data() + pixelBytes(header);
     for (float* to = image.pixels.data(); row != header.rows.data(); to += rowBytes / sizeof(float)) {

@@ -23,8 +23,8 @@ void trace(const Scene& scene, PointPacket& points, const RenderContext& context
                                             options.size.height);
     context.counts->primary += static_cast<std::uint64_t>(points.count);
     const ColorT<Lanes> color =
-        scene.rayColor(scene.camera.getRay(uv), allLanesOf<Lanes> >> (laneCount - points.count),
-                       {Color(1), options.max_recursion}, context.ofSamples(points.samples));
+        withinDouble(scene.rayColor(scene.camera.getRay(uv), allLanesOf<Lanes> >> (laneCount - points.count),
+                                    {Color(1), options.max_recursion}, context.ofSamples(points.samples)));
     store(color.x, points.color[0]);
     store(color.y, points.color[1]);
     store(color.z, points.color[2]);

@@ -22,7 +22,7 @@ void traceAll(const Scene& scene, PointPacket& points, const RenderContext& cont
         return scene.packets->trace(scene, points, context);
     for (int i = 0; i < points.count; ++i) {
         const RenderContext alone = context.ofSamples(&points.samples[i]);
-        const Color color = pointColor(scene, points.x[i], points.y[i], alone);
+        const Color color = withinDouble(pointColor(scene, points.x[i], points.y[i], alone));
         for (int channel = 0; channel < 3; ++channel) points.color[channel][i] = color[channel];
     }
 }

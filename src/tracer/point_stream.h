@@ -29,8 +29,7 @@ class PointStream {
     void finish() {
         if (points_.count == 0) return;
         traceAll(scene_, points_, context_);
-        for (int i = 0; i < points_.count; ++i)
-            take_(owners_[i], asDouble(points_.colorOf(i)), points_.samples[i]);
+        for (int i = 0; i < points_.count; ++i) take_(owners_[i], points_.colorOf(i), points_.samples[i]);
         points_.count = 0;
     }
 

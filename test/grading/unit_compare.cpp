@@ -11,11 +11,11 @@ namespace {
 
 ByteImage flat(int width, int height, int value) {
     const auto count = static_cast<std::size_t>(3 * width * height);
-    return {width, height, std::vector<std::uint8_t>(count, static_cast<std::uint8_t>(value))};
+    return {width, height, LargeVector<std::uint8_t>(count, static_cast<std::uint8_t>(value))};
 }
 
 FloatImage flatFloats(int width, int height, float value) {
-    return {width, height, std::vector<float>(static_cast<std::size_t>(3 * width * height), value)};
+    return {width, height, LargeVector<float>(static_cast<std::size_t>(3 * width * height), value)};
 }
 
 ByteImage with(ByteImage image, int x, int y, int r, int g, int b) {
@@ -231,7 +231,7 @@ TEST_CASE("compare: the difference as a picture") {
         amplifiedDifference(a, with(with(a, 0, 0, 100, 101, 99), 1, 0, 76, 123, 255));
     CHECK(difference.width == 2);
     CHECK(difference.height == 1);
-    CHECK(difference.pixels == std::vector<std::uint8_t>{0, 72, 72, 255, 248, 255});
+    CHECK(difference.pixels == LargeVector<std::uint8_t>{0, 72, 72, 255, 248, 255});
 }
 
 TEST_CASE("compare: thresholds") {

@@ -26,7 +26,7 @@ void touch(const std::string& path) { std::ofstream file(path); }
 
 ByteImage flat(int size, int value) {
     const auto count = static_cast<std::size_t>(3 * size * size);
-    return {size, size, std::vector<std::uint8_t>(count, static_cast<std::uint8_t>(value))};
+    return {size, size, LargeVector<std::uint8_t>(count, static_cast<std::uint8_t>(value))};
 }
 
 // A case whose reference is black and 10 pixels large.

@@ -35,7 +35,7 @@ void append(void* to, void* bytes, int size) {
     static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
 }
 
-std::string pngOf(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
+std::string pngOf(int width, int height, int channels, const LargeVector<std::uint8_t>& pixels) {
     std::string png;
     stbi_write_png_to_func(append, &png, width, height, channels, pixels.data(), 0);
     return png;
@@ -120,7 +120,7 @@ TEST_CASE("A PNG of several deflated pieces comes back, the same from any number
         CHECK((readImage(folder.file("a.png")).pixels == image.pixels));
         CHECK((encodePng(image, {}, 1) == encodePng(image, {}, 3)));
     };
-    ByteImage image{500, 301, std::vector<std::uint8_t>(500 * 301 * 3)};
+    ByteImage image{500, 301, LargeVector<std::uint8_t>(500 * 301 * 3, 0)};
     SECTION("of one colour: fixed codes") { check(image); }
     SECTION("like a render: codes of each block's own") { check(testPicture(500, 301)); }
     SECTION("noise: stored blocks") {
@@ -139,7 +139,7 @@ TEST_CASE("A PNG of several deflated pieces comes back, the same from any number
 TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
     const TestFolder folder;
     const auto pixels = [&](const std::string& bytes) { return readImage(folder.write("a", bytes)).pixels; };
-    using Bytes = std::vector<std::uint8_t>;
+    using Bytes = LargeVector<std::uint8_t>;
     SECTION("alpha is dropped") {
         CHECK(pixels(pngOf(2, 1, 4, {1, 2, 3, 0, 4, 5, 6, 99})) == Bytes{1, 2, 3, 4, 5, 6});
     }
@@ -151,7 +151,7 @@ TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
             "\0\0\0\x12IDAT\x78\x01\x01\x07\0\xf8\xff\0\x12\x34\xab\xcd\xff\0\x09\x01\x02\xbe@@@@"
             "\0\0\0\0IEND@@@@";
         const std::string path = folder.write("a", checksummed({png, sizeof png - 1}));
-        CHECK(readTexture(path).deepTexels == std::vector<std::uint16_t>{0x1234, 0xabcd, 0xff00});
+        CHECK(readTexture(path).deepTexels == LargeVector<std::uint16_t>{0x1234, 0xabcd, 0xff00});
         CHECK(readTexture(path).texels.empty());
         CHECK(readImage(path).pixels == Bytes{0x12, 0xab, 0xfe});  // 65280 / 257 = 254.0
     }
@@ -228,11 +228,11 @@ TEST_CASE("A JPEG is read if its segments are sound") {
     };
     GreyJpeg jpeg;
     const std::string thumbnail = segmentOf(0xe1, "Exif" + GreyJpeg().bytes());
-    REQUIRE(read(jpeg) == std::vector<std::uint8_t>(64 * 3, 128));
+    REQUIRE(read(jpeg) == LargeVector<std::uint8_t>(64 * 3, 128));
     SECTION("with a thumbnail, fill bytes, and something behind the end") {
         jpeg.quantisation = thumbnail + "\xff\xff\xff" + jpeg.quantisation;
         jpeg.end += "behind";
-        CHECK(read(jpeg) == std::vector<std::uint8_t>(64 * 3, 128));
+        CHECK(read(jpeg) == LargeVector<std::uint8_t>(64 * 3, 128));
     }
     SECTION("an end marker in the thumbnail is not the picture's") {
         jpeg.quantisation = thumbnail + jpeg.quantisation;
@@ -329,7 +329,7 @@ TEST_CASE("A PNG with a palette") {
     };
     const TestFolder folder;
     const auto read = [&](const std::string& png) { return readImage(folder.write("a.png", png)); };
-    CHECK(read(paletted(2, 1, 0)).pixels == std::vector<std::uint8_t>{0, 0, 255, 0, 255, 0, 255, 0, 0});
+    CHECK(read(paletted(2, 1, 0)).pixels == LargeVector<std::uint8_t>{0, 0, 255, 0, 255, 0, 255, 0, 0});
     for (const int beyond : {3, 4, 255})
         CHECK_THROWS_WITH(
             read(paletted(0, static_cast<std::uint8_t>(beyond), 1)),
@@ -361,14 +361,14 @@ TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
 TEST_CASE("A PFM of the other byte order is read") {
     const TestFolder folder;
     const std::string bytes("PF 1 1 2\n\x3f\x80\0\0\xc0\x20\0\0\0\0\0\0", 21);
-    CHECK(readPfm(folder.write("a.pfm", bytes)).pixels == std::vector<float>{1, -2.5F, 0});
+    CHECK(readPfm(folder.write("a.pfm", bytes)).pixels == LargeVector<float>{1, -2.5F, 0});
 }
 
 TEST_CASE("A PFM whose header ends as Windows ends lines is read where the size tells") {
     const TestFolder folder;
     const auto read = [&](const std::string& bytes) { return readPfm(folder.write("a.pfm", bytes)).pixels; };
     const std::string twelve("\x3f\x80\0\0\xc0\x20\0\0\0\0\0\0", 12);
-    CHECK(read("PF\r\n1 1\r\n1.0\r\n" + twelve) == std::vector<float>{1, -2.5F, 0});
+    CHECK(read("PF\r\n1 1\r\n1.0\r\n" + twelve) == LargeVector<float>{1, -2.5F, 0});
     // Here the newline is the first pixel's first byte; there it is, too, since something stands behind the
     // last.
     CHECK(read("PF 1 1 1.0\r\n" + twelve.substr(1)).at(1) == -2.5F);

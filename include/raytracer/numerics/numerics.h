@@ -168,15 +168,19 @@ T maxComponent(const Vec3T<T>& v) {
     return max(v.x, max(v.y, v.z));
 }
 template <class T>
-Vec3T<T> withinBrightest(const Vec3T<T>& c) {
-    const T most(brightestColor);
+Vec3T<T> within(const T& most, const Vec3T<T>& c) {
     return {max(min(c.x, most), -most), max(min(c.y, most), -most), max(min(c.z, most), -most)};
 }
-// What leaves the core. Extended's colours may be beyond double: no more than the products of two may be.
-inline glm::dvec3 asDouble(const Color& c) {
-    constexpr Real most = powerOfTwo(std::min(500, std::numeric_limits<Real>::max_exponent / 2 - 1));
-    return glm::dvec3(glm::clamp(c, -most, most));
+template <class T>
+Vec3T<T> withinBrightest(const Vec3T<T>& c) {
+    return within(T(brightestColor), c);
 }
+// What leaves the core. Extended's colours may be beyond double: no more than the products of two may be.
+template <class T>
+Vec3T<T> withinDouble(const Vec3T<T>& c) {
+    return within(T(powerOfTwo(std::min(500, std::numeric_limits<Real>::max_exponent / 2 - 1))), c);
+}
+inline glm::dvec3 asDouble(const Color& c) { return glm::dvec3(withinDouble(c)); }
 inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 inline Mat3 abs(const Mat3& m) { return Mat3(abs(m[0]), abs(m[1]), abs(m[2])); }

@@ -10,6 +10,7 @@
 #include "raytracer/pictures/pixels.h"
 #include "raytracer/pictures/texture.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/large_vector.h"
 #include "raytracer/util/output_file.h"
 
 namespace raytracer {
@@ -17,21 +18,21 @@ namespace raytracer {
 // 8-bit RGB, row-major from the top left.
 struct ByteImage {
     int width = 0, height = 0;
-    std::vector<std::uint8_t> pixels;  // width * height * 3
+    LargeVector<std::uint8_t> pixels;  // width * height * 3
 };
 
 // Linear light, unclamped RGB, row-major from the top left.
 struct FloatImage {
     int width = 0, height = 0;
-    std::vector<float> pixels;  // width * height * 3
+    LargeVector<float> pixels;  // width * height * 3
 };
 
 // A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0. The result is that of lround,
-// whose call costs more than the whole function: the subtraction is exact (Sterbenz).
+// whose call costs more than the whole function: the one number whose sum with 1/2 is rounded to the next
+// integer, the greatest below 1/2, is not 255 c for any c.
 inline std::uint8_t toByte(double channel) {
     const double scaled = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0);
-    const int whole = static_cast<int>(scaled);
-    return static_cast<std::uint8_t>(whole + (scaled - whole >= 0.5));
+    return static_cast<std::uint8_t>(static_cast<int>(scaled + 0.5));
 }
 
 // PNG or JPEG as RGB: without alpha, grey as three equal channels. Throws Error where the file is missing,

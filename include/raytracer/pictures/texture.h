@@ -2,14 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+
+#include "raytracer/util/large_vector.h"
 
 namespace raytracer {
 
 struct Texture {
     int width = 0, height = 0;                // texels, both >= 1
-    std::vector<std::uint8_t> texels;         // width * height * 3, row-major from the top left; or none, but
-    std::vector<std::uint16_t> deepTexels{};  // the same with 16 bits
+    LargeVector<std::uint8_t> texels;         // width * height * 3, row-major from the top left; or none, but
+    LargeVector<std::uint16_t> deepTexels{};  // the same with 16 bits
 };
 
 }  // namespace raytracer

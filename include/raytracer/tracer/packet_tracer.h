@@ -14,7 +14,7 @@ struct PointPacket {
 
     int count = 0;
     alignas(32) Real x[most], y[most];
-    alignas(32) Real color[3][most];
+    alignas(32) Real color[3][most];  // within double
     SampleTrace samples[most];
 
     void add(Real pointX, Real pointY, Observer* observer = nullptr) {
@@ -22,7 +22,7 @@ struct PointPacket {
         y[count] = pointY;
         samples[count++] = {0, observer};
     }
-    Color colorOf(int i) const { return {color[0][i], color[1][i], color[2][i]}; }
+    glm::dvec3 colorOf(int i) const { return {color[0][i], color[1][i], color[2][i]}; }
 };
 
 // What packet_tracer.cpp, compiled for an instruction set, offers.

@@ -14,6 +14,9 @@ namespace raytracer {
 void* allocateOnLargePages(std::size_t bytes, std::size_t alignment);
 void freeLargePages(void* memory, std::size_t bytes, std::size_t alignment);
 
+// For what is written in C: null where there is no memory; freed with std::free.
+void* mallocOnLargePages(std::size_t bytes);
+
 template <class T>
 struct LargePages {
     using value_type = T;
