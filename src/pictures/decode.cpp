@@ -1,4 +1,5 @@
 // PNG and JPEG, by way of stb_image, which takes more for a picture than we do.
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <string_view>
@@ -124,9 +125,11 @@ LargeVector<Channel> decode(const FileBytes& file, std::string_view text, int wa
 
 void decodePaletted(const FileBytes& file, const std::vector<std::string_view>& chunks, Texture& image) {
     const auto pixels = decode(file, withWholePalette(chunks), 4, image, &stbi_load_from_memory);
+    image.texels.resize(pixels.size() / 4 * rgb);
+    auto to = image.texels.begin();
     for (std::size_t i = 0; i < pixels.size(); i += 4) {
         if (pixels[i + 3] == 0) file.fail("broken PNG picture: a texel has a colour beyond its palette");
-        image.texels.insert(image.texels.end(), &pixels[i], &pixels[i] + rgb);
+        to = std::copy_n(&pixels[i], rgb, to);
     }
 }
 
