@@ -3,6 +3,8 @@
 
 #include "raytracer/geometry/triangle_mesh.h"
 
+#include "raytracer/geometry/mesh.h"
+
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
@@ -80,6 +82,10 @@ Vec2 TriangleMesh::texCoord(std::uint32_t triangle, const Vec3& weights) const {
         if (result[i] < 0 || result[i] > 1) result[i] -= std::floor(result[i]);
     }
     return result;
+}
+
+void Mesh::meetAt(const Shape& shape, const Ray& ray, const ObjectRay& object, HitQuery& query) {
+    meetInObject(shape, ray, object, query);
 }
 
 LineHit<Real> TriangleMesh::meetLine(const ObjectRay& line, std::uint32_t triangle) const {

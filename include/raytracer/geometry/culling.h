@@ -35,13 +35,14 @@ bool nextPrimitives(BvhCursor& cursor, const HitQueryT<T>& query) {
     return !query.done() && cursor.next(static_cast<double>(greatest(query.limit())));
 }
 
-// Each lane's ray by itself, where a tree cannot be searched with all of them: intersect(ray, query of one).
+// Each lane's ray by itself, where a tree cannot be searched with all of them: intersect(lane, ray, query of
+// one).
 template <class T, class Intersect>
 void meetAlone(const RayT<T>& ray, HitQueryT<T>& query, Intersect intersect) {
     forEach<T>(query.active(), [&](int lane) {
         if (!(laneOf(query.limit(), lane) >= 0)) return;
         HitQuery alone(query, lane);
-        intersect(laneOf(ray, lane), alone);
+        intersect(lane, laneOf(ray, lane), alone);
         query.offer(lane, alone);
     });
 }

@@ -44,8 +44,16 @@ struct Mesh {
 
     template <class T>
     static void meet(const Shape& shape, const RayT<T>& ray, HitQueryT<T>& query) {
+        meetInObject(shape, ray, toObject(shape, ray), query);
+    }
+
+    // The same for a ray of which it is known where it starts in object space: of a packet that parts this is
+    // found for all together.
+    static void meetAt(const Shape& shape, const Ray& ray, const ObjectRay& object, HitQuery& query);
+    template <class T>
+    static void meetInObject(const Shape& shape, const RayT<T>& ray, const ObjectRayT<T>& object,
+                             HitQueryT<T>& query) {
         const TriangleMesh& mesh = shape.triangles();
-        const ObjectRayT<T> object = toObject(shape, ray);
         ShearAxes axes;
         if (commonAxes(object.direction, query.active(), axes) && !mesh.bvh().empty()) {
             const auto slackFrom = [&](Real farthest) { return mesh.slackFrom(farthest); };
@@ -63,7 +71,9 @@ struct Mesh {
             for (std::uint32_t triangle = 0; triangle < mesh.triangleCount() && !query.done(); ++triangle)
                 meetTriangles(shape, ray, sheared, {&triangle, 1}, query);
         } else {
-            meetAlone(ray, query, [&](const Ray& one, HitQuery& alone) { shape.intersect(one, alone); });
+            meetAlone(ray, query, [&](int lane, const Ray& one, HitQuery& alone) {
+                meetAt(shape, one, {laneOf(object.origin, lane), laneOf(object.direction, lane)}, alone);
+            });
         }
     }
 

@@ -58,7 +58,7 @@ void ShapeTree::meetBoxed(const RayT<T>& ray, HitQueryT<T>& query) const {
     } else if constexpr (laneCountOf<T> == 1) {
         for (const std::uint32_t name : boxed_) shapes_[name].meet(ray, query);
     } else {
-        meetAlone(ray, query, [this](const Ray& one, HitQuery& alone) { intersectBoxed(one, alone); });
+        meetAlone(ray, query, [this](int, const Ray& one, HitQuery& alone) { intersectBoxed(one, alone); });
     }
 }
 
