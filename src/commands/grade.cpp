@@ -269,6 +269,7 @@ int grade(int argc, char** argv) {
     GradeArguments arguments;
     arguments.addTo(line);
     if (const auto status = line.parse(argc, argv)) return *status;
+    if (!arguments.program.empty()) requirePrograms();
     requireUser(arguments.user);
     GradeFiles output(arguments);
     const GradePlan plan = planFor(arguments);

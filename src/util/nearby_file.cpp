@@ -72,11 +72,11 @@ std::string nearbyFile(const std::string& path) {
     const bool hasFolder = folder.empty() || fs::is_directory(folder, error);
     const fs::path above = folder.parent_path();
     const std::vector<fs::path> here = filesIn(folder, 0);
-    if (fs::path found = named(name, here); !found.empty()) return found.string();
-    if (fs::path found = likeName(name, here); !found.empty()) return found.string();
+    if (fs::path found = named(name, here); !found.empty()) return found.generic_string();
+    if (fs::path found = likeName(name, here); !found.empty()) return found.generic_string();
     const bool isSearched = hasFolder || above != "/";
     if (!isSearched) return {};
-    return named(name, filesIn(hasFolder ? folder : above, 2)).string();
+    return named(name, filesIn(hasFolder ? folder : above, 2)).generic_string();
 }
 
 std::string hintAt(const std::string& path) {

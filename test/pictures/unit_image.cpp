@@ -448,6 +448,7 @@ TEST_CASE("A picture is read from a pipe") {
     const TestFolder folder;
     REQUIRE(::mkfifo(folder.file("pipe").c_str(), 0600) == 0);
     const ByteImage image = testPicture(300, 300);  // more than the pipe holds at once
-    std::jthread writer([&] { folder.write("pipe", pngOf(300, 300, 3, image.pixels)); });
+    std::thread writer([&] { folder.write("pipe", pngOf(300, 300, 3, image.pixels)); });
     CHECK(readImage(folder.file("pipe")).pixels == image.pixels);
+    writer.join();
 }

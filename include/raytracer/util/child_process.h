@@ -52,6 +52,8 @@ ProcessEnd runProcess(const ProcessStart& start);
 void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStart(std::size_t)>& start,
                   const std::function<void(std::size_t, const ProcessEnd&)>& ended);
 
+// Throws Error where the platform is not one that programs are run on.
+void requirePrograms();
 // Throws Error where there is no such user, or where this program may not become another.
 void requireUser(const std::string& name);
 // Makes the folder the user's.

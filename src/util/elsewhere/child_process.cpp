@@ -4,23 +4,20 @@
 #include "raytracer/util/error.h"
 
 namespace raytracer {
-namespace {
 
-[[noreturn]] void refuse() {
+void requirePrograms() {
     throw Error("programs are run on Linux only; the pictures that they have made are graded here too");
 }
 
-}  // namespace
-
 std::string signalName(int) { return {}; }
 
-void runProcesses(std::size_t count, int, const std::function<ProcessStart(std::size_t)>&,
+void runProcesses(std::size_t, int, const std::function<ProcessStart(std::size_t)>&,
                   const std::function<void(std::size_t, const ProcessEnd&)>&) {
-    if (count > 0) refuse();
+    requirePrograms();
 }
 
 void requireUser(const std::string& name) {
-    if (!name.empty()) refuse();
+    if (!name.empty()) requirePrograms();
 }
 
 void giveFolderTo(const std::string&, const std::string&) {}

@@ -18,6 +18,7 @@
 #include "../leftover.h"
 #include "../posix/signals.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/text.h"
 #include "supervisor.h"
 
 namespace raytracer {
@@ -128,6 +129,8 @@ void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStar
         }
     }
 }
+
+void requirePrograms() {}
 
 void requireUser(const std::string& name) {
     if (name.empty()) return;
