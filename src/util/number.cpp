@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <version>
 
+#include "raytracer/util/text.h"
+
 namespace raytracer {
 
 #if defined(__cpp_lib_to_chars)
@@ -28,9 +30,13 @@ const char* behindSign(const char* at, const char* end, std::string_view signs) 
     return at != end && signs.find(*at) != signs.npos ? at + 1 : at;
 }
 
-// Where the number that std::from_chars would read ends, but for infinities and NaN.
+// Where the number that std::from_chars would read ends.
 const char* endOfNumber(const char* begin, const char* end) {
     const char* const whole = behindSign(begin, end, "-");
+    const std::string_view text(whole, static_cast<std::size_t>(end - whole));
+    for (const std::string_view word : {"infinity", "inf", "nan"})
+        if (text.size() >= word.size() && endsIn(text.substr(0, word.size()), word))
+            return whole + word.size();
     const char* const point = endOfDigits(whole, end);
     const char* const fraction = behindSign(point, end, ".");
     const char* const stop = endOfDigits(fraction, end);
