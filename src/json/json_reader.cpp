@@ -100,7 +100,7 @@ class JsonReader {
     SyntaxState state() const;
 
     JsonDocument& document_;
-    std::vector<Node>& nodes_;
+    LargeVector<Node>& nodes_;
     const std::string_view text_;
     const char* read_ = text_.data();  // how far the parser has read
     const char* behindLast_;           // the same, at the last event
@@ -117,7 +117,7 @@ bool JsonReader::add(Kind kind) {
     while (*begin == ' ' || *begin == '\n' || *begin == '\t' || *begin == '\r' || *begin == ',' ||
            *begin == ':')
         ++begin;
-    Node& node = nodes_.emplace_back();
+    Node& node = nodes_.emplace_back(Node{});
     node.begin = begin;
     node.kind = kind;
     last_ = kind == Kind::Key ? JsonEvent::Key : JsonEvent::Value;

@@ -40,7 +40,7 @@ NameTable::Slot& NameTable::slotOf(std::string_view name) {
 }
 
 void NameTable::grow() {
-    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(4 * slots_.size()));
+    const LargeVector<Slot> old = std::exchange(slots_, LargeVector<Slot>(4 * slots_.size()));
     const std::size_t last = slots_.size() - 1;
     for (const Slot& slot : old) {
         if (slot.index == none) continue;

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "raytracer/json/json_view.h"
+#include "raytracer/util/large_vector.h"
 
 namespace raytracer {
 
@@ -38,8 +38,8 @@ class NameTable {
     void grow();
 
     const char* kind_;
-    std::vector<Entry> entries_;
-    std::vector<Slot> slots_ = std::vector<Slot>(2);  // a power of two; at most half are in use
+    LargeVector<Entry> entries_;
+    LargeVector<Slot> slots_ = LargeVector<Slot>(2);  // a power of two; at most half are in use
     std::size_t next_ = 0;  // the entry after the one found last, which scenes often ask for next
 };
 

@@ -60,9 +60,9 @@ std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
     return spatialOrder(places);
 }
 
-std::vector<Shape> buildShapes(const SceneDescription& description, const SceneFrame& frame,
+LargeVector<Shape> buildShapes(const SceneDescription& description, const SceneFrame& frame,
                                const std::vector<Material>& materials, const BuildOptions& options) {
-    std::vector<Shape> shapes;
+    LargeVector<Shape> shapes;
     shapes.reserve(description.shapes.size());
     MeshCache meshes;
     const std::vector<std::uint32_t> order = orderOfMaking(description);

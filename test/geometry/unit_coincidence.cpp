@@ -202,7 +202,7 @@ TEST_CASE("coincidence: every shape of every scene listed twice") {
         for (const Precision precision : {Precision::Float, Precision::Double}) {
             SceneDescription scene = loadScene(file, true).description;
             const ByteImage once = bytesOf(scene, 60, precision);
-            const std::vector<ShapeDescription> shapes = scene.shapes;
+            const auto shapes = scene.shapes;
             scene.shapes.insert(scene.shapes.end(), shapes.begin(), shapes.end());
             INFO(file << (precision == Precision::Float ? " in float" : ""));
             CHECK(differingPixels(once, bytesOf(scene, 60, precision), 0) == 0);

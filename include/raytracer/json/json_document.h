@@ -10,9 +10,9 @@
 #include <deque>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "raytracer/util/error.h"
+#include "raytracer/util/large_vector.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
@@ -80,7 +80,7 @@ class JsonDocument {
 
     std::string path_;
     std::string_view text_;
-    std::vector<Node> nodes_;
+    LargeVector<Node> nodes_;
     std::deque<Decoded> decoded_;
 };
 

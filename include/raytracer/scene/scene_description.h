@@ -17,6 +17,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "raytracer/util/large_vector.h"
 #include "raytracer/util/rare.h"
 
 namespace raytracer {
@@ -85,8 +86,8 @@ struct SceneDescription {
     CameraDescription camera;
     std::vector<MaterialDescription> materials;
     std::vector<LightDescription> lights;
-    std::vector<TransformDescription> transforms;
-    std::vector<ShapeDescription> shapes;
+    LargeVector<TransformDescription> transforms;
+    LargeVector<ShapeDescription> shapes;
     std::vector<TextureDescription> textures;
 };
 

@@ -9,6 +9,7 @@
 #include "raytracer/tracer/camera.h"
 #include "raytracer/tracer/observer.h"
 #include "raytracer/tracer/render_options.h"
+#include "raytracer/util/large_vector.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -53,7 +54,7 @@ struct Scene {
     Camera camera;
     std::vector<Material> materials;
     std::vector<Light> lights;
-    std::vector<Shape> shapes;                             // with materials as above
+    LargeVector<Shape> shapes;                             // with materials as above
     std::vector<std::shared_ptr<const Texture>> textures;  // keeps alive what materials point to
     ShapeTree tree;                                        // of the shapes
     bool hasRefractiveShape = false;
