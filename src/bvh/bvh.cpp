@@ -10,8 +10,6 @@ namespace raytracer {
 
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
-
 // Boxes further out than this are not put into a tree: products of three of its lengths and a count stay
 // finite.
 constexpr float largestCoordinate = 0x1p40f;
@@ -33,7 +31,8 @@ Bvh::Bvh(std::size_t count, InstructionSet set) : kernel_(&kernelOf(set)) { fram
 
 float floatBelow(double x) {
     const float nearest = static_cast<float>(x);
-    return static_cast<double>(nearest) > x ? std::nextafter(nearest, -infinite) : nearest;
+    return static_cast<double>(nearest) > x ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
+                                            : nearest;
 }
 
 float floatAbove(double x) { return -floatBelow(-x); }

@@ -14,8 +14,8 @@ struct Sum {
 };
 
 // atan(k / 16), by Taylor's series in integers of 200 bits.
-constexpr int steps = 16;
-constexpr Sum arcTangents[steps + 1] = {
+constexpr int arcSteps = 16;
+constexpr Sum arcTangents[arcSteps + 1] = {
     {0, 0},
     {0x1.ff55bb72cfdeap-5, -0x1.c934d86d23f1dp-60},
     {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
@@ -34,8 +34,8 @@ constexpr Sum arcTangents[steps + 1] = {
     {0x1.819d0b7158a4dp-1, -0x1.bf76229d3b917p-56},
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 };
-constexpr Sum quarterTurn{2 * arcTangents[steps].high, 2 * arcTangents[steps].low};
-constexpr Sum halfTurn{4 * arcTangents[steps].high, 4 * arcTangents[steps].low};
+constexpr Sum quarterTurn{2 * arcTangents[arcSteps].high, 2 * arcTangents[arcSteps].low};
+constexpr Sum halfTurn{4 * arcTangents[arcSteps].high, 4 * arcTangents[arcSteps].low};
 
 // a + b for |a.high| >= |b.high|, or a.high = 0 (Dekker 1971, Fast2Sum).
 Sum add(const Sum& a, const Sum& b) {
@@ -48,8 +48,8 @@ Sum subtract(const Sum& a, const Sum& b) { return add(a, {-b.high, -b.low}); }
 // atan(c) + atan(r), r = (small - c large) / (large + c small), |r| <= 1/32, whose series ends where it is
 // rounded.
 Sum arcTangentOfQuotient(double small, double large) {
-    const long k = std::lround(steps * (small / large));
-    const double c = static_cast<double>(k) / steps;
+    const long k = std::lround(arcSteps * (small / large));
+    const double c = static_cast<double>(k) / arcSteps;
     const double r = std::fma(-c, large, small) / std::fma(c, small, large);
     const double r2 = r * r;
     const double series =

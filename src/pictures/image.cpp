@@ -21,7 +21,7 @@
 namespace raytracer {
 namespace {
 
-constexpr std::size_t channels = 3;
+constexpr std::size_t valuesPerPixel = 3;
 constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
 
 // The header of a PFM: "PF", width, height, scale, whose sign is the byte order (negative: little endian) and
@@ -48,7 +48,7 @@ Number takeNumber(const FileBytes& file, std::string_view& text, const char* wha
 }
 
 std::size_t pixelBytes(const PfmHeader& header) {
-    return static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) * channels *
+    return static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) * valuesPerPixel *
            sizeof(float);
 }
 
@@ -99,7 +99,7 @@ FloatImage decodePfm(const FileBytes& file) {
 // stb counts in int: the pixels, one filter byte for each row, and the compressed stream, which is at most a
 // little larger than both. Half the range of int leaves room for that.
 bool fitsPng(int width, int height) {
-    const std::size_t rowBytes = static_cast<std::size_t>(width) * channels + 1;
+    const std::size_t rowBytes = static_cast<std::size_t>(width) * valuesPerPixel + 1;
     return rowBytes * static_cast<std::size_t>(height) <= largestStbSize / 2;
 }
 
@@ -123,7 +123,7 @@ std::vector<char> encodePng(const ByteImage& image, const std::string& path, int
         const auto* const begin = static_cast<const char*>(bytes);
         static_cast<std::vector<char>*>(to)->assign(begin, begin + count);
     };
-    if (!stbi_write_png_to_func(append, &png, image.width, image.height, static_cast<int>(channels),
+    if (!stbi_write_png_to_func(append, &png, image.width, image.height, static_cast<int>(valuesPerPixel),
                                 image.pixels.data(), 0))
         throw Error({path}, "cannot write: not enough memory");
     return png;

@@ -28,8 +28,8 @@ ByteSink::ByteSink(const PixelRectangle& crop) : crop_(crop), image_(blank<ByteI
 
 void ByteSink::write(int x, int y, std::span<const glm::dvec3> colors) {
     std::uint8_t* out = &image_.pixels[offsetOf(crop_, x, y)];
-    const double* const channels = &colors.data()->x;  // one after the other, so that they share registers
-    for (std::size_t i = 0; i < 3 * colors.size(); ++i) out[i] = toByte(channels[i]);
+    const double* const values = &colors.data()->x;  // one after the other, so that they share registers
+    for (std::size_t i = 0; i < 3 * colors.size(); ++i) out[i] = toByte(values[i]);
 }
 
 FloatSink::FloatSink(const PixelRectangle& crop) : crop_(crop), image_(blank<FloatImage>(crop)) {}

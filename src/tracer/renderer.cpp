@@ -9,7 +9,7 @@ namespace raytracer {
 namespace float_precision {
 std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
 }
-namespace double_precision {
+inline namespace double_precision {  // the default, types.h
 std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
 }
 namespace extended_precision {
