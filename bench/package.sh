@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the Debian package, shows it to lintian, and installs, uses and removes it in fresh roots of Debian 12 and 13.
 #
-#     bench/package.sh [SUITES]      as root, with lintian, debootstrap and Debian's MIRROR; SUITES: "bookworm trixie"
+#     bench/package.sh [SUITES]      as root, with lintian, debootstrap and a MIRROR of Debian; SUITES: "bookworm trixie"
 set -euo pipefail
 top=$(cd "$(dirname "$0")/.." && pwd)
 work=$(mktemp -d)
@@ -12,7 +12,8 @@ deb=$(echo "$work"/*.deb)
 dpkg-deb --info "$deb" | grep -E "Version|Depends|Installed-Size"
 lintian --fail-on error,warning "$deb"
 echo "lintian: nothing to say"
-mirror=${MIRROR:-http://deb.debian.org/debian}
+# Where this machine has its packages from.
+mirror=${MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' "Created-By: Packages" "Component: main" | head -1)}
 for suite in ${1:-bookworm trixie}; do
     root=$work/$suite
     debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$work/log" 2>&1 || { tail -5 "$work/log"; exit 1; }

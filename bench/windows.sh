@@ -17,7 +17,7 @@ cp -r /usr/include/{glm,nlohmann,stb} "$prefix/include/"
 cp -r /usr/share/cmake/{glm,nlohmann_json} "$prefix/share/cmake/"
 if [ ! -e "$prefix/lib/libdeflate.a" ]; then
     rm -rf "$build/source" && mkdir -p "$build/source/lists/partial" && cd "$build/source"
-    echo "deb-src ${MIRROR:-http://deb.debian.org/debian} $(. /etc/os-release && echo "$VERSION_CODENAME") main" >list
+    echo "deb-src $(apt-get indextargets --format '$(REPO_URI)' "Created-By: Packages" "Component: main" | head -1) $(. /etc/os-release && echo "$VERSION_CODENAME") main" >list
     apt=(-qq -o "Dir::Etc::sourcelist=$PWD/list" -o Dir::Etc::sourceparts=/dev/null -o "Dir::State::Lists=$PWD/lists")
     apt-get "${apt[@]}" update && apt-get "${apt[@]}" source libdeflate >/dev/null
     cd libdeflate-*/
