@@ -79,7 +79,8 @@ class RangeSplitter {
     void binAlongOne(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const;
     // The surface of so many primitives times the leaves that they fill.
     float cost(const BuildBox& box, std::uint32_t count) const {
-        return box.halfArea() * static_cast<float>((count + leafSize_ - 1) / leafSize_);
+        const std::uint32_t leaves = (count + leafSize_ - 1) / leafSize_;
+        return box.halfArea() * static_cast<float>(leaves);
     }
     void partition(const Range& range, const Binning& binning, const Plane& plane, Range& left,
                    Range& right) const;

@@ -31,8 +31,8 @@ struct FloatImage {
 // whose call costs more than the whole function: the one number whose sum with 1/2 is rounded to the next
 // integer, the greatest below 1/2, is not 255 c for any c.
 inline std::uint8_t toByte(double channel) {
-    const double scaled = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0);
-    return static_cast<std::uint8_t>(static_cast<int>(scaled + 0.5));
+    const double raised = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0) + 0.5;
+    return static_cast<std::uint8_t>(static_cast<int>(raised));
 }
 
 // PNG or JPEG as RGB: without alpha, grey as three equal channels. Throws Error where the file is missing,
