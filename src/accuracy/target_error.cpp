@@ -89,10 +89,10 @@ class Search {
     double weightOf(double contrast) const { return std::min(contrast / 4, widely * target_); }
 
     void sortPixels() {
-        const std::vector<double> contrast = contrasts(choice_.first.colors, options_.size);
-        const double least = leastContrast(options_.size);
+        const std::vector<double> contrast =
+            contrasts(choice_.first.colors, options_.size, leastContrast(options_.size));
         for (std::uint32_t i = 0; i < contrast.size(); ++i) {
-            pixels_.emplace_back(static_cast<float>(std::max(contrast[i], least)), i);
+            pixels_.emplace_back(static_cast<float>(contrast[i]), i);
             totalWeight_ += weightOf(static_cast<double>(pixels_.back().first));
         }
         std::ranges::sort(pixels_);

@@ -58,8 +58,8 @@ std::int64_t ObjLine::anyWholeNumber() {
 
 bool ObjLine::isAtContinuation() const {
     const std::string_view rest(p_ + 1, end_);
-    const std::size_t next = rest.find_first_not_of(" \t\r");
-    return next != rest.npos && rest[next] == '\n';
+    const auto next = std::ranges::find_if_not(rest, isObjBlank);
+    return next != rest.end() && *next == '\n';
 }
 
 void ObjLine::fail(const std::string& message) const {

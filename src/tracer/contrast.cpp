@@ -31,7 +31,7 @@ void measureRow(std::span<const glm::dvec3> colors, std::span<ColorRange> ranges
 
 }  // namespace
 
-std::vector<double> contrasts(std::span<const glm::dvec3> colors, const ImageSize& size) {
+std::vector<double> contrasts(std::span<const glm::dvec3> colors, const ImageSize& size, double least) {
     const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
     std::array<std::vector<ColorRange>, 3> rows;  // row y is in rows[y % 3]
     for (auto& row : rows) row.resize(width);
@@ -45,7 +45,7 @@ std::vector<double> contrasts(std::span<const glm::dvec3> colors, const ImageSiz
             if (y > 0) range.add(rows[(y - 1) % 3][x]);
             if (y + 1 < height) range.add(rows[(y + 1) % 3][x]);
             const glm::dvec3 spread = range.high - range.low;
-            result.push_back(std::max({spread.x, spread.y, spread.z}));
+            result.push_back(std::max({spread.x, spread.y, spread.z, least}));
         }
     }
     return result;

@@ -64,9 +64,7 @@ class Tile {
     void findContrasts() {
         std::vector<glm::dvec3> colors;
         for (const Pixel& pixel : pixels_) colors.push_back(pixel.estimate.color());
-        contrasts_ = contrasts(colors, {sampled_.width(), sampled_.height()});
-        const double least = leastContrast(options_.size);
-        for (double& contrast : contrasts_) contrast = std::max(contrast, least);
+        contrasts_ = contrasts(colors, {sampled_.width(), sampled_.height()}, leastContrast(options_.size));
     }
 
     // Whether any pixel goes on.

@@ -83,9 +83,12 @@ TEST_CASE("a pixel's error: by the contrast around it, and by what its samples s
 TEST_CASE("contrast is that of the 3 x 3 colours around a pixel, as shown, in the worst channel") {
     std::vector<glm::dvec3> colors(4 * 3, glm::dvec3(0.25, -3, 5));  // shown as (0.25, 0, 1)
     colors[0] = {0.5, 0.75, 1};
-    CHECK(contrasts(colors, {4, 3}) == std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 0, 0, 0, 0, 0, 0});
+    CHECK(contrasts(colors, {4, 3}, 0) ==
+          std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 0, 0, 0, 0, 0, 0});
     colors[11] = {0.25, 0.25, 0};
-    CHECK(contrasts(colors, {4, 3}) == std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 1, 1, 0, 0, 1, 1});
-    CHECK(contrasts(colors, {12, 1}) == std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
-    CHECK(contrasts(colors, {1, 12}) == std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
+    CHECK(contrasts(colors, {4, 3}, 0) ==
+          std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 1, 1, 0, 0, 1, 1});
+    CHECK(contrasts(colors, {12, 1}, 0) == std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
+    CHECK(contrasts(colors, {1, 12}, 0.5) ==
+          std::vector<double>{0.75, 0.75, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1, 1});
 }

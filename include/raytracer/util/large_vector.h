@@ -14,7 +14,7 @@ namespace raytracer {
 void* allocateOnLargePages(std::size_t bytes, std::size_t alignment);
 void freeLargePages(void* memory, std::size_t bytes, std::size_t alignment);
 
-// For what is written in C: null where there is no memory; freed with std::free.
+// Of the platform: for what is written in C; null where there is no memory; freed with std::free.
 void* mallocOnLargePages(std::size_t bytes);
 
 template <class T>
