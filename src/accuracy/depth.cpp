@@ -123,7 +123,7 @@ DepthChoice Depths::measured(int max_recursion, double cutoff) const {
         fourths += until.lastFourths;
     }
     const double mean = squares / points_;
-    return {max_recursion, cutoff, rays / points_, mean,
+    return {max_recursion, max_recursion == 0 ? 0 : cutoff, rays / points_, mean,
             std::sqrt(std::max(0.0, fourths / points_ - mean * mean) / points_)};
 }
 
@@ -137,6 +137,8 @@ std::vector<DepthChoice> Depths::all() const {
 
 DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
                         RenderCounts& spent) {
+    if (options.pass != Pass::Color)
+        return {.max_recursion = Setting{}.max_recursion};  // these have no depth
     const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels), 3);
     const auto few = std::span(points).first(leastLook);
     Depths depths(deepest(renderer, options, target, few, spent), cutoffsFor(target));

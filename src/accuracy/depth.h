@@ -20,7 +20,7 @@ inline constexpr double surely = 3;
 
 struct DepthChoice {
     int max_recursion = 0;
-    double cutoff = 0;
+    double cutoff = 0;         // 0 where it would have no effect
     double rays = 0;           // of a sample
     double squaredError = 0;   // the truncation error: mean square over the samples, against the deepest
     double standardError = 0;  // of squaredError

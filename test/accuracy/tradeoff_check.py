@@ -32,16 +32,16 @@ def check_defaults(folder):
         assert plain == asked, scene
 
 
-def check_target(folder, scene, size, target):
+def check_target(folder, scene, size, target, others=""):
     """What --target-error says that it chooses is what it renders, also under --crop."""
-    picture, done = render(scene, folder / "target.png", size, f"--target-error {target}")
+    picture, done = render(scene, folder / "target.png", size, f"--target-error {target} {others}")
     assert done.returncode == 0, done
     setting = re.match(r"--target-error \S+: (--.*)\n--target-error \S+: the error is about \S+ between samples and "
                        r"\S+ of the depth\n$", done.stderr)
     assert setting, done.stderr
-    same, _ = render(scene, folder / "same.png", size, setting[1])
-    assert picture == same, setting[1]
-    _, done = render(scene, folder / "crop.png", size, f"--target-error {target} --crop 3,4,9,11")
+    same, done = render(scene, folder / "same.png", size, f"{setting[1]} {others}")
+    assert done.returncode == 0 and picture == same, done
+    _, done = render(scene, folder / "crop.png", size, f"--target-error {target} --crop 3,4,9,11 {others}")
     assert setting[0] == done.stderr, done.stderr
 
 
@@ -111,6 +111,8 @@ def main():
         check_defaults(folder)
         check_target(folder, "scenes/spheres_cylinder.json", 16, 0.1)
         check_target(folder, "scenes/cone_cube.json", 160, 0.02)
+        check_target(folder, "scenes/texture.json", 60, 0.5)  # no recursion, so no cutoff
+        check_target(folder, "scenes/cone_cube.json", 60, 0.05, "--pass normals")  # neither
         check_time(folder, "scenes/texture.json")
         check_limit(folder)
         check_report(folder)
