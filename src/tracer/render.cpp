@@ -23,10 +23,10 @@ constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
 // together is at most theirs times as much.
 std::uint64_t mostRaysOf(std::span<const glm::dvec2> points) { return mostRaysOfSample * points.size(); }
 
-// Does work(job, context) for every job, on options.threads threads.
-template <class Work>
+// Does every job, on options.threads threads: each makes its work with workOf(context), and calls work(job).
+template <class WorkOf>
 RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::size_t jobs,
-                      ProgressListener* progress, std::uint64_t mostRays, Work work) {
+                      ProgressListener* progress, std::uint64_t mostRays, WorkOf workOf) {
     std::mutex mutex;
     RenderCounts all;
     std::size_t done = 0;
@@ -36,8 +36,9 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::siz
         RenderCounts counts;
         const RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), &counts,
                                     nullptr, mostRays};
+        auto work = workOf(context);
         for (std::uint32_t job; queue.next(job);) {
-            work(job, context);
+            work(job);
             if (!progress) continue;
             const std::lock_guard lock(mutex);
             progress->progress(static_cast<double>(++done) / static_cast<double>(jobs));
@@ -68,15 +69,16 @@ void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
                            ProgressListener* progress, const FirstSamples* first) {
     const std::vector<PixelRectangle> tiles = tilesOf(options.crop, options.part);
-    return shareOut(scene, options, tiles.size(), progress, unlimited,
-                    [&](std::uint32_t job, const RenderContext& context) {
-                        renderTile(scene, tiles[job], context, first, sink);
-                    });
+    return shareOut(scene, options, tiles.size(), progress, unlimited, [&](const RenderContext& context) {
+        return [&, render = tileRenderer(scene, context, first, sink)](std::uint32_t job) {
+            render(tiles[job]);
+        };
+    });
 }
 
 RenderCounts renderPoints(const Scene& scene, const RenderOptions& options,
                           std::span<const glm::dvec2> points, std::span<glm::dvec3> colors) {
-    const auto work = [&](std::uint32_t job, const RenderContext& context) {
+    const auto renderBatch = [&](std::uint32_t job, const RenderContext& context) {
         PointStream stream(scene, context,
                            [&](std::size_t i, const glm::dvec3& color, const SampleTrace& trace) {
                                colors[i] = color;
@@ -88,7 +90,9 @@ RenderCounts renderPoints(const Scene& scene, const RenderOptions& options,
             stream.add(i, points[i]);
         stream.finish();
     };
-    return shareOut(scene, options, batchCount(points.size()), nullptr, mostRaysOf(points), work);
+    return shareOut(
+        scene, options, batchCount(points.size()), nullptr, mostRaysOf(points),
+        [&](const RenderContext& context) { return [&](std::uint32_t job) { renderBatch(job, context); }; });
 }
 
 RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
@@ -96,7 +100,7 @@ RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
     RenderOptions shaded = options;
     shaded.pass = Pass::Color;
     std::vector<RayTrees> parts(batchCount(points.size()));
-    const auto work = [&](std::uint32_t job, const RenderContext& context) {
+    const auto traceBatch = [&](std::uint32_t job, const RenderContext& context) {
         RayTreeObserver watching[PointPacket::most];
         PointStream stream(scene, context, [&](std::size_t i, const glm::dvec3&, const SampleTrace&) {
             watching[i % PointPacket::most].moveTo(parts[job]);
@@ -106,7 +110,9 @@ RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
             stream.add(i, points[i], &watching[i % PointPacket::most]);
         stream.finish();
     };
-    const RenderCounts counts = shareOut(scene, shaded, parts.size(), nullptr, mostRaysOf(points), work);
+    const RenderCounts counts = shareOut(
+        scene, shaded, parts.size(), nullptr, mostRaysOf(points),
+        [&](const RenderContext& context) { return [&](std::uint32_t job) { traceBatch(job, context); }; });
     trees = {};
     for (const RayTrees& part : parts) {
         const std::size_t before = trees.rays.size();

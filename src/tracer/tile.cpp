@@ -19,26 +19,29 @@ PixelRectangle withRing(const PixelRectangle& tile, const ImageSize& size) {
             std::min(tile.y1 + 1, size.height)};
 }
 
+// One tile after another, in the same memory: a large allocation for each would go back to the system.
 class Tile {
   public:
-    Tile(const Scene& scene, const PixelRectangle& tile, const RenderContext& context)
+    Tile(const Scene& scene, const RenderContext& context, const FirstSamples* first, PixelSink& sink)
         : scene_(scene),
           context_(context),
           options_(*context.options),
-          sequence_(options_.sequence),
-          tile_(tile),
-          sampled_(options_.adaptive > 0 ? withRing(tile, options_.size) : tile),
-          pixels_(static_cast<std::size_t>(sampled_.area())) {
-        forEachInPacketOrder(tile_, [&](int x, int y) { active_.push_back({x, y}); });
-    }
+          first_(first),
+          sink_(sink),
+          sequence_(options_.sequence) {}
 
-    void render(const FirstSamples* first, PixelSink& sink) {
-        if (first) takeOver(*first);
-        else sampleFirst();
+    void render(const PixelRectangle& tile) {
+        tile_ = tile;
+        sampled_ = options_.adaptive > 0 ? withRing(tile, options_.size) : tile;
+        pixels_.assign(static_cast<std::size_t>(sampled_.area()), {});
+        activate(sampled_);
+        if (first_) takeOver();
+        else sample(0, 1);
+        activate(tile_);
         if (options_.adaptive > 0) findContrasts();
         for (int taken = 1; leaveThoseDone(taken); taken = sampleMore(taken)) {
         }
-        write(sink);
+        write();
     }
 
   private:
@@ -47,24 +50,23 @@ class Tile {
         double truncationBound = 0;  // the sum of its samples'
     };
 
-    void sampleFirst() {
-        std::vector<PixelPlace> all;
-        forEachInPacketOrder(sampled_, [&](int x, int y) { all.push_back({x, y}); });
-        sample(all, 0, 1);
+    void activate(const PixelRectangle& places) {
+        active_.clear();
+        forEachInPacketOrder(places, [&](int x, int y) { active_.push_back({x, y}); });
     }
 
-    void takeOver(const FirstSamples& first) {
-        forEachInPacketOrder(sampled_, [&](int x, int y) {
+    void takeOver() {
+        for (const auto& [x, y] : active_) {
             Pixel& pixel = pixels_[indexOf({x, y})];
-            pixel.estimate.add(first.colors[static_cast<std::size_t>(y) * options_.size.width + x]);
-            pixel.truncationBound = first.cutoffBound;
-        });
+            pixel.estimate.add(first_->colors[static_cast<std::size_t>(y) * options_.size.width + x]);
+            pixel.truncationBound = first_->cutoffBound;
+        }
     }
 
     void findContrasts() {
-        std::vector<glm::dvec3> colors;
-        for (const Pixel& pixel : pixels_) colors.push_back(pixel.estimate.color());
-        contrasts_ = contrasts(colors, {sampled_.width(), sampled_.height()}, leastContrast(options_.size));
+        colors_.clear();
+        for (const Pixel& pixel : pixels_) colors_.push_back(pixel.estimate.color());
+        contrasts_ = contrasts(colors_, {sampled_.width(), sampled_.height()}, leastContrast(options_.size));
     }
 
     // Whether any pixel goes on.
@@ -81,12 +83,12 @@ class Tile {
 
     int sampleMore(int taken) {
         const int next = options_.adaptive > 0 ? nextLevel(taken, options_.samples) : options_.samples;
-        sample(active_, taken, next);
+        sample(taken, next);
         return next;
     }
 
     // A pixel's samples share packets, since they are nearer to each other than pixels are.
-    void sample(std::span<const PixelPlace> places, int begin, int end) {
+    void sample(int begin, int end) {
         std::vector<glm::dvec2> offsets;
         for (int i = begin; i < end; ++i) offsets.push_back(sequence_[static_cast<std::uint32_t>(i)]);
         PointStream stream(scene_, context_,
@@ -95,13 +97,13 @@ class Tile {
                                pixel.estimate.add(color);
                                pixel.truncationBound += trace.truncationBound;
                            });
-        for (const PixelPlace& place : places)
+        for (const PixelPlace& place : active_)
             for (const glm::dvec2& offset : offsets)
                 stream.add(indexOf(place), glm::dvec2(place.x, place.y) + offset);
         stream.finish();
     }
 
-    void write(PixelSink& sink) const {
+    void write() const {
         std::vector<glm::dvec3> row(static_cast<std::size_t>(tile_.width()));
         double& bound = context_.counts->cutoffBound;
         for (int y = tile_.y0; y < tile_.y1; ++y) {
@@ -110,7 +112,7 @@ class Tile {
                 row[static_cast<std::size_t>(x - tile_.x0)] = pixel.estimate.color();
                 bound = std::max(bound, pixel.truncationBound / pixel.estimate.samples());
             }
-            sink.write(tile_.x0, y, row);
+            sink_.write(tile_.x0, y, row);
         }
     }
 
@@ -121,11 +123,14 @@ class Tile {
     const Scene& scene_;
     const RenderContext& context_;
     const RenderOptions& options_;
+    const FirstSamples* first_;
+    PixelSink& sink_;
     SampleSequence sequence_;
-    PixelRectangle tile_, sampled_;
+    PixelRectangle tile_{}, sampled_{};
     std::vector<Pixel> pixels_;       // of sampled_
+    std::vector<glm::dvec3> colors_;  // of sampled_
     std::vector<double> contrasts_;   // of sampled_, where it matters
-    std::vector<PixelPlace> active_;  // of tile_: those that take more samples
+    std::vector<PixelPlace> active_;  // those that take more samples
 };
 
 // As Tile does for one sample a pixel; a tenth of the instructions.
@@ -158,12 +163,14 @@ void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderC
 
 }  // namespace
 
-void renderTile(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
-                const FirstSamples* first, PixelSink& sink) {
+std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, const RenderContext& context,
+                                                        const FirstSamples* first, PixelSink& sink) {
     const RenderOptions& options = *context.options;
     if (options.samples == 1 && options.adaptive == 0 && !first)
-        return renderCentres(scene, tile, context, sink);
-    Tile(scene, tile, context).render(first, sink);
+        return [&](const PixelRectangle& tile) { renderCentres(scene, tile, context, sink); };
+    return [tile = Tile(scene, context, first, sink)](const PixelRectangle& place) mutable {
+        tile.render(place);
+    };
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -183,16 +183,18 @@ class Tracer {
         ByteImage image{pixels(width), pixels(height), {}};
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
-                const Ray ray = cameraRay((x + 0.5) / image.width, (y + 0.5) / image.height);
-                const dvec3 color = clamp(rayColor(ray, 3), 0.0, 1.0);
+                const dvec3 color =
+                    clamp(colorAt({(x + 0.5) / image.width, (y + 0.5) / image.height}), 0.0, 1.0);
                 for (int i = 0; i < 3; ++i)
                     image.pixels.push_back(static_cast<std::uint8_t>(std::lround(255 * color[i])));
             }
         return image;
     }
 
-  private:
     // From (0, 0) at the picture's top left to (1, 1).
+    dvec3 colorAt(const dvec2& point) const { return rayColor(cameraRay(point.x, point.y), 3); }
+
+  private:
     Ray cameraRay(double x, double y) const {
         const CameraDescription& camera = scene_.camera;
         const dvec3 v = camera.up, w = -camera.look, u = cross(v, w);

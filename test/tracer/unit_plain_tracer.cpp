@@ -6,7 +6,7 @@
 
 #include "../support/described.h"
 #include "../support/slowness.h"
-#include "plain_tracer.h"
+#include "plain_pixels.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -18,7 +18,10 @@ namespace {
 class Comparison {
   public:
     void add(const std::string& name, const SceneDescription& scene, int longEdge) {
-        const ByteImage ours = bytesOf(scene, longEdge), plain = plain::Tracer(scene).render(longEdge);
+        add(name, bytesOf(scene, longEdge), plain::Tracer(scene).render(longEdge));
+    }
+
+    void add(const std::string& name, const ByteImage& ours, const ByteImage& plain) {
         REQUIRE(ours.width == plain.width);
         REQUIRE(ours.height == plain.height);
         const int off = differingPixels(ours, plain, 1);
@@ -192,4 +195,25 @@ TEST_CASE("random scenes look as a plain tracer of the model has them") {
     for (unsigned seed = 1; seed <= 300 / slowness; ++seed)
         comparison.add("random scene " + std::to_string(seed), RandomScene(seed).scene, 60);
     comparison.check("random scenes");
+}
+
+TEST_CASE("several samples of a pixel look as a plain tracer has their mean") {
+    constexpr int edge = 40, samples = 7, most = 32;  // more pixels than a tile has
+    constexpr double adaptive = 0.03;
+    Comparison fixed, adapted;
+    for (unsigned seed = 301; seed <= 300 + 20 / slowness; ++seed) {
+        const SceneDescription scene = RandomScene(seed).scene;
+        const plain::Pixels plain(scene, edge);
+        const std::string name = "random scene " + std::to_string(seed);
+        const auto ours = [&](int limit, double error) {
+            return bytesOf(scene, edge, Precision::Double, [&](RenderOptions& options) {
+                options.samples = limit;
+                options.adaptive = error;
+            });
+        };
+        fixed.add(name, ours(samples, 0), plain.render(samples));
+        adapted.add(name, ours(most, adaptive), plain.renderAdaptive(most, adaptive));
+    }
+    fixed.check("samples");
+    adapted.check("adaptive samples");
 }

@@ -1,0 +1,92 @@
+// A pixel's samples and when it has enough of them, as plainly as they can be written, beside a plain tracer.
+#pragma once
+
+#include <numeric>
+#include <vector>
+
+#include "plain_tracer.h"
+#include "raytracer/tracer/renderer.h"
+#include "raytracer/tracer/sample_sequence.h"
+
+namespace raytracer::plain {
+
+// What a pixel's samples make of it, as README.md tells it.
+class Pixels {
+  public:
+    Pixels(const SceneDescription& scene, int longEdge)
+        : tracer_(scene), size_(imageSize(scene.camera, longEdge)) {
+        for (int y = 0; y < size_.height; ++y)
+            for (int x = 0; x < size_.width; ++x) centres_.push_back(colorsOf(x, y, 1).front());
+    }
+
+    ByteImage render(int samples) const {
+        return bytes([&](int x, int y) { return mean(colorsOf(x, y, samples)); });
+    }
+
+    ByteImage renderAdaptive(int samples, double adaptive) const {
+        return bytes([&](int x, int y) {
+            int n = 1;
+            while (n < samples && error(colorsOf(x, y, n), contrast(x, y)) > adaptive)
+                n = std::min(samples, n == 1 ? 4 : 2 * n);
+            return mean(colorsOf(x, y, n));
+        });
+    }
+
+  private:
+    using Colors = std::vector<glm::dvec3>;
+
+    Colors colorsOf(int x, int y, int samples) const {
+        Colors colors;
+        for (int i = 0; i < samples; ++i) {
+            const glm::dvec2 point = glm::dvec2(x, y) + SampleSequence()[static_cast<std::uint32_t>(i)];
+            colors.push_back(tracer_.colorAt(point / glm::dvec2(size_.width, size_.height)));
+        }
+        return colors;
+    }
+
+    static glm::dvec3 mean(const Colors& colors) {
+        return std::accumulate(colors.begin(), colors.end(), glm::dvec3(0)) /
+               static_cast<double>(colors.size());
+    }
+
+    static double error(Colors colors, double contrast) {
+        for (glm::dvec3& color : colors) color = clamp(color, 0.0, 1.0);
+        const double n = static_cast<double>(colors.size());
+        double squares = 0;
+        for (const glm::dvec3& color : colors) squares += dot(color - mean(colors), color - mean(colors)) / 3;
+        const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
+        return std::max(deviation / std::pow(n, 0.75), contrast / (4 * n));
+    }
+
+    double contrast(int x, int y) const {
+        glm::dvec3 least(1), most(0);
+        for (int v = std::max(0, y - 1); v <= std::min(size_.height - 1, y + 1); ++v)
+            for (int u = std::max(0, x - 1); u <= std::min(size_.width - 1, x + 1); ++u) {
+                const glm::dvec3 color =
+                    clamp(centres_[static_cast<std::size_t>(v * size_.width + u)], 0.0, 1.0);
+                least = min(least, color);
+                most = max(most, color);
+            }
+        const glm::dvec3 range = most - least;
+        const double hidden = 8 / std::sqrt(static_cast<double>(centres_.size()));
+        return std::max({hidden, range.r, range.g, range.b});
+    }
+
+    template <class Color>
+    ByteImage bytes(Color color) const {
+        ByteImage image{size_.width, size_.height, {}};
+        for (int y = 0; y < size_.height; ++y)
+            for (int x = 0; x < size_.width; ++x) {
+                const glm::dvec3 shown = clamp(color(x, y), 0.0, 1.0);
+                for (int i = 0; i < 3; ++i)
+                    image.pixels.push_back(static_cast<std::uint8_t>(std::lround(255 * shown[i])));
+            }
+        return image;
+    }
+
+    Tracer tracer_;
+    ImageSize size_;
+    Colors centres_;
+};
+
+}  // namespace raytracer::plain
