@@ -40,21 +40,32 @@ std::vector<glm::dvec3> colorsAt(const Renderer& renderer, const RenderOptions& 
     }
 }
 
+// How deep ray trees are followed, and whether they go on where the rays would be too many.
+struct Deepest {
+    Setting setting;
+    bool isLimited = false;
+};
+
 // As deep as makes a difference, or as ray trees can be.
-Setting deepest(const Renderer& renderer, const RenderOptions& options, double target,
+Deepest deepest(const Renderer& renderer, const RenderOptions& options, double target, int limit,
                 std::span<const glm::dvec2> points, RenderCounts& spent) {
-    Setting setting{.max_recursion = 1, .cutoff = cutoffsFor(target).front(), .bilinear = options.bilinear};
+    // Through clear glass nothing is seen before the ray leaves the last layer, and that is no end of the
+    // depth.
+    constexpr int layers = 8;
+    Setting setting{.max_recursion = std::min(layers, limit),
+                    .cutoff = cutoffsFor(target).front(),
+                    .bilinear = options.bilinear};
     auto colors = colorsAt(renderer, withSetting(options, setting), points, spent);
-    while (2 * setting.max_recursion <= mostRecursion) {
+    while (setting.max_recursion > 0 && 2 * setting.max_recursion <= limit) {
         Setting deeper = setting;
         deeper.max_recursion *= 2;
         auto next = colorsAt(renderer, withSetting(options, deeper), points, spent);
-        if (next.empty()) break;
+        if (next.empty()) return {setting, true};
         setting = deeper;
-        if (pictureError(colors, next).rmse * widely <= target) break;
+        if (pictureError(colors, next).rmse * widely <= target) return {setting};
         colors = std::move(next);
     }
-    return setting;
+    return {setting, limit < mostRecursion};
 }
 
 // A picture's error falls about as its rays grow, and what a depth leaves of the target is the samples'.
@@ -135,16 +146,30 @@ std::vector<DepthChoice> Depths::all() const {
     return choices;
 }
 
+Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
+                Setting deepest, const std::vector<double>& cutoffs) {
+    for (;; deepest.max_recursion /= 2) {
+        Depths depths(deepest, cutoffs);
+        try {
+            depths.add(renderer, options, points);
+            return depths;
+        } catch (const TooManyRays&) {
+        }
+    }
+}
+
 DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
-                        RenderCounts& spent) {
+                        RenderCounts& spent, int limit) {
     if (options.pass != Pass::Color)
         return {.max_recursion = Setting{}.max_recursion};  // these have no depth
     const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels), 3);
     const auto few = std::span(points).first(leastLook);
-    Depths depths(deepest(renderer, options, target, few, spent), cutoffsFor(target));
-    depths.add(renderer, options, points);
+    const Deepest deep = deepest(renderer, options, target, limit, few, spent);
+    const Depths depths = depthsAt(renderer, options, points, deep.setting, cutoffsFor(target));
     spent += depths.counts();
-    return cheapest(depths.all(), target);
+    DepthChoice choice = cheapest(depths.all(), target);
+    choice.isLimited = deep.isLimited || depths.deepest() < deep.setting.max_recursion;
+    return choice;
 }
 
 }  // namespace raytracer

@@ -24,6 +24,7 @@ struct DepthChoice {
     double rays = 0;           // of a sample
     double squaredError = 0;   // the truncation error: mean square over the samples, against the deepest
     double standardError = 0;  // of squaredError
+    bool isLimited = false;    // the rays beyond the deepest, too many to follow, are not in squaredError
 };
 
 class Depths {
@@ -31,7 +32,7 @@ class Depths {
     // Every max_recursion up to the deepest's, with each cutoff of at least the deepest's.
     Depths(const Setting& deepest, std::vector<double> cutoffs);
 
-    // Traces more points with the depth of the deepest.
+    // Traces more points with the depth of the deepest. Throws TooManyRays.
     void add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points);
 
     DepthChoice measured(int max_recursion, double cutoff) const;
@@ -40,6 +41,7 @@ class Depths {
     // Rays of every kind, until now.
     const RenderCounts& counts() const { return counts_; }
     double points() const { return points_; }
+    int deepest() const { return deepest_.max_recursion; }
 
   private:
     struct Sums {
@@ -57,9 +59,14 @@ class Depths {
     double points_ = 0;
 };
 
-// The depth that makes a picture of so many pixels with a target error cheapest. `spent` gets the rays that
-// this took.
+// Measured at these points, to the depth of the deepest, or half of it, and so on, where the rays are too
+// many.
+Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
+                Setting deepest, const std::vector<double>& cutoffs);
+
+// The depth of at most `limit` that makes a picture of so many pixels with a target error cheapest. `spent`
+// gets the rays that this took.
 DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
-                        RenderCounts& spent);
+                        RenderCounts& spent, int limit = mostRecursion);
 
 }  // namespace raytracer

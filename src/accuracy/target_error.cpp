@@ -28,7 +28,7 @@ constexpr double lookPart = 0.3;
 // From one `adaptive` to the next: 4 % of the error are lost in the mean. From four times the target on:
 // errors are 0.1 to 1.1 of it, and where it is larger, those of single pixels are too, which a look may miss.
 constexpr double finer = 1 / 1.09;
-constexpr double mostFirst = 1 << 24;  // pixels whose first samples are kept: 400 MB
+constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 170 MB
 
 // A pixel that is looked at: its own samples, and twice as many others.
 struct Looked {
@@ -52,16 +52,20 @@ class Search {
         options_.crop = {0, 0, options_.size.width, options_.size.height};
     }
 
-    TargetChoice choose() {
-        depth_ = chooseDepth(renderer_, options_, target_, area_, choice_.counts);
+    // Throws TooManyRays where the rays of the pixels with the largest contrast are many more than those of
+    // others: then with half the depth() there are fewer.
+    TargetChoice choose(int mostDepth) {
+        depth_ = chooseDepth(renderer_, options_, target_, area_, choice_.counts, mostDepth);
         options_.max_recursion = depth_.max_recursion;
         options_.cutoff = depth_.cutoff;
         choice_.depthError = std::sqrt(depth_.squaredError);
+        choice_.isLimited = depth_.isLimited;
         takeFirst();
         sortPixels();
         drawPixels(leastLook);
         choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
         chooseAdaptive();
+        choice_.reached = choice_.reached && !choice_.isLimited;
         if (choice_.setting.adaptive >= 0.25) {  // no pixel would take a second sample
             choice_.setting.samples = 1;
             choice_.setting.adaptive = 0;
@@ -69,6 +73,8 @@ class Search {
         if (areaOf(options_.size) < area_) choice_.first = {};
         return std::move(choice_);
     }
+
+    int depth() const { return depth_.max_recursion; }
 
   private:
     void takeFirst() {
@@ -91,6 +97,7 @@ class Search {
     void sortPixels() {
         const std::vector<double> contrast =
             contrasts(choice_.first.colors, options_.size, leastContrast(options_.size));
+        pixels_.reserve(contrast.size());
         for (std::uint32_t i = 0; i < contrast.size(); ++i) {
             pixels_.emplace_back(static_cast<float>(contrast[i]), i);
             totalWeight_ += weightOf(static_cast<double>(pixels_.back().first));
@@ -214,7 +221,14 @@ class Search {
 }  // namespace
 
 TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target) {
-    return Search(renderer, options, target).choose();
+    for (int mostDepth = mostRecursion;;) {
+        Search search(renderer, options, target);
+        try {
+            return search.choose(mostDepth);
+        } catch (const TooManyRays&) {
+            mostDepth = search.depth() / 2;
+        }
+    }
 }
 
 }  // namespace raytracer

@@ -2,6 +2,7 @@
 
 #include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/memory.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer::commands {
 
@@ -18,7 +19,7 @@ std::string without(const std::string& option, std::span<char*> words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string word = words[i];
         if (word == option) ++i;
-        else if (!word.starts_with(option + "=")) line += (line.empty() ? "" : " ") + word;
+        else if (!word.starts_with(option + "=")) line += (line.empty() ? "" : " ") + inShellQuotes(word);
     }
     return line;
 }

@@ -122,7 +122,7 @@ void printVerdict(const CompareArguments& arguments, const Picture& a, const Pic
               printable(arguments.a) + ", " + colorAt(b, c) + " in " + printable(arguments.b) + "\n" +
               formatted("why: raytracer explain SCENE.json %d %d %d --picture ", c.worstX, c.worstY,
                         std::max(c.width, c.height)) +
-              printable(arguments.a) + "\n");
+              printable(inShellQuotes(arguments.a)) + "\n");
     print(c.maximum == 0 ? "the pictures are equal\n"
           : same         ? "the pictures are the same, within the limits given\n"
                          : "the pictures are not the same\n");

@@ -1,5 +1,6 @@
 #include "frames.h"
 
+#include <cmath>
 #include <optional>
 
 #include "arguments.h"
@@ -38,8 +39,11 @@ std::optional<Span> findRange(const std::string& text, std::size_t begin) {
     for (std::size_t open = begin; (open = text.find('{', open)) != text.npos; ++open) {
         const std::size_t close = text.find('}', open);
         if (close == text.npos) return std::nullopt;
-        if (const auto ends = endsOf<double>(text.substr(open + 1, close - open - 1)))
-            return Span{open, close + 1, ends};
+        const auto ends = endsOf<double>(text.substr(open + 1, close - open - 1));
+        if (!ends) continue;
+        if (!std::isfinite(*ends.to - *ends.from))
+            throw usageError("--set " + text + ": the ends of a range, and the way between them, are finite");
+        return Span{open, close + 1, ends};
     }
     return std::nullopt;
 }

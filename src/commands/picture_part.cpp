@@ -14,7 +14,8 @@ namespace {
 
 constexpr int mostParts = 1 << 20;
 
-// All options that change the picture.
+}  // namespace
+
 std::string pictureOptions(const RenderArguments& arguments, const RenderOptions& options) {
     std::string text;
     const auto add = [&](const std::string& option) { text += (text.empty() ? "--" : " --") + option; };
@@ -30,8 +31,6 @@ std::string pictureOptions(const RenderArguments& arguments, const RenderOptions
     for (const std::string& set : arguments.sets) add("set " + set);
     return text;
 }
-
-}  // namespace
 
 PicturePart parsePart(const std::string& text) {
     const std::size_t slash = text.find('/');

@@ -172,9 +172,10 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     timings.build = watch.lap();
     if (!wanted.targetError && !wanted.targetTime) remarkOnCost(arguments, description, *renderer, options);
     Picture picture{arguments, wanted, description, *renderer, options, timings};
+    if (wanted.isPart()) picture.part = partHead(arguments, options, parsePart(wanted.part), files);
     choose(picture);
     if (wanted.isPart()) {
-        picture.part = partHead(arguments, options, parsePart(wanted.part), files);
+        picture.part.options = pictureOptions(arguments, options);
         picture.part.isFloat = wanted.isPfm();
         picture.part.isReached = !picture.choice || picture.choice->reached;
         if (wanted.skipExisting && isPart(wanted.file(), picture.part)) return tellSkipped(arguments, wanted);
@@ -232,7 +233,7 @@ int render(int argc, char** argv) {
               Looks::Picture);
     arguments.addLongEdgeTo(line);
     arguments.addPictureTo(line);
-    line.number("--target-error", wanted.targetError, above(0),
+    line.number("--target-error", wanted.targetError, atLeast(1e-9),
                 "Choose --samples, --adaptive, --max-recursion and --cutoff such that the error (RMSE, of 1, "
                 "of linear "
                 "colours) against samples and depth without end is at most this; rounding to a PNG's bytes "

@@ -159,7 +159,7 @@ SceneDescription RenderArguments::load(std::vector<std::string>* files) const {
     if (!warns()) return std::move(loaded.description);
     std::vector<std::string> remarks = sceneSlips(loaded.description);
     std::ranges::move(sceneAdvice(loaded.description), std::back_inserter(remarks));
-    for (const Error& remark : remarksOn(scene, remarks)) loaded.warnings.emplace_back(remark.what());
+    for (const Error& remark : remarksOn(scene, remarks, sets)) loaded.warnings.emplace_back(remark.what());
     warnAll(loaded.warnings);
     return std::move(loaded.description);
 }

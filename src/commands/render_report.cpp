@@ -65,7 +65,10 @@ TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, dou
     const std::string head = "--target-error " + shortNumber(target) + ": ";
     tell(head + commandLine(choice.setting));
     tell(head + "the error is about " + shortNumber(choice.sampleError) + " between samples and " +
-         shortNumber(choice.depthError) + " of the depth" + (choice.reached ? "" : ": not reached"));
+         shortNumber(choice.depthError) + " of the depth" +
+         (choice.reached     ? ""
+          : choice.isLimited ? ": perhaps not reached, since the rays beyond are too many to follow"
+                             : ": not reached"));
     return choice;
 }
 

@@ -92,8 +92,9 @@ std::string mistake(const GradeResult& result) {
     };
     const std::string command = formatted(" %d %d %d", c->worstX, c->worstY, std::max(c->width, c->height));
     return html + "<p class=\"why\">worst pixel: ours " + color(result.ourWorst) + ", reference " +
-           color(result.referenceWorst) + "; why: <code>raytracer explain " + escaped(result.test.scene) +
-           command + escaped(optionsOf(*result.test.stage)) + "</code></p>\n";
+           color(result.referenceWorst) + "; why: <code>raytracer explain " +
+           escaped(inShellQuotes(result.test.scene)) + command + escaped(optionsOf(*result.test.stage)) +
+           "</code></p>\n";
 }
 
 // For the script: what it sorts by and the pixel it shows.

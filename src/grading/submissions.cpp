@@ -64,12 +64,6 @@ FoundPicture findPicture(const Submission& submission, const PicturesByName& pic
     return {"", "no picture " + test.name + ".png"};
 }
 
-std::string inShellQuotes(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
 std::string commandOf(std::string program, const Submission& submission) {
     const std::string folder = inShellQuotes(submission.folder);
     for (std::size_t at = 0; (at = program.find("{}", at)) != std::string::npos; at += folder.size())

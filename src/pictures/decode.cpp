@@ -40,6 +40,8 @@ std::string_view firstChunk(std::string_view text) {
                                                      : std::string_view{};
 }
 
+std::string_view typeOf(std::string_view chunk) { return chunk.substr(4, 4); }
+
 std::vector<std::string_view> readChunks(const FileBytes& file) {
     std::string_view png = file.text();
     std::vector<std::string_view> chunks;
@@ -48,7 +50,12 @@ std::vector<std::string_view> readChunks(const FileBytes& file) {
         chunks.push_back(firstChunk(png));
         if (chunks.back().empty())
             file.fail("broken PNG picture: it is cut short, or a checksum in it is wrong");
-    } while (chunks.back().substr(4, 4) != "IEND");
+        // Apple's own form, which stb takes: its deflate stream has no header, and its colours another order.
+        if (typeOf(chunks.back()) == "CgBI") file.fail("no PNG by the standard, but one made for iOS (CgBI)");
+    } while (typeOf(chunks.back()) != "IEND");
+    constexpr std::size_t headerSize = 13;
+    if (typeOf(chunks.front()) != "IHDR" || chunks.front().size() != chunkFrame + headerSize)
+        file.fail("broken PNG picture: it does not begin with its header");
     return chunks;
 }
 
@@ -62,7 +69,7 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     };
     std::string png(pngSignature);
     for (const std::string_view& own : chunks) {
-        if (own.substr(4, 4) != "tRNS") png += own;
+        if (typeOf(own) != "tRNS") png += own;
         if (&own == &chunks.front()) png += chunk({"\0\0\3\0PLTE", 8}, 768) + chunk({"\0\0\1\0tRNS", 8}, 256);
     }
     return png;
@@ -83,7 +90,7 @@ void requireFewInflated(const FileBytes& file, const std::vector<std::string_vie
     constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
     std::string deflated;
     for (const std::string_view chunk : chunks)
-        if (chunk.substr(4, 4) == "IDAT") deflated += chunk.substr(8, chunk.size() - chunkFrame);
+        if (typeOf(chunk) == "IDAT") deflated += chunk.substr(8, chunk.size() - chunkFrame);
     if (!sizeInHeader(file) || hasMemory(mostRatio * static_cast<double>(deflated.size()))) return;
     requireMemoryToDecode(file);
     std::vector<char> inflated(mostInflated(chunks.front()));

@@ -77,7 +77,8 @@ float swapBytes(float value) {
 
 PfmHeader readWholePfm(const FileBytes& file) {
     const PfmHeader header = readPfmHeader(file);
-    if (header.rows.size() < pixelBytes(header))
+    const std::size_t pixels = header.rows.size() / (valuesPerPixel * sizeof(float));
+    if (pixels / static_cast<std::size_t>(header.width) < static_cast<std::size_t>(header.height))
         file.fail("broken PFM picture: it ends before its last pixel");
     return header;
 }

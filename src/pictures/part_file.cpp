@@ -112,6 +112,8 @@ PartFile::PartFile(const std::string& path) : reader_(path) {
     } catch (const Error&) {
         failPart(path, "its head cannot be read");
     }
+    // Then its pixels begin where those of every part with this head do.
+    if (magic + text != partBeginning(head_)) failPart(path, "its head is not as raytracer writes it");
     requireWhole(path);
 }
 

@@ -64,12 +64,12 @@ void requireUsable(const ObjCounts& whole, const std::string& path) {
     // noTexCoord is no index.
     if (std::max(whole.positions, whole.texCoords) >= MeshData::noTexCoord)
         throw Error({path}, "too many vertices: indices have 32 bits");
-    // A face and its part of the tree (bench/README.md), while the tree is built.
-    constexpr double faceBytes = 80;
-    requireMemory(
-        path, {{std::to_string(whole.faces) + " faces", faceBytes * static_cast<double>(whole.faces)},
-               {"their vertices",
-                24.0 * static_cast<double>(whole.positions) + 16.0 * static_cast<double>(whole.texCoords)}});
+    // A triangle and its part of the tree (bench/README.md), while the tree is built.
+    constexpr double triangleBytes = 80;
+    requireMemory(path, {{std::to_string(whole.triangles) + " triangles",
+                          triangleBytes * static_cast<double>(whole.triangles)},
+                         {"their vertices", 24.0 * static_cast<double>(whole.positions) +
+                                                16.0 * static_cast<double>(whole.texCoords)}});
 }
 
 }  // namespace

@@ -127,8 +127,19 @@ struct Remark {
     std::string pointer, message;
 };
 
-Error placed(const JsonDocument& document, const std::string& path, const std::string& text) {
+// Whether the value at the pointer is, has, or is in one that is edited.
+bool isEdited(const std::string& pointer, std::span<const std::string> edits) {
+    return std::ranges::any_of(edits, [&](const std::string& edit) {
+        const std::string other = JsonEdit(edit).pointer + "/", own = pointer + "/";
+        return own.starts_with(other) || other.starts_with(own);
+    });
+}
+
+Error placed(const JsonDocument& document, const std::string& path, const std::string& text,
+             std::span<const std::string> edits) {
     const Remark remark(text);
+    if (!remark.pointer.empty() && isEdited(remark.pointer, edits))
+        return Error({path}, remark.pointer + ", by --set: " + remark.message);
     const auto value = JsonView(document).at(remark.pointer);
     return value && !remark.pointer.empty() ? value->error(remark.message) : Error({path}, text);
 }
@@ -136,13 +147,14 @@ Error placed(const JsonDocument& document, const std::string& path, const std::s
 }  // namespace
 
 // A pipe cannot be read twice.
-std::vector<Error> remarksOn(const std::string& path, const std::vector<std::string>& remarks) {
+std::vector<Error> remarksOn(const std::string& path, const std::vector<std::string>& remarks,
+                             std::span<const std::string> edits) {
     std::vector<Error> errors;
     if (remarks.empty()) return errors;
     try {
         const FileBytes file(path, FileKind::Regular);
         const JsonDocument document(path, file.text());
-        for (const std::string& text : remarks) errors.push_back(placed(document, path, text));
+        for (const std::string& text : remarks) errors.push_back(placed(document, path, text, edits));
     } catch (const Error&) {
         errors.clear();
         for (const std::string& text : remarks) errors.emplace_back(Place{path}, text);

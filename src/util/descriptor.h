@@ -42,10 +42,6 @@ Descriptor openToRead(const std::string& path, bool waits);
 // As read, from a place in the file: -1, with errno, where it fails.
 std::int64_t readAt(int descriptor, std::span<char> bytes, std::uint64_t offset);
 
-// A file's bytes as memory; null where it is to be read instead.
-const char* mapFile(int descriptor, std::size_t size);
-void unmapFile(const char* begin, std::size_t size);
-
 // Another program may have made our output one that does not wait.
 void waitForRoom(int descriptor);
 

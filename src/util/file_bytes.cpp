@@ -3,26 +3,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "descriptor.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/memory.h"
 #include "raytracer/util/nearby_file.h"
 
 namespace raytracer {
+
 namespace {
 
-// False, with errno, where it cannot be read. The file may have no end: throws Error before memory has.
-bool readToEnd(int descriptor, std::string& bytes, const std::string& path) {
-    char block[1 << 16];  // a pipe's capacity on Linux
-    for (;;) {
-        const auto count = ::read(descriptor, block, sizeof block);
-        if (count == 0) return true;
-        if (bytes.size() + sizeof block > bytes.capacity())
-            requireMemory(path, {{"what is in it", 2 * static_cast<double>(bytes.capacity())}});
-        if (count > 0) bytes.append(block, static_cast<std::size_t>(count));
-        else if (errno != EINTR) return false;
-    }
-}
+constexpr std::size_t pipeSize = 1 << 16;   // on Linux
+constexpr std::size_t mostRead = 1U << 30;  // in one call
 
 }  // namespace
 
@@ -37,20 +30,22 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     const bool isRegular = S_ISREG(status.st_mode);
     if (kind == FileKind::Regular && !isRegular && !S_ISDIR(status.st_mode))
         fail("cannot read: it is no regular file");
-    size_ = static_cast<std::size_t>(status.st_size);
-    // Files of /proc say that their size is 0. They are read as a pipe is.
-    if (isRegular && size_ > 0) {
-        begin_ = mapFile(file.get(), size_);
-        mapped_ = begin_ != nullptr;
+    // One more byte than there should be: a read of nothing is the end.
+    resize(std::max(pipeSize, isRegular ? static_cast<std::size_t>(status.st_size) + 1 : 0));
+    for (;;) {
+        if (size_ == bytes_.size()) resize(2 * size_);
+        const auto count =
+            ::read(file.get(), bytes_.data() + size_, std::min(bytes_.size() - size_, mostRead));
+        if (count == 0) return;
+        if (count > 0) size_ += static_cast<std::size_t>(count);
+        else require(errno == EINTR);
     }
-    if (mapped_) return;
-    require(readToEnd(file.get(), copy_, path));
-    begin_ = copy_.data();
-    size_ = copy_.size();
 }
 
-FileBytes::~FileBytes() {
-    if (mapped_) unmapFile(begin_, size_);
+// The file may have no end.
+void FileBytes::resize(std::size_t size) {
+    requireMemory(path_, {{"what is in it", static_cast<double>(size)}});
+    bytes_.resize(size);
 }
 
 void FileBytes::fail(const std::string& message) const { throw Error({path_}, message); }

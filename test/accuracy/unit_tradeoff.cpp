@@ -7,7 +7,7 @@
 
 #include "../../src/accuracy/depth.h"
 #include "../../src/accuracy/picture_points.h"
-#include "../support/scene_files.h"
+#include "../support/described.h"
 #include "raytracer/accuracy/target_error.h"
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/pictures/color_sink.h"
@@ -44,6 +44,20 @@ std::vector<CostAndError> errorsOfSamples(const Renderer& renderer, const Render
             {static_cast<double>(samples),
              pictureError(colorsOf(renderer, withSetting(options, {.samples = samples})), truth).rmse});
     return points;
+}
+
+// Balls of glass one in the other, without light of their own, before a bright plane.
+SceneDescription glassLayers(int count, bool isMirror) {
+    SceneMaker maker;
+    maker.material(glm::dvec3(0.8));
+    maker.shape(ShapeType::Plane, {"", glm::dvec3(0, 0, -1), {}, {}, {}});
+    MaterialDescription& glass = maker.glass(glm::dvec3(0.95), 1.3);
+    glass.reflective = isMirror;
+    glass.color_reflect = glm::dvec3(0.95);
+    for (int i = 0; i < count; ++i)
+        maker.shape(ShapeType::Sphere, {"", {}, {}, glm::dvec3(0.4 - 0.04 * i), {}});
+    maker.light({3, 2, 9});
+    return maker.scene;
 }
 
 }  // namespace
@@ -228,6 +242,26 @@ TEST_CASE("target-error: where nothing reaches it, no promise") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/checker_horizon.json", true).description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     CHECK(!chooseSetting(*renderer, wholePicture(scene, 2), 1e-7).reached);
+}
+
+// The rays double at each of many bounces in glass whose reflections are as bright, and nobody can follow
+// them.
+TEST_CASE("target-error: where the rays would be too many it goes less deep, without a promise") {
+    for (const bool isMirror : {true, false}) {
+        const SceneDescription scene = glassLayers(6, isMirror);
+        const auto renderer = makeRenderer(scene, Precision::Double);
+        const TargetChoice choice = chooseSetting(*renderer, wholePicture(scene, 16), 0.02);
+        CHECK(choice.isLimited == isMirror);
+        CHECK(choice.reached == !isMirror);
+        CHECK(choice.setting.max_recursion >= 4);
+    }
+}
+
+TEST_CASE(
+    "target-error: what is behind layers of clear glass is seen, though the first of them show nothing") {
+    const SceneDescription scene = glassLayers(3, false);
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    CHECK(chooseSetting(*renderer, wholePicture(scene, 16), 0.05).setting.max_recursion >= 6);
 }
 
 TEST_CASE("target-error: the choice is the whole picture's, whatever the crop and the threads") {

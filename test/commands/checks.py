@@ -12,9 +12,9 @@ def check(what, expected, found):
         failures.append(f"{what}: expected {expected!r}, found {found!r}")
 
 
-def run(*arguments):
-    """(status, stderr)"""
-    done = subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, timeout=100)
+def run(*arguments, given=b""):
+    """(status, stderr); what is given comes from a pipe."""
+    done = subprocess.run([RAYTRACER, *map(str, arguments)], input=given, capture_output=True, timeout=100)
     return done.returncode, done.stderr.decode()
 
 

@@ -46,7 +46,7 @@ NUMBERS = {
         "--adaptive": ("a number not below 0", ["0", "1e-400", "+.5"]),
         "--cutoff": ("a number not below 0", ["0", "1e300"]),
         "--threads": ("a whole number from 0 to 4096", ["0", "4096"]),
-        "--target-error": ("a number above 0", ["1e-300"]),
+        "--target-error": ("a number not below 1e-09", ["1e-9", "1"]),
         "--target-time": ("a number above 0", ["1e-300"]),
     },
     "assemble": {"--threads": ("a whole number from 0 to 4096", ["0", "4096"])},

@@ -91,7 +91,7 @@ def check_files(folder):
           "compare", folder / "bomb.png", folder / "bomb.png", script=addresses(100000))
     (folder / "large.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 500000)
     mesh = with_mesh(folder, "large.obj")
-    text = "not enough memory for 500000 faces (40 MB) and their vertices (72 bytes): "
+    text = "not enough memory for 500000 triangles (40 MB) and their vertices (72 bytes): "
     place = f'{mesh}:1:272: /shapes/0/path: expected an OBJ mesh in "{folder}/large.obj": '
     check("a mesh", re.escape(place + text) + LEFT, mesh, out, 8, script=addresses(40000))
     check_irregular(folder)

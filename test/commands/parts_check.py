@@ -86,6 +86,8 @@ def check_faults(folder):
              'not a part of a picture: it does not begin with "raytracer part 1"')):
         broken.write_bytes(data)
         check_fault(folder, what, [broken, b, c], f"FOLDER/broken.part: {line}", "part 1 of 3 is missing")
+    check_fault(folder, "a head of other bytes that says the same", [changed(a, b'"part": [', b'"part":    [', folder), b, c],
+                "FOLDER/changed.part: broken part of a picture: its head is not as raytracer writes it", "part 1 of 3 is missing")
     check_fault(folder, "no file", ["/no/x.part", b, c], "/no/x.part: cannot read: No such file or directory", "part 1 of 3 is missing")
     check_fault(folder, "a folder", [folder, b, c], "FOLDER: cannot read: it is no regular file", "part 1 of 3 is missing")
     check_others(folder, a, b, c)
@@ -141,6 +143,9 @@ def check_refusals(folder):
     check("--part and -", (2, "raytracer: the picture - goes to standard output, and --part to a file\n"), run(SCENE, "-", 8, "--part", "1/2"))
     check("--part and --target-time", (2, "raytracer: --part and --target-time exclude each other: give one of them\n"),
           run(SCENE, folder / "x.png", 8, "--part", "1/2", "--target-time", 1))
+    # At once: the search for this error would take too long for the test.
+    check("--part of a scene from a pipe", (2, "/dev/stdin: cannot read: it is no regular file\n"),
+          run("/dev/stdin", folder / "x.png", 600, "--part", "1/2", "--target-error", 1e-9, given=pathlib.Path("scenes/cone_cube.json").read_bytes()))
     check("nothing is left", False, any(path.name.startswith("x.png") for path in folder.iterdir()))
 
 

@@ -36,6 +36,11 @@ def check_set(folder):
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye"))
     check("a range without frames", (2, "raytracer: --set /camera/eye/0={0..1}: a range needs --frames\n"),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye/0={0..1}"))
+    check("a remark on what is set", (0, f"warning: {SCENE}: /lights/0/color, by --set: colors go from 0 to 1, not to 255: divide 255 0 0 by 255\n"),
+          run(SCENE, folder / "a.png", 8, "--set", "/lights/0/color=[255,0,0]"))
+    for ends in ("1..1e999", "-1e308..1e308"):
+        check(f"a range {ends}", (2, f"raytracer: --set /camera/focal_length={{{ends}}}: the ends of a range, and the way between them, are finite\n"),
+              run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set", f"/camera/focal_length={{{ends}}}"))
     check("explain, too", 0, run("explain", SCENE, 5, 5, 40, "--set", "/lights/0/position=[1,5,2]")[0])
     check("nothing is left", ["a.png", "b.png", "edited.json"], sorted(os.listdir(folder)))
 

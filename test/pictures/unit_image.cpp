@@ -336,6 +336,24 @@ TEST_CASE("A PNG with a palette") {
             folder.file("a.png") + ": broken PNG picture: a texel has a colour beyond its palette");
 }
 
+// stb takes both, and then reads the chunks in another way than we do.
+TEST_CASE("A PNG that does not begin with its header, or is made for iOS, is refused") {
+    const TestFolder folder;
+    const std::string png = pngOf(2, 1, 3, {1, 2, 3, 4, 5, 6});
+    const auto refused = [&](const std::string& chunk, std::size_t place, const std::string& message) {
+        std::string other = png;
+        other.insert(place, chunk);
+        CHECK_THROWS_WITH(readImage(folder.write("a.png", checksummed(other))),
+                          folder.file("a.png") + ": " + message);
+    };
+    constexpr std::size_t afterSignature = 8, afterHeader = 33;
+    for (const std::size_t place : {afterSignature, afterHeader})
+        refused(std::string("\0\0\0\4CgBI\x50\0\x20\2@@@@", 16), place,
+                "no PNG by the standard, but one made for iOS (CgBI)");
+    refused(std::string("\0\0\0\0teSt@@@@", 12), afterSignature,
+            "broken PNG picture: it does not begin with its header");
+}
+
 TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
     const TestFolder folder;
     const float inf = std::numeric_limits<float>::infinity();
@@ -388,6 +406,9 @@ TEST_CASE("A PFM that is broken is told") {
     check("PF\n1 1\n-1.0", "broken PFM picture: it ends before its last pixel");
     check("PF\n1 1\n-1.0\n12345678901", "broken PFM picture: it ends before its last pixel");
     check("PF\n2147483647 2147483647\n-1.0\n123", "broken PFM picture: it ends before its last pixel");
+    // 12 bytes a pixel are 2^64 and 2504 more.
+    check("PF 1304999805 1177953182 1\n" + std::string(2504, 'x'),
+          "broken PFM picture: it ends before its last pixel");
     CHECK_THROWS_AS(readPfm(folder.file("nowhere.pfm")), Error);
     CHECK_THROWS_WITH(readPfm(folder.file("nowhere.pfm")),
                       folder.file("nowhere.pfm") + ": cannot read: No such file or directory");

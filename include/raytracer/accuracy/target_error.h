@@ -8,7 +8,8 @@ namespace raytracer {
 
 struct TargetChoice {
     Setting setting;
-    bool reached = false;  // whether its error is within the target, as far as the look tells
+    bool reached = false;    // whether its error is within the target, as far as the look tells
+    bool isLimited = false;  // reached is not known: deeper rays are too many to follow
     double sampleError = 0, depthError = 0;  // estimates of its parts, RMSE; their squares add up
     RenderCounts counts;                     // of the look
     FirstSamples first;                      // of the picture, if the look took them: for Renderer::render

@@ -25,7 +25,9 @@ LoadedScene loadScene(const std::string& path, bool strict, std::span<const std:
                       std::vector<std::string>* named = nullptr);
 
 // What is said about values of a scene, "/json/pointer: ...", as Errors about the file, with lines and
-// columns as far as it can be read again. Without a pointer, it is about the file.
-std::vector<Error> remarksOn(const std::string& path, const std::vector<std::string>& remarks);
+// columns as far as it can be read again and the value is not one of the edits'. Without a pointer, it is
+// about the file.
+std::vector<Error> remarksOn(const std::string& path, const std::vector<std::string>& remarks,
+                             std::span<const std::string> edits);
 
 }  // namespace raytracer

@@ -5,30 +5,30 @@
 #include <string>
 #include <string_view>
 
+#include "raytracer/util/large_vector.h"
+
 namespace raytracer {
 
 // What a file may be: a pipe or a device, too, or nothing that can make its reader wait or that has no end.
 enum class FileKind { Any, Regular };
 
-// A file's bytes, read only. The file is mapped where that is possible, so that threads that parse it share
-// the work of fetching it; else (a pipe) it is read into memory. It must not shrink while it is mapped.
+// A copy of a file's bytes: what other programs do to the file afterwards changes nothing.
 class FileBytes {
   public:
     explicit FileBytes(const std::string& path, FileKind kind = FileKind::Any);  // throws Error
-    ~FileBytes();
     FileBytes(const FileBytes&) = delete;
     FileBytes& operator=(const FileBytes&) = delete;
 
     const std::string& path() const { return path_; }
-    std::string_view text() const { return {begin_, size_}; }
+    std::string_view text() const { return {bytes_.data(), size_}; }
     [[noreturn]] void fail(const std::string& message) const;  // an Error about what is in the file
 
   private:
+    void resize(std::size_t size);
+
     std::string path_;
-    const char* begin_ = "";
-    std::size_t size_ = 0;
-    bool mapped_ = false;
-    std::string copy_;
+    LargeVector<char> bytes_;
+    std::size_t size_ = 0;  // of the file; bytes_ may be longer
 };
 
 }  // namespace raytracer

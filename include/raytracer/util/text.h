@@ -36,6 +36,9 @@ std::string jsonString(std::string_view text);
 // `text` in quotes with control characters escaped, for a message; shortened if it is long.
 std::string inQuotes(std::string_view text);
 
+// A word of a command line as a POSIX shell takes it: in single quotes where it needs them.
+std::string inShellQuotes(std::string_view word);
+
 // The text in lines of at most so many columns, broken at blanks; all lines but the first begin with `indent`
 // blanks. `used`: what the first line has already. A longer word has a line of its own.
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used = 0);

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
 
 namespace raytracer {
 
@@ -13,13 +12,6 @@ Descriptor openToRead(const std::string& path, bool waits) {
 std::int64_t readAt(int descriptor, std::span<char> bytes, std::uint64_t offset) {
     return ::pread(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
 }
-
-const char* mapFile(int descriptor, std::size_t size) {
-    void* const map = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-    return map == MAP_FAILED ? nullptr : static_cast<const char*>(map);
-}
-
-void unmapFile(const char* begin, std::size_t size) { ::munmap(const_cast<char*>(begin), size); }
 
 void waitForRoom(int descriptor) {
     pollfd room{descriptor, POLLOUT, 0};

@@ -33,10 +33,6 @@ std::int64_t readAt(int descriptor, std::span<char> bytes, std::uint64_t offset)
     return -1;
 }
 
-// A file that is mapped could not be replaced.
-const char* mapFile(int, std::size_t) { return nullptr; }
-void unmapFile(const char*, std::size_t) {}
-
 void waitForRoom(int) {}
 
 }  // namespace raytracer
