@@ -183,8 +183,8 @@ class Tracer {
         ByteImage image{pixels(width), pixels(height), {}};
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
-                const dvec3 color =
-                    clamp(colorAt({(x + 0.5) / image.width, (y + 0.5) / image.height}), 0.0, 1.0);
+                const Ray ray = cameraRay((x + 0.5) / image.width, (y + 0.5) / image.height);
+                const dvec3 color = clamp(rayColor(ray, 3), 0.0, 1.0);
                 for (int i = 0; i < 3; ++i)
                     image.pixels.push_back(static_cast<std::uint8_t>(std::lround(255 * color[i])));
             }
