@@ -35,13 +35,12 @@ class SceneReader {
     void readTransforms(JsonView transforms);
     void readShapes(JsonView shapes);
     ShapeDescription readShape(JsonView shape);
-    void loadTextureOf(std::size_t material);
+    void loadTextureOf(const MaterialDescription& material);
 
     SceneFiles files_;
     KnownKeys keys_;
     NameTable textures_{"texture"}, materials_{"material"}, transforms_{"transform"};
     std::vector<JsonView> texturePaths_;
-    std::vector<std::optional<std::size_t>> textureOfMaterial_;
     SceneDescription description_;
 };
 
@@ -70,13 +69,11 @@ void SceneReader::readTextures(JsonView textures) {
 
 void SceneReader::readMaterials(JsonView materials) {
     for (const JsonView json : materials.elements()) {
-        const MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
+        MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
         materials_.add(name ? name->string() : defaultMaterialName, name.value_or(json));
-        // Without use_diffuse_texture, diffuse_texture may name anything. With it, readMaterial has required
-        // the key.
-        auto& texture = textureOfMaterial_.emplace_back();
-        if (material.use_diffuse_texture) texture = textures_.find(*json.find("diffuse_texture"));
+        // readMaterial has required the key.
+        if (material.use_diffuse_texture) material.texture = textures_.find(*json.find("diffuse_texture"));
     }
 }
 
@@ -91,7 +88,7 @@ void SceneReader::readTransforms(JsonView transforms) {
 void SceneReader::readShapes(JsonView shapes) {
     for (const JsonView json : shapes.elements()) {
         const ShapeDescription& shape = description_.shapes.emplace_back(readShape(json));
-        loadTextureOf(shape.material);
+        loadTextureOf(description_.materials[shape.material]);
     }
 }
 
@@ -109,11 +106,10 @@ ShapeDescription SceneReader::readShape(JsonView view) {
 }
 
 // A texture is read when the first shape uses it (src/README.md, 7: the model has what a scene needs).
-void SceneReader::loadTextureOf(std::size_t material) {
-    const auto index = textureOfMaterial_[material];
-    if (!index) return;
-    std::shared_ptr<const Texture>& texture = description_.textures[*index].texture;
-    if (!texture) texture = files_.texture(texturePaths_[*index]);
+void SceneReader::loadTextureOf(const MaterialDescription& material) {
+    if (!material.use_diffuse_texture) return;
+    std::shared_ptr<const Texture>& texture = description_.textures[material.texture].texture;
+    if (!texture) texture = files_.texture(texturePaths_[material.texture]);
 }
 
 // A remark's pointer and, behind ": ", its message.

@@ -25,8 +25,7 @@ Material buildMaterial(const MaterialDescription& description, const SceneDescri
     material.color_refract = Color(description.color_refract);
     material.index_of_refraction = static_cast<Real>(description.index_of_refraction);
     if (description.use_diffuse_texture)
-        for (const TextureDescription& texture : scene.textures)
-            if (texture.name == description.diffuse_texture) material.diffuse_texture = texture.texture.get();
+        material.diffuse_texture = scene.textures[description.texture].texture.get();
     return material;
 }
 

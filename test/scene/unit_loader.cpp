@@ -148,6 +148,7 @@ TEST_CASE("Every key arrives where it belongs") {
         CHECK(material.index_of_refraction == 1.5);
         CHECK(material.use_diffuse_texture);
         CHECK(material.diffuse_texture == "check");
+        CHECK(material.texture == 1);
     }
     SECTION("light") {
         CHECK(scene.lights.at(0).position == glm::dvec3(0, 5, 5));
@@ -166,9 +167,9 @@ TEST_CASE("Every key arrives where it belongs") {
     SECTION("shape, mesh and texture") {
         CHECK(scene.shapes.at(0).type == ShapeType::Mesh);
         CHECK(scene.shapes[0].mesh->triangleCount() == 1);
-        CHECK(scene.textures.at(0).name == "check");
-        CHECK(scene.textures[0].texture->width == 4);
-        CHECK(scene.textures[0].texture->texels.at(0) == 255);
+        CHECK(scene.textures.at(1).name == "check");
+        CHECK(scene.textures[1].texture->width == 4);
+        CHECK(scene.textures[1].texture->texels.at(0) == 255);
     }
 }
 

@@ -98,7 +98,8 @@ class RandomScene {
         m.color_refract = color(0.2, 0.9);
         m.index_of_refraction = chance(0.1) ? 1 : between(0.6, 2);
         m.use_diffuse_texture = chance(0.6);
-        m.diffuse_texture = chance(0.5) ? "one" : "two";
+        m.texture = chance(0.5) ? 0 : 1;
+        m.diffuse_texture = scene.textures[m.texture].name;
         scene.materials.push_back(m);
     }
 

@@ -44,7 +44,8 @@ struct MaterialDescription {
     glm::dvec3 color_refract{1};
     double index_of_refraction = 1;
     bool use_diffuse_texture = false;
-    std::string diffuse_texture;  // a name in SceneDescription::textures; meaningful with use_diffuse_texture
+    std::string diffuse_texture;  // as in the file; without use_diffuse_texture it may name no texture
+    std::size_t texture = 0;  // index into SceneDescription::textures; meaningful with use_diffuse_texture
 };
 
 struct LightDescription {
