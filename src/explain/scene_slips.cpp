@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "advice_lines.h"
+#include "raytracer/json/json_pointer.h"
 #include "raytracer/scene/mesh_file.h"
 #include "raytracer/util/text.h"
 
@@ -54,7 +55,7 @@ class SlipFinder {
             return material.diffuse_texture == texture.name;
         };
         if (std::ranges::none_of(scene_.materials, names))
-            lines_.add("/textures/" + texture.name + ": no material has this diffuse_texture");
+            lines_.add("/textures" + pointerStep(texture.name) + ": no material has this diffuse_texture");
     }
 
     void lookAtColor(const std::string& place, const Color& color, double least) {

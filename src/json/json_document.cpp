@@ -1,25 +1,8 @@
 #include "raytracer/json/json_document.h"
 
-#include <algorithm>
-
-#include "raytracer/util/text.h"
+#include "raytracer/json/json_pointer.h"
 
 namespace raytracer {
-namespace {
-
-// The JSON pointer that leads from `pointer` to its member `key`.
-std::string pointerToMember(std::string pointer, std::string_view key) {
-    pointer += '/';
-    const std::string escaped = jsonString(key);
-    for (const char c : std::string_view(escaped).substr(1, escaped.size() - 2)) {
-        if (c == '~') pointer += "~0";
-        else if (c == '/') pointer += "~1";
-        else pointer += c;
-    }
-    return pointer;
-}
-
-}  // namespace
 
 std::string_view JsonDocument::string(std::uint32_t node) const {
     const Node& n = nodes_[node];
@@ -39,8 +22,7 @@ std::string JsonDocument::pointer(std::uint32_t node) const {
         const bool isObject = kind(at) == Kind::Object;
         std::uint32_t child = at + 1 + isObject, position = 0;
         for (; end(child) <= node; ++position) child = end(child) + isObject;
-        pointer =
-            pointerToMember(std::move(pointer), isObject ? string(child - 1) : std::to_string(position));
+        pointer += pointerStep(isObject ? string(child - 1) : std::to_string(position));
         at = child;
     }
     return pointer;

@@ -94,17 +94,6 @@ std::optional<JsonView> JsonView::find(std::string_view key) const {
     return std::nullopt;
 }
 
-std::optional<JsonView> JsonView::at(std::string_view pointer) const {
-    if (pointer.empty()) return *this;
-    const std::size_t end = std::min(pointer.find('/', 1), pointer.size());
-    const std::string_view token = pointer.substr(1, end - 1);
-    std::optional<JsonView> child;
-    const auto index = numberOf<std::uint32_t>(token);
-    if (kind() == Kind::Object) child = find(token);
-    else if (kind() == Kind::Array && index && *index < size()) child = element(*index);
-    return child ? child->at(pointer.substr(end)) : child;
-}
-
 void JsonView::failExpected(const std::string& expected) const {
     fail("expected " + expected + ", found " + inWords());
 }

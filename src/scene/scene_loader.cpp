@@ -6,6 +6,7 @@
 #include "name_table.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_edit.h"
+#include "raytracer/json/json_pointer.h"
 #include "raytracer/json/json_view.h"
 #include "raytracer/util/file_bytes.h"
 #include "scene_files.h"
@@ -136,8 +137,9 @@ Error placed(const JsonDocument& document, const std::string& path, const std::s
     const Remark remark(text);
     if (!remark.pointer.empty() && isEdited(remark.pointer, edits))
         return Error({path}, remark.pointer + ", by --set: " + remark.message);
-    const auto value = JsonView(document).at(remark.pointer);
-    return value && !remark.pointer.empty() ? value->error(remark.message) : Error({path}, text);
+    const PointerEnd end = follow(document, remark.pointer);
+    const bool isFound = !remark.pointer.empty() && end.left.empty();
+    return isFound ? document.error(end.node, remark.message) : Error({path}, text);
 }
 
 }  // namespace

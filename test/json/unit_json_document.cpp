@@ -219,6 +219,9 @@ TEST_CASE("json: a value's error has its line and column beside its pointer") {
     check(4, 2, 18, "/ab/1");
     check(6, 3, 8, "/\xc3\xa9");
     check(8, 3, 14, "/\xc3\xa9/c");
+    // As RFC 6901 has it, without JSON's own escapes.
+    const JsonDocument odd("x.json", R"({"a\"b\\<\u0001": {"~/": 1}})");
+    CHECK(odd.pointer(4) == "/a\"b\\<\x01/~0~1");
 }
 
 TEST_CASE("json: an error of meaning, found before the text has been read to its end, has a place") {

@@ -30,6 +30,9 @@ TEST_CASE("A value of a JSON text is replaced, and nothing else") {
     CHECK(after("/list/1=") == with("\"last\"", "\"\""));
     CHECK(after("/list=[]") == with("[[1, {\"z\": null}], \"last\"]", "[]"));
     CHECK(after("/a=2", "{\"a\":1}") == "{\"a\":2}");
+    CHECK(after("/=2", "{\"\":1}") == "{\"\":2}");
+    CHECK(after("/~01=2", "{\"/\":0,\"~1\":1}") == "{\"/\":0,\"~1\":2}");
+    CHECK(after("/a\"b=2", "{\"a\\\"b\":1}") == "{\"a\\\"b\":2}");
 }
 
 TEST_CASE("A pointer to nothing is told, with the nearest") {
@@ -40,10 +43,13 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
           "s.json: --set /camera/eyes/0: there is no \"eyes\" in /camera; did you mean /camera/eye/0?");
     check("/camra=1", "s.json: --set /camra: there is no \"camra\" in the scene; did you mean /camera?");
     check("/camera/a~1b~0d=1",
-          "s.json: --set /camera/a~1b~0d: there is no \"a/b~d\" in /camera; did you mean /camera/a~1b~0c?");
+          "s.json: --set /camera/a~1b~0d: there is no \"a~1b~0d\" in /camera; did you mean /camera/a~1b~0c?");
     check("/zzzz=1", "s.json: --set /zzzz: there is no \"zzzz\" in the scene");
     check("/list/2=1", "s.json: --set /list/2: /list has 2 elements, from 0: there is no \"2\"");
     check("/list/01=1", "s.json: --set /list/01: /list has 2 elements, from 0: there is no \"01\"");
+    check("/a/b=1", "s.json: --set /a/b: there is no \"a\" in the scene");
+    check("/camera/a~1b~c=1",
+          "s.json: --set /camera/a~1b~c: there is no \"a~1b~c\" in /camera; did you mean /camera/a~1b~0c?");
     check("/camera/on/x=1", "s.json: --set /camera/on/x: /camera/on is no object and no list");
     check("camera=1", "raytracer: --set: expected /pointer=value, found \"camera=1\"");
     check("/camera", "raytracer: --set: expected /pointer=value, found \"/camera\"");

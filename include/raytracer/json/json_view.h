@@ -43,9 +43,6 @@ class JsonView {
 
     std::optional<JsonView> find(std::string_view key) const;  // an object's member
 
-    // The value in this one that a pointer without escape sequences leads to.
-    std::optional<JsonView> at(std::string_view pointer) const;
-
     std::string pointer() const { return document_->pointer(node_); }
     Error error(const std::string& message) const { return document_->error(node_, message); }
     // About this object, at the key of its member.

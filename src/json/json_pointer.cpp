@@ -1,0 +1,42 @@
+#include "raytracer/json/json_pointer.h"
+
+#include <algorithm>
+
+namespace raytracer {
+namespace {
+
+// 0, which is no child of any, where there is none.
+std::uint32_t childOf(const JsonDocument& document, std::uint32_t node, std::string_view step) {
+    const bool isObject = document.kind(node) == JsonDocument::Kind::Object;
+    if (!isObject && document.kind(node) != JsonDocument::Kind::Array) return 0;
+    std::size_t position = 0;
+    for (std::uint32_t at = node + 1; at < document.end(node); at = document.end(at + isObject), ++position)
+        if (pointerStep(isObject ? document.string(at) : std::to_string(position)) == step)
+            return at + isObject;
+    return 0;
+}
+
+}  // namespace
+
+std::string pointerStep(std::string_view key) {
+    std::string step = "/";
+    for (const char c : key) {
+        if (c == '~') step += "~0";
+        else if (c == '/') step += "~1";
+        else step += c;
+    }
+    return step;
+}
+
+PointerEnd follow(const JsonDocument& document, std::string_view pointer) {
+    PointerEnd end{0, pointer};
+    while (!end.left.empty()) {
+        const std::size_t size = std::min(end.left.find('/', 1), end.left.size());
+        const std::uint32_t child = childOf(document, end.node, end.left.substr(0, size));
+        if (child == 0) break;
+        end = {child, end.left.substr(size)};
+    }
+    return end;
+}
+
+}  // namespace raytracer
