@@ -79,15 +79,6 @@ bool looksLikeOption(const std::string& word) {
 
 }  // namespace
 
-std::string listed(const std::vector<std::string>& choices, const std::string& last) {
-    std::string list;
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (i > 0) list += i + 1 < choices.size() ? ", " : " " + last + " ";
-        list += choices[i];
-    }
-    return list;
-}
-
 CommandLine::CommandLine(const std::string& command, const std::string& purpose)
     : command_(command), purpose_(purpose) {}
 

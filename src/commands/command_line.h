@@ -134,7 +134,4 @@ struct WrongUsage {
     bool hint = false;
 };
 
-// "a, b or c".
-std::string listed(const std::vector<std::string>& choices, const std::string& last = "or");
-
 }  // namespace raytracer::commands

@@ -19,12 +19,9 @@ std::string nameOf(const SceneDescription& scene, std::size_t shape) {
 std::string lightNames(const std::vector<std::size_t>& some, std::size_t all) {
     if (all == 1) return "the light";
     if (some.size() == all) return all == 2 ? "both lights" : "all " + std::to_string(all) + " lights";
-    std::string names = some.size() == 1 ? "light " : "lights ";
-    for (std::size_t i = 0; i < some.size(); ++i) {
-        if (i > 0) names += i + 1 < some.size() ? ", " : " and ";
-        names += std::to_string(some[i]);
-    }
-    return names;
+    std::vector<std::string> numbers;
+    for (const std::size_t light : some) numbers.push_back(std::to_string(light));
+    return (some.size() == 1 ? "light " : "lights ") + listed(numbers, "and");
 }
 
 // What comes before the light's name.

@@ -4,21 +4,11 @@
 
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/nearest_name.h"
-#include "raytracer/util/number.h"
 
 namespace raytracer {
 namespace {
 
 using Kind = JsonDocument::Kind;
-
-std::string listed(std::span<const std::string_view> choices) {
-    std::string list;
-    for (const std::string_view choice : choices) {
-        if (!list.empty()) list += choice == choices.back() ? " or " : ", ";
-        list += inQuotes(choice);
-    }
-    return list;
-}
 
 }  // namespace
 
@@ -54,8 +44,12 @@ std::size_t JsonView::choice(std::span<const std::string_view> choices) const {
     const auto found = std::ranges::find(choices, chosen);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
     NearestName nearest(chosen);
-    for (const std::string_view choice : choices) nearest.consider(choice);
-    fail("expected " + listed(choices) + ", found " + inQuotes(chosen) + nearest.question());
+    std::vector<std::string> quoted;
+    for (const std::string_view choice : choices) {
+        nearest.consider(choice);
+        quoted.push_back(inQuotes(choice));
+    }
+    fail("expected " + listed(quoted) + ", found " + inQuotes(chosen) + nearest.question());
 }
 
 JsonView::Children JsonView::elements() const {

@@ -89,6 +89,15 @@ std::string inQuotes(std::string_view text) {
     return jsonString(text.substr(0, end)) + "...";
 }
 
+std::string listed(const std::vector<std::string>& names, const std::string& last) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) list += i + 1 < names.size() ? ", " : " " + last + " ";
+        list += names[i];
+    }
+    return list;
+}
+
 std::size_t characterCount(std::string_view text) {
     return static_cast<std::size_t>(
         std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));

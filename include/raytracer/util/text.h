@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raytracer {
 
@@ -42,6 +43,9 @@ std::string inShellQuotes(std::string_view word);
 // The text in lines of at most so many columns, broken at blanks; all lines but the first begin with `indent`
 // blanks. `used`: what the first line has already. A longer word has a line of its own.
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used = 0);
+
+// "a, b or c".
+std::string listed(const std::vector<std::string>& names, const std::string& last = "or");
 
 // How many characters of UTF-8 the text has.
 std::size_t characterCount(std::string_view text);
