@@ -22,15 +22,6 @@ std::string shortNumber(double value) { return formatted("%.3g", value); }
 
 double rounded(double value) { return numberOf<double>(shortNumber(value)).value(); }
 
-const char* precisionName(Precision precision) {
-    switch (precision) {
-        case Precision::Float: return "float";
-        case Precision::Extended: return "extended";
-        case Precision::Double: break;
-    }
-    return "double";
-}
-
 std::string commandLine(const Setting& setting) {
     const Setting usual;
     std::string text;

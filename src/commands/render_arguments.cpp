@@ -79,7 +79,7 @@ void RenderArguments::addTo(CommandLine& line) {
               "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
               "refraction, textures");
     line.flag("--opaque", opaque, "Read every material as not refractive");
-    line.choice("--precision", precision, {"float", "double", "extended"},
+    line.choice("--precision", precision, {std::begin(precisionNames), std::end(precisionNames)},
                 "Arithmetic: float, double or extended (long double)");
     line.number("--cutoff", cutoff, atLeast(0),
                 "Do not cast a ray that changes its pixel by less than this, of 1");
@@ -131,13 +131,12 @@ Terms RenderArguments::terms() const {
 }
 
 std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& description) const {
-    constexpr const char* names[] = {"float", "double", "extended"};  // as Precision has them
-    const auto chosen = static_cast<Precision>(std::ranges::find(names, precision) - names);
+    const auto chosen = static_cast<Precision>(std::ranges::find(precisionNames, precision) - precisionNames);
     const BuildOptions options{accelerator == "none" ? Accelerator::None : Accelerator::Bvh, threads};
     auto renderer = raytracer::makeRenderer(description, chosen, options);
     if (warns() && renderer->precision() != chosen)
         warn("the scene's numbers lie too far apart for --precision " + precision + ": computed in " +
-             names[static_cast<std::size_t>(renderer->precision())]);
+             precisionName(renderer->precision()));
     return renderer;
 }
 

@@ -20,10 +20,6 @@ bool isBlack(const glm::dvec3& color) { return color == glm::dvec3(0); }
 
 double brightest(const glm::dvec3& color) { return std::max({color.x, color.y, color.z}); }
 
-struct Pixel {
-    int x = 0, y = 0;
-};
-
 // Takes a Pass::Normals picture and keeps, of each cell of a grid, the first pixel in reading order that hit
 // something: the same pixels with any number of threads.
 class HitFinder final : public PixelSink {
@@ -36,8 +32,8 @@ class HitFinder final : public PixelSink {
             if (!isMiss(colors[i])) keep({x + static_cast<int>(i), y});
     }
 
-    std::vector<Pixel> found() const {
-        std::vector<Pixel> pixels;
+    std::vector<PixelPlace> found() const {
+        std::vector<PixelPlace> pixels;
         for (const auto& pixel : cells_)
             if (pixel) pixels.push_back(*pixel);
         return pixels;
@@ -52,7 +48,7 @@ class HitFinder final : public PixelSink {
         return glm::all(glm::lessThan(glm::abs(color - 54.0 / 255), glm::dvec3(1e-4)));
     }
 
-    void keep(const Pixel& pixel) {
+    void keep(const PixelPlace& pixel) {
         const auto cell = [](int place, int count) {
             return static_cast<std::size_t>(std::int64_t{place} * cellsAcross / count);
         };
@@ -62,7 +58,7 @@ class HitFinder final : public PixelSink {
 
     ImageSize size_;
     std::mutex mutex_;
-    std::array<std::optional<Pixel>, cellsAcross * cellsAcross> cells_;
+    std::array<std::optional<PixelPlace>, cellsAcross * cellsAcross> cells_;
 };
 
 // Why the lights do not reach the explained points: one count for each point and light.
@@ -123,7 +119,7 @@ std::string reason(const Tally& tally, const SceneDescription& scene) {
                      tally.brightest);
 }
 
-std::vector<Pixel> pixelsThatHit(const Renderer& renderer, RenderOptions options) {
+std::vector<PixelPlace> pixelsThatHit(const Renderer& renderer, RenderOptions options) {
     options.pass = Pass::Normals;
     HitFinder hits(options.size);
     renderer.render(options, hits);
@@ -147,10 +143,10 @@ std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, co
     RenderOptions centres = options;
     centres.samples = 1;
     centres.adaptive = 0;
-    const std::vector<Pixel> pixels = pixelsThatHit(renderer, centres);
+    const std::vector<PixelPlace> pixels = pixelsThatHit(renderer, centres);
     if (pixels.empty()) return black + "no ray through a pixel's centre hits a shape";
     Tally tally;
-    for (const Pixel& pixel : pixels) {
+    for (const PixelPlace& pixel : pixels) {
         const RayExplanation explanation = renderer.explain(centres, pixel.x, pixel.y);
         tally.add(explanation);
         tally.brightest = std::max(tally.brightest, brightest(explanation.color));

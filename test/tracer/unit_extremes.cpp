@@ -10,8 +10,6 @@ using namespace raytracer::test;
 
 namespace {
 
-constexpr const char* precisionName[] = {"float", "double", "extended"};
-
 std::vector<int> exponentsBetween(int first, int last, int step) {
     std::vector<int> exponents;
     for (int exponent = first; exponent <= last; exponent += step) exponents.push_back(exponent);
@@ -23,7 +21,7 @@ void checkPowersOfTwo(Precision precision, const std::vector<int>& exponents, in
         const SceneDescription scene = loadScene(file, true).description;
         const ByteImage plain = bytesOf(scene, longEdge, precision);
         for (const int exponent : exponents) {
-            INFO(file << " times 2^" << exponent << " in " << precisionName[static_cast<int>(precision)]);
+            INFO(file << " times 2^" << exponent << " in " << precisionName(precision));
             CHECK(bytesOf(scaled(scene, std::ldexp(1.0, exponent)), longEdge, precision).pixels ==
                   plain.pixels);
         }
@@ -83,7 +81,7 @@ TEST_CASE("a scene times a power of two is the same picture beside what stays as
             const SceneDescription scene = loadScene(file, true).description;
             const ByteImage plain = bytesOf(scene, 24, precision);
             for (const int exponent : exponents) {
-                INFO(file << " times 2^" << exponent << " in " << precisionName[static_cast<int>(precision)]);
+                INFO(file << " times 2^" << exponent << " in " << precisionName(precision));
                 const SceneDescription other =
                     betweenFarCubes(scaled(scene, std::ldexp(1.0, exponent)), distance);
                 CHECK(bytesOf(other, 24, precision).pixels == plain.pixels);

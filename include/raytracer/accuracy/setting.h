@@ -34,8 +34,6 @@ std::string commandLine(const Setting& setting);
 std::string shortNumber(double value);
 double rounded(double value);
 
-const char* precisionName(Precision precision);
-
 // Rays of every kind: the cost of a render, whatever the machine and its load.
 double rayCount(const RenderCounts& counts);
 

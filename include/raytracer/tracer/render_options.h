@@ -1,6 +1,7 @@
 // What the user asks of a render, and what it counted.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "raytracer/pictures/pixels.h"
@@ -9,6 +10,12 @@
 namespace raytracer {
 
 enum class Precision { Float, Double, Extended };
+
+// In the same order.
+inline constexpr const char* precisionNames[] = {"float", "double", "extended"};
+inline const char* precisionName(Precision precision) {
+    return precisionNames[static_cast<std::size_t>(precision)];
+}
 
 // What a pixel shows: the light model, or one of the stages on the way to it.
 enum class Pass {
