@@ -84,13 +84,13 @@ std::string forBash(const CommandLine& line) {
            "\" ;;\n";
 }
 
-std::string zshFiles(Looks looks) {
-    switch (looks) {
-        case Looks::Scene: return "_files -g \"*.json\"";
-        case Looks::Picture: return "_files -g \"*.(png|pfm)\"";
-        case Looks::Folder: return "_files -/";
-        case Looks::Any: return "_files";
-        case Looks::Number: break;
+std::string zshFiles(ArgumentKind kind) {
+    switch (kind) {
+        case ArgumentKind::Scene: return "_files -g \"*.json\"";
+        case ArgumentKind::Picture: return "_files -g \"*.(png|pfm)\"";
+        case ArgumentKind::Folder: return "_files -/";
+        case ArgumentKind::Any: return "_files";
+        case ArgumentKind::Number: break;
     }
     return " ";
 }
@@ -99,7 +99,7 @@ std::string forZsh(const CommandLine& line) {
     std::string specs;
     for (const Word& word : line.words()) {
         const std::string values =
-            word.choices.empty() ? zshFiles(word.looks) : "(" + joined(word.choices) + ")";
+            word.choices.empty() ? zshFiles(word.kind) : "(" + joined(word.choices) + ")";
         const std::string value = word.isFlag() ? "" : ":" + placeholder(word) + ":" + values;
         if (word.isOption())
             specs += "            '" + word.name + "[" + brief(word.help) + "]" + value + "' \\\n";
@@ -126,7 +126,7 @@ std::string forFish(const CommandLine& line) {
         lines += "complete -c raytracer -n \"" + when + "\" -l " + word.name.substr(2) + " -d '" +
                  brief(word.help) + "'";
         if (!word.choices.empty()) lines += " -xa '" + joined(word.choices) + "'";
-        else if (word.looks == Looks::Number) lines += " -x";
+        else if (word.kind == ArgumentKind::Number) lines += " -x";
         else if (!word.isFlag()) lines += " -r";
         lines += "\n";
     }

@@ -85,24 +85,24 @@ CommandLine::CommandLine(const std::string& command, const std::string& purpose)
 void CommandLine::add(Word word) { words_.push_back(std::move(word)); }
 
 // Where nothing is the default, an empty text would pass for that: "$VARIABLE" of a variable that is not set.
-void CommandLine::text(const char* name, std::string& value, const std::string& help, Looks looks) {
+void CommandLine::text(const char* name, std::string& value, const std::string& help, ArgumentKind kind) {
     const auto read = [=, &value](const std::string& text) {
         if (text.find_first_not_of(" \t\n") == text.npos) refuse(name, "a text", inQuotes(text));
         value = text;
     };
-    add({name, withDefault("TEXT", value), "a text", help, read, looks});
+    add({name, withDefault("TEXT", value), "a text", help, read, kind});
 }
 
 void CommandLine::texts(const char* name, std::vector<std::string>& values, const std::string& help,
-                        Looks looks) {
+                        ArgumentKind kind) {
     const auto read = [&values](const std::string& text) { values.push_back(text); };
-    add({name, "TEXT", "a text", help, read, looks, {}, true});
+    add({name, "TEXT", "a text", help, read, kind, {}, true});
 }
 
 void CommandLine::choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                          const std::string& help) {
     const auto read = [=, &value](const std::string& text) { value = chosen(name, text, choices); };
-    add({name, withDefault("NAME", value), expectedOf(choices), help, read, Looks::Any, choices});
+    add({name, withDefault("NAME", value), expectedOf(choices), help, read, ArgumentKind::Any, choices});
 }
 
 void CommandLine::flag(const char* name, bool& value, const std::string& help) {
@@ -115,7 +115,7 @@ void CommandLine::number(const char* name, Number& value, const Range& range, co
     add({name, withDefault(placeholderOf<Number>, usual), expectedNumber<Number>(range),
          helpWithRange(help, range),
          [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); },
-         Looks::Number});
+         ArgumentKind::Number});
 }
 
 template <class Number>
@@ -123,7 +123,7 @@ void CommandLine::number(const char* name, std::optional<Number>& value, const R
                          const std::string& help) {
     add({name, placeholderOf<Number>, expectedNumber<Number>(range), helpWithRange(help, range),
          [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); },
-         Looks::Number});
+         ArgumentKind::Number});
 }
 
 template void CommandLine::number(const char*, int&, const Range&, const std::string&);

@@ -22,20 +22,20 @@ constexpr Range atLeast(double least) { return {.least = least}; }
 constexpr Range above(double least) { return {.least = least, .open = true}; }
 
 // What an argument is, as far as its text shows that: so that arguments in a wrong order are recognised.
-enum class Looks { Any, Scene, Picture, Number, Folder };
+enum class ArgumentKind { Any, Scene, Picture, Number, Folder };
 
 // An option or an argument, as it was declared.
 struct Word {
     using Read = std::function<void(const std::string& text)>;
 
-    std::string name;                    // "--samples", or an argument: "SCENE"
-    std::string placeholder;             // of the value: "N=3"; empty: a flag
-    std::string expected;                // the value in words: "a whole number from 1 to 65536"
-    std::string help;                    // one paragraph
-    Read read;                           // takes a text, or throws WrongUsage
-    Looks looks = Looks::Any;            // of the text
-    std::vector<std::string> choices{};  // all that the text may be, where it is one of few
-    bool isMany = false;                 // an argument that may be repeated
+    std::string name;                       // "--samples", or an argument: "SCENE"
+    std::string placeholder;                // of the value: "N=3"; empty: a flag
+    std::string expected;                   // the value in words: "a whole number from 1 to 65536"
+    std::string help;                       // one paragraph
+    Read read;                              // takes a text, or throws WrongUsage
+    ArgumentKind kind = ArgumentKind::Any;  // of the text
+    std::vector<std::string> choices{};     // all that the text may be, where it is one of few
+    bool isMany = false;                    // an argument that may be repeated
 
     bool isOption() const { return name.starts_with("--"); }
     bool isFlag() const { return placeholder.empty(); }
@@ -50,9 +50,9 @@ class CommandLine {
     CommandLine(const std::string& command, const std::string& purpose);
 
     void text(const char* name, std::string& value, const std::string& help,
-              Looks looks = Looks::Any);  // not blank
+              ArgumentKind kind = ArgumentKind::Any);  // not blank
     void texts(const char* name, std::vector<std::string>& values, const std::string& help,
-               Looks looks = Looks::Any);  // one or more
+               ArgumentKind kind = ArgumentKind::Any);  // one or more
     void choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                 const std::string& help);
     void flag(const char* name, bool& value, const std::string& help);

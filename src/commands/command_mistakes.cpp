@@ -47,33 +47,33 @@ std::string_view withoutDashes(std::string_view name) {
     return name;
 }
 
-bool hasLooks(const std::string& text, Looks looks) {
-    switch (looks) {
-        case Looks::Scene: return endsIn(text, ".json");
-        case Looks::Picture: return text == "-" || endsIn(text, ".png") || endsIn(text, ".pfm");
-        case Looks::Number: return numberOf<double>(text).has_value();
-        case Looks::Any:
-        case Looks::Folder: break;
+bool isOfKind(const std::string& text, ArgumentKind kind) {
+    switch (kind) {
+        case ArgumentKind::Scene: return endsIn(text, ".json");
+        case ArgumentKind::Picture: return text == "-" || endsIn(text, ".png") || endsIn(text, ".pfm");
+        case ArgumentKind::Number: return numberOf<double>(text).has_value();
+        case ArgumentKind::Any:
+        case ArgumentKind::Folder: break;
     }
     return false;
 }
 
-const char* nounOf(Looks looks) {
-    switch (looks) {
-        case Looks::Scene: return "the scene";
-        case Looks::Picture: return "the picture";
-        case Looks::Any:
-        case Looks::Number:
-        case Looks::Folder: break;
+const char* nounOf(ArgumentKind kind) {
+    switch (kind) {
+        case ArgumentKind::Scene: return "the scene";
+        case ArgumentKind::Picture: return "the picture";
+        case ArgumentKind::Any:
+        case ArgumentKind::Number:
+        case ArgumentKind::Folder: break;
     }
     return "";
 }
 
 bool isAnywhere(const std::string& text, const std::vector<const Word*>& expected) {
-    return std::ranges::any_of(expected, [&](const Word* word) { return hasLooks(text, word->looks); });
+    return std::ranges::any_of(expected, [&](const Word* word) { return isOfKind(text, word->kind); });
 }
 
-// For each text the place of the argument that it looks like, behind those of the texts before it. Ends
+// For each text the place of an argument of its kind, behind those of the texts before it. Ends
 // before the first text for which no place is left.
 std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
                                        const std::vector<const Word*>& expected) {
@@ -81,7 +81,7 @@ std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
     std::size_t next = 0;
     for (const std::string& text : texts) {
         if (isAnywhere(text, expected))
-            while (next < expected.size() && !hasLooks(text, expected[next]->looks)) ++next;
+            while (next < expected.size() && !isOfKind(text, expected[next]->kind)) ++next;
         if (next >= expected.size()) break;
         places.push_back(next);
         ++next;
@@ -93,7 +93,7 @@ std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
 const Word* meantInstead(const std::string& text, const Word* here,
                          const std::vector<const Word*>& expected) {
     const auto isMeant = [&](const Word* word) {
-        return word->looks != Looks::Number && hasLooks(text, word->looks);
+        return word->kind != ArgumentKind::Number && isOfKind(text, word->kind);
     };
     const auto meant = std::ranges::find_if(expected, isMeant);
     return meant == expected.end() || (here && isMeant(here)) ? nullptr : *meant;
@@ -155,7 +155,7 @@ void CommandLine::requireOrder() const {
     for (std::size_t i = 0; places.size() < rest_.size() && i < rest_.size(); ++i) {
         const Word* const here = i < expected.size() ? expected[i] : nullptr;
         if (const Word* const meant = meantInstead(rest_[i], here, expected))
-            throw WrongUsage{"is " + rest_[i] + " " + nounOf(meant->looks) + "? T" + theOrder.substr(1)};
+            throw WrongUsage{"is " + rest_[i] + " " + nounOf(meant->kind) + "? T" + theOrder.substr(1)};
     }
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())

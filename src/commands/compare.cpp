@@ -50,11 +50,11 @@ struct CompareArguments {
     Thresholds thresholds;
 
     void addTo(CommandLine& line) {
-        line.text("A", a, "A picture: PNG, JPEG or PFM", Looks::Picture);
-        line.text("B", b, "A picture of the same size", Looks::Picture);
+        line.text("A", a, "A picture: PNG, JPEG or PFM", ArgumentKind::Picture);
+        line.text("B", b, "A picture of the same size", ArgumentKind::Picture);
         line.text("--diff", diff,
                   "Write the difference as a picture: black where equal, 64 + 8 d where off by d",
-                  Looks::Picture);
+                  ArgumentKind::Picture);
         line.flag("--json", json, "Print the numbers as JSON");
         addThresholds(line, thresholds);
         line.footer(compareFooter);

@@ -67,13 +67,13 @@ struct GradeArguments {
     Thresholds thresholds;
 
     void addTo(CommandLine& line) {
-        line.text("DIR", scenes, "The folder of the scenes", Looks::Folder);
+        line.text("DIR", scenes, "The folder of the scenes", ArgumentKind::Folder);
         line.text("--references", references, "The folder of the reference pictures, where it is not DIR",
-                  Looks::Folder);
+                  ArgumentKind::Folder);
         line.number("--size", size, longEdgeRange,
                     "Pixels along the longer side; without it: the reference's");
         line.choice("--stage", stage, stageNames(), "Grade only the pictures of this stage");
-        line.text("--submissions", submissions, "Grade each folder in this folder", Looks::Folder);
+        line.text("--submissions", submissions, "Grade each folder in this folder", ArgumentKind::Folder);
         addProgramTo(line);
         addFilesTo(line);
         addThresholds(line, thresholds);

@@ -230,7 +230,7 @@ int render(int argc, char** argv) {
     arguments.addTo(line);
     line.text("IMAGE_OUT", wanted.out,
               "The picture: .png, .pfm (linear float32, not clamped), or - for a PNG on standard output",
-              Looks::Picture);
+              ArgumentKind::Picture);
     arguments.addLongEdgeTo(line);
     arguments.addPictureTo(line);
     line.number("--target-error", wanted.targetError, atLeast(1e-9),

@@ -68,7 +68,7 @@ PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
 }  // namespace
 
 void RenderArguments::addTo(CommandLine& line) {
-    line.text("SCENE", scene, "The scene: a JSON file", Looks::Scene);
+    line.text("SCENE", scene, "The scene: a JSON file", ArgumentKind::Scene);
     line.texts(
         "--set", sets,
         "Another value in the scene, before it is read: /camera/eye=[0,1,5], a JSON pointer and JSON; may "

@@ -37,8 +37,8 @@ struct TradeoffArguments {
     bool quiet = false;
 
     void addTo(CommandLine& line) {
-        line.texts("SCENE", scenes, "Scenes: JSON files", Looks::Scene);
-        line.text("--out", out, "The folder to write to; made where there is none", Looks::Folder);
+        line.texts("SCENE", scenes, "Scenes: JSON files", ArgumentKind::Scene);
+        line.text("--out", out, "The folder to write to; made where there is none", ArgumentKind::Folder);
         line.number("--size", options.size, {16, 4096}, "Pixels along the longer side of the film");
         line.number("--samples", options.samples, {2, 256},
                     "The most samples of a pixel; the reference has four times as many");
