@@ -23,7 +23,7 @@ NamedMistake nameOf(const Candidate& candidate) {
         if (!mistake->hint.empty()) name.hint += (name.hint.empty() ? "" : " ") + mistake->hint;
     }
     name.explained = std::max(0.0, candidate.fit.net());
-    name.looked = candidate.fit.looked;
+    name.sampled = candidate.fit.sampled;
     name.off = candidate.fit.off;
     return name;
 }
@@ -51,7 +51,7 @@ std::string measure(const NamedMistake& mistake, const Diagnosis& diagnosis) {
     if (mistake.explained < all) return "";
     if (mistake.off)
         return " (" + count(*mistake.off) + " of " + count(diagnosis.pixels) + " pixels differ; " + wrong;
-    return " (in " + count(mistake.looked) + " pixels looked at; " + count(diagnosis.wrong) + " of " +
+    return " (in a sample of " + count(mistake.sampled) + " pixels; " + count(diagnosis.wrong) + " of " +
            count(diagnosis.pixels) + " differ from the right one)";
 }
 
@@ -85,17 +85,17 @@ const ByteImage& MistakeNamer::right() const { return state_->right; }
 
 Diagnosis MistakeNamer::diagnose(const ByteImage& picture) const {
     requireSameSize({picture.width, picture.height}, {state_->right.width, state_->right.height});
-    const Judged judged(picture, state_->right);
+    const SplitPixels split(picture, state_->right);
     Diagnosis diagnosis;
     diagnosis.pixels = picture.pixels.size() / 3;
-    diagnosis.wrong = judged.differing;
-    if (judged.wrongPixels.size() < fewestWrong || isOneColor(picture)) return diagnosis;
-    addNames(diagnosis, explanationsOf(picture, judged, *state_));
+    diagnosis.wrong = split.differing;
+    if (split.wrongPixels.size() < fewestWrong || isOneColor(picture)) return diagnosis;
+    addNames(diagnosis, explanationsOf(picture, split, *state_));
     if (!diagnosis.mistakes.empty()) return diagnosis;
-    Sample sample(judged, 1000, 0, picture.width);
+    Sample sample(split, 1000, 0, picture.width);
     for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(state_->scene->explain(pixel));
     const SpeckSample specks{sample.pixels, sample.trees};
-    if (const auto name = specksIn(picture, state_->right, judged.wrongPixels, specks))
+    if (const auto name = specksIn(picture, state_->right, split.wrongPixels, specks))
         diagnosis.mistakes.push_back(*name);
     return diagnosis;
 }

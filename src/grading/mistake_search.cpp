@@ -18,12 +18,12 @@ double netOf(const Candidate& candidate) { return candidate.fit.net(); }
 // One picture, held against the variants.
 class Search {
   public:
-    Search(const KnownVariants& known, const ByteImage& picture, const Judged& judged)
+    Search(const KnownVariants& known, const ByteImage& picture, const SplitPixels& split)
         : known_(known),
           picture_(picture),
-          judged_(judged),
-          some_(judged, 96, 32, picture.width),
-          many_(judged, 1000, 1000, picture.width) {}
+          split_(split),
+          some_(split, 96, 32, picture.width),
+          many_(split, 1000, 1000, picture.width) {}
 
     // What explains the picture, all equally well; nothing where nothing does.
     Candidates best() {
@@ -40,13 +40,13 @@ class Search {
     static double rest(const Candidates& some) { return some.empty() ? 1 : 1 - netOf(some.front()); }
 
     const Candidates& bestSingles() {
-        constexpr double least = 0.3;  // in a first look
+        constexpr double least = 0.3;  // by the first sample
         for (const auto& single : known_.singles) {
             const Fit fit = fitTo(some_, *single);
             alone_.push_back(fit.explained);
             if (fit.explained >= least) singles_.push_back({single, fit});
         }
-        singles_ = looked(std::move(singles_));
+        singles_ = refitted(std::move(singles_));
         hopeful_ = singles_;
         singles_ = narrowed(std::move(singles_));
         return singles_;
@@ -58,7 +58,7 @@ class Search {
         Candidates candidates;
         for (const Candidate& base : hopeful_) {
             if (netOf(base) < least) continue;
-            Sample sample(unexplainedBy(*base.variant, picture_, known_.right, judged_), 24, 12,
+            Sample sample(unexplainedBy(*base.variant, picture_, known_.right, split_), 24, 12,
                           picture_.width);
             for (std::size_t other = 0; other < known_.singles.size(); ++other) {
                 const std::size_t index =
@@ -67,17 +67,17 @@ class Search {
                 addIfGood(candidates, std::min(index, other), std::max(index, other), sample, least);
             }
         }
-        return narrowed(looked(std::move(candidates)));
+        return narrowed(refitted(std::move(candidates)));
     }
 
     Candidates bestPairs() {
-        constexpr double least = 0.75;  // in a first look
+        constexpr double least = 0.75;  // by the first sample
         Candidates candidates;
-        Sample few(judged_, 24, 12, picture_.width);
+        Sample few(split_, 24, 12, picture_.width);
         for (std::size_t a = 0; a < known_.singles.size(); ++a)
             for (std::size_t b = a + 1; b < known_.singles.size(); ++b)
                 if (canBePair(a, b) && isWorthIt(a, b)) addIfGood(candidates, a, b, few, least);
-        return narrowed(looked(std::move(candidates)));
+        return narrowed(refitted(std::move(candidates)));
     }
 
     void addIfGood(Candidates& candidates, std::size_t a, std::size_t b, Sample& sample, double least) const {
@@ -91,7 +91,7 @@ class Search {
         return a != b && (one.kind.empty() || one.kind != other.kind);
     }
 
-    // Of a scene that takes long to build, a pair that needs one of its own is looked at where one of the two
+    // Of a scene that takes long to build, a pair that needs one of its own is tried where one of the two
     // alone explains some pixels.
     bool isWorthIt(std::size_t a, std::size_t b) const {
         constexpr double some = 0.04;
@@ -100,7 +100,7 @@ class Search {
     }
 
     // The best of them, each held against more pixels.
-    Candidates looked(Candidates candidates) const {
+    Candidates refitted(Candidates candidates) const {
         keepBest(candidates, 16, [](const Candidate& c) { return c.fit.explained; });
         for (Candidate& candidate : candidates) candidate.fit = fitTo(many_, *candidate.variant);
         keepBest(candidates, 6, netOf);
@@ -113,7 +113,7 @@ class Search {
         std::erase_if(candidates, [&](const Candidate& c) { return netOf(c) < leastExplained - hopeful; });
         for (Candidate& candidate : candidates)
             if (!candidate.variant->isOfTrees())
-                candidate.fit = fitOfAll(picture_, known_.right, judged_, *candidate.variant);
+                candidate.fit = fitOfAll(picture_, known_.right, split_, *candidate.variant);
         keepBest(candidates, candidates.size(), netOf);
         std::erase_if(candidates,
                       [&](const Candidate& c) { return netOf(c) < netOf(candidates.front()) - equallyWell; });
@@ -133,7 +133,7 @@ class Search {
 
     const KnownVariants& known_;
     const ByteImage& picture_;
-    const Judged& judged_;
+    const SplitPixels& split_;
     mutable Sample some_, many_;  // whose trees are made when needed
     std::vector<double> alone_;   // what each mistake explains without another
     Candidates hopeful_, singles_;
@@ -155,8 +155,8 @@ KnownVariants::KnownVariants(const SceneDescription& description, RenderOptions 
     isSmall = parts <= 200;
 }
 
-Candidates explanationsOf(const ByteImage& picture, const Judged& judged, const KnownVariants& known) {
-    return Search(known, picture, judged).best();
+Candidates explanationsOf(const ByteImage& picture, const SplitPixels& split, const KnownVariants& known) {
+    return Search(known, picture, split).best();
 }
 
 }  // namespace raytracer

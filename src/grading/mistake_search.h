@@ -29,6 +29,6 @@ struct Candidate {
 using Candidates = std::vector<Candidate>;
 
 // What explains the picture, all equally well; nothing where nothing does.
-Candidates explanationsOf(const ByteImage& picture, const Judged& judged, const KnownVariants& known);
+Candidates explanationsOf(const ByteImage& picture, const SplitPixels& split, const KnownVariants& known);
 
 }  // namespace raytracer

@@ -36,7 +36,7 @@ double likeness(const std::uint8_t* picture, const std::uint8_t* right, const Rg
 
 }  // namespace
 
-Judged::Judged(const ByteImage& picture, const ByteImage& right) {
+SplitPixels::SplitPixels(const ByteImage& picture, const ByteImage& right) {
     std::vector<std::size_t> offByOne;
     const std::size_t count = picture.pixels.size() / 3;
     for (std::size_t i = 0; i < count; ++i) {
@@ -49,16 +49,16 @@ Judged::Judged(const ByteImage& picture, const ByteImage& right) {
     wrongPixels.insert(wrongPixels.end(), offByOne.begin(), offByOne.end());
 }
 
-Sample::Sample(const Judged& judged, std::size_t wrong, std::size_t right, int width)
-    : numbers(someOf(judged.wrongPixels, wrong)), wrongCount(numbers.size()) {
-    const auto rights = someOf(judged.rightPixels, right);
+Sample::Sample(const SplitPixels& split, std::size_t wrong, std::size_t right, int width)
+    : numbers(someOf(split.wrongPixels, wrong)), wrongCount(numbers.size()) {
+    const auto rights = someOf(split.rightPixels, right);
     numbers.insert(numbers.end(), rights.begin(), rights.end());
     for (const std::size_t i : numbers) {
         const int number = static_cast<int>(i);
         pixels.push_back({number % width, number / width});
     }
-    rightsOfWrong = static_cast<double>(judged.rightPixels.size()) /
-                    static_cast<double>(std::max<std::size_t>(1, judged.wrongPixels.size()));
+    rightsOfWrong = static_cast<double>(split.rightPixels.size()) /
+                    static_cast<double>(std::max<std::size_t>(1, split.wrongPixels.size()));
 }
 
 Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant) {
@@ -77,27 +77,27 @@ Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, 
         explained / wrong, rights > 0 ? contradicted / rights * sample.rightsOfWrong : 0, bytes.size(), {}};
 }
 
-Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const Judged& judged, Variant& variant) {
+Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels& split, Variant& variant) {
     const ByteImage whole = variant.picture();
     double explained = 0, contradicted = 0;
-    for (const std::size_t i : judged.wrongPixels) {
+    for (const std::size_t i : split.wrongPixels) {
         const std::uint8_t* made = at(whole, i);
         explained += likeness(at(picture, i), at(right, i), {made[0], made[1], made[2]});
     }
-    for (const std::size_t i : judged.rightPixels)
+    for (const std::size_t i : split.rightPixels)
         contradicted += difference(at(picture, i), at(whole, i)) > 1;
     std::uint64_t off = 0;
     for (std::size_t i = 0; i < whole.pixels.size() / 3; ++i)
         off += difference(at(picture, i), at(whole, i)) != 0;
-    const auto wrong = static_cast<double>(judged.wrongPixels.size());
+    const auto wrong = static_cast<double>(split.wrongPixels.size());
     return {explained / wrong, contradicted / wrong, whole.pixels.size() / 3, off};
 }
 
-Judged unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
-                     const Judged& judged) {
-    Sample dense(judged, 4000, 0, picture.width);
+SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
+                          const SplitPixels& split) {
+    Sample dense(split, 4000, 0, picture.width);
     const auto bytes = variant.bytes(dense.pixels, dense.trees);
-    Judged left = judged;
+    SplitPixels left = split;
     left.wrongPixels.clear();
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const std::size_t pixel = dense.numbers[i];

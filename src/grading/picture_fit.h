@@ -13,8 +13,8 @@ namespace raytracer {
 
 // The pixels of a picture that are wrong, and those that are right: numbers in reading order. Where few
 // differ by 1 only, that is rounding, and neither.
-struct Judged {
-    Judged(const ByteImage& picture, const ByteImage& right);
+struct SplitPixels {
+    SplitPixels(const ByteImage& picture, const ByteImage& right);
 
     std::size_t differing = 0;
     std::vector<std::size_t> wrongPixels, rightPixels;
@@ -23,7 +23,7 @@ struct Judged {
 // Pixels to hold variants against.
 struct Sample {
     // Some wrong pixels and some right ones, the same on every machine; `width` is the picture's.
-    Sample(const Judged& judged, std::size_t wrong, std::size_t right, int width);
+    Sample(const SplitPixels& split, std::size_t wrong, std::size_t right, int width);
 
     std::vector<std::size_t> numbers;
     std::size_t wrongCount;  // the first ones
@@ -36,7 +36,7 @@ struct Sample {
 struct Fit {
     double explained = 0;     // of the wrong pixels
     double contradicted = 0;  // right pixels that the variant has wrong, as a share of the wrong ones
-    std::size_t looked = 0;
+    std::size_t sampled = 0;  // pixels
     std::optional<std::uint64_t> off = {};  // of the whole picture
     double net() const { return explained - contradicted; }
 };
@@ -45,10 +45,10 @@ struct Fit {
 Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant);
 
 // By all pixels.
-Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const Judged& judged, Variant& variant);
+Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels& split, Variant& variant);
 
 // Of some wrong pixels, those that the variant does not explain.
-Judged unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
-                     const Judged& judged);
+SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
+                          const SplitPixels& split);
 
 }  // namespace raytracer

@@ -15,12 +15,12 @@ namespace raytracer {
 
 // One or two mistakes that explain a picture.
 struct NamedMistake {
-    std::string what;        // follows "the picture": "without specular light"
-    std::string hint;        // what the author may look at: one sentence, or empty
-    double explained = 0;    // the share of the wrong pixels that have the bytes which the mistake makes
-    std::size_t looked = 0;  // pixels that the share was measured on
-    std::optional<std::uint64_t>
-        off;  // of the whole picture, where looked at: those that differ all the same
+    std::string what;         // follows "the picture": "without specular light"
+    std::string hint;         // what the author may check: one sentence, or empty
+    double explained = 0;     // the share of the wrong pixels that have the bytes which the mistake makes
+    std::size_t sampled = 0;  // pixels that the share was measured on
+    // Of the whole picture, where it was made: those that differ all the same.
+    std::optional<std::uint64_t> off;
 };
 
 struct Diagnosis {
