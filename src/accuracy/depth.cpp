@@ -16,7 +16,7 @@ constexpr double reflection = 0.25;
 // So many that they show a reflection in as few places as make the target's error; in a small picture, some
 // to each pixel.
 std::size_t pointsFor(double target, double pixels) {
-    const double least = static_cast<double>(leastLook);
+    const double least = static_cast<double>(fewestPilots);
     return static_cast<std::size_t>(
         std::clamp(std::pow(reflection / target, 2), least, std::max(least, widely * pixels)));
 }
@@ -163,7 +163,7 @@ DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, 
     if (options.pass != Pass::Color)
         return {.max_recursion = Setting{}.max_recursion};  // these have no depth
     const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels), 3);
-    const auto few = std::span(points).first(leastLook);
+    const auto few = std::span(points).first(fewestPilots);
     const Deepest deep = deepest(renderer, options, target, limit, few, spent);
     const Depths depths = depthsAt(renderer, options, points, deep.setting, cutoffsFor(target));
     spent += depths.counts();

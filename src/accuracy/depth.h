@@ -10,8 +10,9 @@
 
 namespace raytracer {
 
-// Pixels looked at, and points whose ray trees are, at least: fewer do not tell the error.
-inline constexpr std::size_t leastLook = 1000;
+// Pilot samples: pixels that are sampled, and points whose ray trees are traced, at least. Fewer do not tell
+// the error.
+inline constexpr std::size_t fewestPilots = 1000;
 // An error of this many times the target is too large wherever it is; the target divided by it is negligible.
 inline constexpr double widely = 4;
 // A squared error and so many standard errors must be within the target's: it is taken from a skew sample,

@@ -1,4 +1,4 @@
-// Some points of a picture, spread evenly, for a look at it.
+// Some points of a picture, spread evenly, for pilot samples.
 #pragma once
 
 #include <vector>

@@ -9,16 +9,16 @@ namespace raytracer {
 
 namespace {
 
-constexpr std::size_t looks = 64;  // points of the picture
+constexpr std::size_t pilots = 64;  // points of the picture
 
 // A sample's reflected and refracted rays at a depth; nothing where they are too many.
 std::optional<double> raysOf(const Renderer& renderer, RenderOptions options, int max_recursion) {
     options.max_recursion = max_recursion;
-    std::vector<glm::dvec3> colors(looks);
+    std::vector<glm::dvec3> colors(pilots);
     try {
         const RenderCounts counts =
-            renderer.renderPoints(options, picturePoints(options.size, looks, 1), colors);
-        return static_cast<double>(counts.onwards()) / looks;
+            renderer.renderPoints(options, picturePoints(options.size, pilots, 1), colors);
+        return static_cast<double>(counts.onwards()) / pilots;
     } catch (const TooManyRays&) {
         return std::nullopt;
     }

@@ -22,16 +22,16 @@ namespace raytracer {
 
 namespace {
 
-// Twice as many pixels are looked at where these do not tell and the look is at most this part of the
-// picture.
-constexpr double lookPart = 0.3;
+// Twice as many pilot pixels are taken where these do not tell and cost at most this part of the picture.
+constexpr double pilotPart = 0.3;
 // From one `adaptive` to the next: 4 % of the error are lost in the mean. From four times the target on:
-// errors are 0.1 to 1.1 of it, and where it is larger, those of single pixels are too, which a look may miss.
+// errors are 0.1 to 1.1 of it, and where it is larger, those of single pixels are too, which pilot samples
+// may miss.
 constexpr double finer = 1 / 1.09;
 constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 170 MB
 
-// A pixel that is looked at: its own samples, and twice as many others.
-struct Looked {
+// A pilot pixel: its own samples, and twice as many others.
+struct PilotPixel {
     PixelPlace place;
     double contrast = 0;
     double draws = 0;          // how often it was drawn
@@ -62,7 +62,7 @@ class Search {
         choice_.isLimited = depth_.isLimited;
         takeFirst();
         sortPixels();
-        drawPixels(leastLook);
+        drawPixels(fewestPilots);
         choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
         chooseAdaptive();
         choice_.reached = choice_.reached && !choice_.isLimited;
@@ -117,15 +117,15 @@ class Search {
             const double draws = std::ceil((sum - next) / step);
             next += draws * step;
             const double part = totalWeight_ / (weight * static_cast<double>(pixels_.size()));
-            const auto others = options_.sequence + 1 + 2 * static_cast<std::uint32_t>(looked_.size());
-            looked_.push_back({placeOf(i), static_cast<double>(contrast), draws, part, others});
-            looked_.back().own.add(choice_.first.colors[i]);
+            const auto others = options_.sequence + 1 + 2 * static_cast<std::uint32_t>(pilots_.size());
+            pilots_.push_back({placeOf(i), static_cast<double>(contrast), draws, part, others});
+            pilots_.back().own.add(choice_.first.colors[i]);
         }
         count_ += count;
     }
 
-    // From the coarsest on, until the target is surely reached. Where the look is too small to tell, twice as
-    // many pixels are cheaper than more samples in all of them.
+    // From the coarsest on, until the target is surely reached. Where the pilot pixels are too few to tell,
+    // twice as many are cheaper than more samples in all of them.
     void chooseAdaptive() {
         double& adaptive = choice_.setting.adaptive;
         adaptive = rounded(widely * target_);
@@ -145,21 +145,21 @@ class Search {
         }
     }
 
-    // Whether twice the look is cheap beside the picture.
+    // Whether twice the pilot samples are cheap beside the picture.
     bool mayDrawMore() const {
-        double look = 0, perPixel = 1;
-        for (const Looked& pixel : looked_) {
+        double taken = 0, perPixel = 1;
+        for (const PilotPixel& pixel : pilots_) {
             const int own = pixel.own.samples();
             perPixel += pixel.draws / count_ * pixel.weight * (own - 1);
-            look += own + 2 * pixel.truth[0].samples();
+            taken += own + 2 * pixel.truth[0].samples();
         }
-        return 2 * look <= lookPart * perPixel * static_cast<double>(pixels_.size());
+        return 2 * taken <= pilotPart * perPixel * static_cast<double>(pixels_.size());
     }
 
-    // Takes the pixels that are looked at to their end.
+    // Takes the pilot pixels to their end.
     void takeSamples(double adaptive) {
         do
-            for (Looked& pixel : looked_) {
+            for (PilotPixel& pixel : pilots_) {
                 int samples = pixel.own.samples();
                 if (pixel.own.error(pixel.contrast) > adaptive) samples = nextLevel(samples, mostSamples);
                 request(pixel.place, options_.sequence, pixel.own, samples);
@@ -191,7 +191,7 @@ class Search {
     // Of the picture, without bias, and its standard error.
     std::pair<double, double> squaredError() const {
         double sum = 0, squares = 0;
-        for (const Looked& pixel : looked_) {
+        for (const PilotPixel& pixel : pilots_) {
             const auto difference = [&](int other) {
                 return glm::clamp(pixel.own.color(), 0.0, 1.0) -
                        glm::clamp(pixel.truth[other].color(), 0.0, 1.0);
@@ -211,7 +211,7 @@ class Search {
     TargetChoice choice_;
     std::vector<std::pair<float, std::uint32_t>> pixels_;  // all: contrast and index, in this order
     double totalWeight_ = 0;                               // of all pixels
-    std::vector<Looked> looked_;
+    std::vector<PilotPixel> pilots_;
     double count_ = 0;                // draws
     std::uint32_t draws_ = 0;         // calls of drawPixels
     std::vector<glm::dvec2> points_;  // requested samples

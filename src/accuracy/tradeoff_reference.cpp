@@ -18,16 +18,16 @@ constexpr double glassCutoff = 1e-5, tooManyRays = 4;
 constexpr double deepEnough = 1e-4;
 
 // What some points cost and show, at a depth.
-struct Look {
+struct Pilot {
     std::vector<glm::dvec3> colors;
     double rays = 0;
 };
 
-Look lookAt(const Renderer& renderer, const RenderOptions& options, const Setting& depth) {
+Pilot pilotAt(const Renderer& renderer, const RenderOptions& options, const Setting& depth) {
     const std::vector<glm::dvec2> points = picturePoints(options.size, 2000, 3);
-    Look look{std::vector<glm::dvec3>(points.size())};
-    look.rays = rayCount(renderer.renderPoints(withSetting(options, depth), points, look.colors));
-    return look;
+    Pilot pilot{std::vector<glm::dvec3>(points.size())};
+    pilot.rays = rayCount(renderer.renderPoints(withSetting(options, depth), points, pilot.colors));
+    return pilot;
 }
 
 // One sample a pixel, converged in depth.
@@ -35,16 +35,18 @@ Setting deepSetting(const Renderer& renderer, const RenderOptions& options) {
     const auto at = [](int depth, double cutoff) {
         return Setting{.max_recursion = depth, .cutoff = cutoff};
     };
-    const auto look = [&](int depth, double cutoff) { return lookAt(renderer, options, at(depth, cutoff)); };
+    const auto pilot = [&](int depth, double cutoff) {
+        return pilotAt(renderer, options, at(depth, cutoff));
+    };
     int deep = 4;
     try {
         while (deep < 64 &&
-               pictureError(look(deep, glassCutoff).colors, look(2 * deep, glassCutoff).colors).rmse >
+               pictureError(pilot(deep, glassCutoff).colors, pilot(2 * deep, glassCutoff).colors).rmse >
                    deepEnough)
             deep *= 2;
         // The cheapest depth first: twice the depth at most squares the number of rays.
         for (int depth = 4; depth <= deep; depth *= 2)
-            if (look(depth, 0).rays > tooManyRays * look(depth, glassCutoff).rays)
+            if (pilot(depth, 0).rays > tooManyRays * pilot(depth, glassCutoff).rays)
                 return at(deep, glassCutoff);
     } catch (const TooManyRays&) {
         return at(deep, glassCutoff);

@@ -19,8 +19,8 @@ constexpr std::size_t recursionStack = std::size_t{64} << 10;
 
 constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
 
-// What a look at these points may cast: the outcome is the same for any number of threads, whose work
-// together is at most theirs times as much.
+// What pilot samples may cast: the outcome is the same for any number of threads, whose work together is at
+// most theirs times as much.
 std::uint64_t mostRaysOf(std::span<const glm::dvec2> points) { return mostRaysOfSample * points.size(); }
 
 // Does every job, on options.threads threads: each makes its work with workOf(context), and calls work(job).

@@ -163,16 +163,16 @@ TEST_CASE("ray trees tell what every depth costs and leaves out") {
         const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
         Depths depths(deepest, {0.02, 0.1, 0.5});
         depths.add(renderer, options, points);
-        const auto look = [&](const Setting& setting, std::vector<glm::dvec3>& colors) {
+        const auto render = [&](const Setting& setting, std::vector<glm::dvec3>& colors) {
             colors.resize(points.size());
             return rayCount(renderer.renderPoints(withSetting(options, setting), points, colors));
         };
         std::vector<glm::dvec3> truth, colors;
-        look(deepest, truth);
+        render(deepest, truth);
         for (const int depth : {0, 1, 2, 5, 9})
             for (const double cutoff : {0.02, 0.1, 0.5}) {
                 INFO(depth << ", cutoff " << cutoff);
-                const double rays = look({.max_recursion = depth, .cutoff = cutoff}, colors);
+                const double rays = render({.max_recursion = depth, .cutoff = cutoff}, colors);
                 const DepthChoice choice = depths.measured(depth, cutoff);
                 CHECK(choice.max_recursion == depth);
                 CHECK(choice.cutoff == (choice.max_recursion == 0 ? 0 : cutoff));

@@ -86,8 +86,8 @@ TEST_CASE("the terms of the light model add up") {
     }
 }
 
-// Nothing bounds what a render may cast; a look at some pixels ends where rays double and double.
-TEST_CASE("a look at some pixels has a bound on the rays that it casts") {
+// Nothing bounds what a render may cast; pilot samples end where rays double and double.
+TEST_CASE("pilot samples have a bound on the rays that they cast") {
     SceneMaker maker;
     MaterialDescription& glass = maker.glass(glm::dvec3(1), 1);
     glass.reflective = true;

@@ -1,4 +1,4 @@
-// Chooses a setting that reaches a target error, from a look at the scene itself.
+// Chooses a setting that reaches a target error, from pilot samples of the scene itself.
 #pragma once
 
 #include "raytracer/accuracy/setting.h"
@@ -8,11 +8,11 @@ namespace raytracer {
 
 struct TargetChoice {
     Setting setting;
-    bool reached = false;    // whether its error is within the target, as far as the look tells
+    bool reached = false;    // whether its error is within the target, as far as the pilot samples tell
     bool isLimited = false;  // reached is not known: deeper rays are too many to follow
     double sampleError = 0, depthError = 0;  // estimates of its parts, RMSE; their squares add up
-    RenderCounts counts;                     // of the look
-    FirstSamples first;                      // of the picture, if the look took them: for Renderer::render
+    RenderCounts counts;                     // of the pilot samples
+    FirstSamples first;  // of the picture, if the pilot samples include them: for Renderer::render
 };
 
 // `target` is an RMSE, of 1, in linear light after clamping, before rounding to bytes, against samples and

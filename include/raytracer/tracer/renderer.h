@@ -24,7 +24,7 @@ struct FirstSamples {
 
 // A call for some pixels casts more reflected and refracted rays than this for each of its samples: where a
 // material is both reflective and refractive they double with each bounce, to 2^32 at a depth of 32. Mirrors
-// take one for each bounce, so no depth that a search looks at is given up for them.
+// take one for each bounce, so no depth that a search tries is given up for them.
 inline constexpr std::uint64_t mostRaysOfSample = 1024;
 class TooManyRays : public Error {
   public:
@@ -49,7 +49,7 @@ class Renderer {
 
     // The colours of samples at some points of the picture, in pixels, (0, 0) at its top left: colors[i] is
     // that of points[i]. Neighbours in the list are faster if they are neighbours in the picture.
-    // These are looks at a picture, by a search or before a render: this and rayTrees may throw TooManyRays.
+    // These take pilot samples, for a search or before a render: this and rayTrees may throw TooManyRays.
     virtual RenderCounts renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,
                                       std::span<glm::dvec3> colors) const = 0;
 
