@@ -18,13 +18,13 @@ constexpr double reflection = 0.25;
 std::size_t pointsFor(double target, double pixels) {
     const double least = static_cast<double>(fewestPilots);
     return static_cast<std::size_t>(
-        std::clamp(std::pow(reflection / target, 2), least, std::max(least, widely * pixels)));
+        std::clamp(std::pow(reflection / target, 2), least, std::max(least, errorMargin * pixels)));
 }
 
 // From one that takes nothing from the target to one that takes most reflections away.
 std::vector<double> cutoffsFor(double target) {
-    std::vector<double> cutoffs{rounded(target / widely)};
-    while (cutoffs.back() < reflection) cutoffs.push_back(rounded(cutoffs.back() * widely));
+    std::vector<double> cutoffs{rounded(target / errorMargin)};
+    while (cutoffs.back() < reflection) cutoffs.push_back(rounded(cutoffs.back() * errorMargin));
     return cutoffs;
 }
 
@@ -62,7 +62,7 @@ Deepest deepest(const Renderer& renderer, const RenderOptions& options, double t
         auto next = colorsAt(renderer, withSetting(options, deeper), points, spent);
         if (next.empty()) return {setting, true};
         setting = deeper;
-        if (pictureError(colors, next).rmse * widely <= target) return {setting};
+        if (pictureError(colors, next).rmse * errorMargin <= target) return {setting};
         colors = std::move(next);
     }
     return {setting, limit < mostRecursion};
@@ -71,7 +71,7 @@ Deepest deepest(const Renderer& renderer, const RenderOptions& options, double t
 // A picture's error falls about as its rays grow, and what a depth leaves of the target is the samples'.
 DepthChoice cheapest(const std::vector<DepthChoice>& depths, double target) {
     return *std::ranges::min_element(depths, {}, [&](const DepthChoice& depth) {
-        const double left = target * target - depth.squaredError - surely * depth.standardError;
+        const double left = target * target - depth.squaredError - standardErrors * depth.standardError;
         return left > 0 ? depth.rays / std::sqrt(left) : std::numeric_limits<double>::infinity();
     });
 }

@@ -14,10 +14,10 @@ namespace raytracer {
 // the error.
 inline constexpr std::size_t fewestPilots = 1000;
 // An error of this many times the target is too large wherever it is; the target divided by it is negligible.
-inline constexpr double widely = 4;
+inline constexpr double errorMargin = 4;
 // A squared error and so many standard errors must be within the target's: it is taken from a skew sample,
 // and the first setting that seems to reach the target is chosen.
-inline constexpr double surely = 3;
+inline constexpr double standardErrors = 3;
 
 struct DepthChoice {
     int max_recursion = 0;

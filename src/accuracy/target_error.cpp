@@ -92,7 +92,7 @@ class Search {
     }
 
     // The error that a pixel may have.
-    double weightOf(double contrast) const { return std::min(contrast / 4, widely * target_); }
+    double weightOf(double contrast) const { return std::min(contrast / 4, errorMargin * target_); }
 
     void sortPixels() {
         const std::vector<double> contrast =
@@ -124,24 +124,25 @@ class Search {
         count_ += count;
     }
 
-    // From the coarsest on, until the target is surely reached. Where the pilot pixels are too few to tell,
+    // From the coarsest on, until the target is reached. Where the pilot pixels are too few to tell,
     // twice as many are cheaper than more samples in all of them.
     void chooseAdaptive() {
         double& adaptive = choice_.setting.adaptive;
-        adaptive = rounded(widely * target_);
+        adaptive = rounded(errorMargin * target_);
         for (bool isLast = false;;) {
             takeSamples(adaptive);
             const auto [square, deviation] = squaredError();
             const double left = target_ * target_ - depth_.squaredError - square;
             choice_.sampleError = std::sqrt(std::max(0.0, square));
-            choice_.reached = left >= (isLast ? 0 : surely * std::hypot(deviation, depth_.standardError));
+            choice_.reached =
+                left >= (isLast ? 0 : standardErrors * std::hypot(deviation, depth_.standardError));
             if (choice_.reached || isLast) return;
             if (left >= 0 && mayDrawMore()) {
                 drawPixels(count_);
                 continue;
             }
             adaptive = rounded(adaptive * finer);
-            isLast = adaptive * widely < target_;
+            isLast = adaptive * errorMargin < target_;
         }
     }
 
