@@ -56,10 +56,10 @@ class Extremes:
         pixels = self.pixels(scene)
         own = {column: pictures[column] and round(pixels * programs.differing_share(baseline[column], pictures[column], self.arguments.by))
                for column in self.columns}
-        judge = {column: pictures[column] and pictures["extended"] and
+        reference = {column: pictures[column] and pictures["extended"] and
                  round(pixels * programs.differing_share(pictures["extended"], pictures[column], 1))
                  for column in ("float", "double")}
-        return own, judge
+        return own, reference
 
     def pixels(self, scene):
         width, height = programs.image_size(scene, self.arguments.size)
@@ -73,9 +73,9 @@ class Extremes:
             say(tag)
             counts = [self.wrong(scene, tag, options, baseline) for scene, baseline in scenes.items()]
             cells = [total(own[column] for own, _ in counts) for column in self.columns]
-            judged = [total(judge[column] for _, judge in counts) for column in ("float", "double")]
+            references = [total(reference[column] for _, reference in counts) for column in ("float", "double")]
             what = f"scaled by 10^{power}" if kind == "scale" else f"moved by 10^{power} sizes"
-            yield f"| {what} | " + " | ".join(cells + judged) + " |"
+            yield f"| {what} | " + " | ".join(cells + references) + " |"
 
 
 def total(counts):

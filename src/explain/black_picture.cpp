@@ -70,7 +70,7 @@ struct Tally {
     void add(const LightExplanation& light) {
         if (!(light.N_L > 0)) {
             ++behind;
-        } else if (!light.asked) {
+        } else if (!light.shadowRayCast) {
             ++black;
         } else if (isBlack(light.S_L) && light.shadowedBy) {
             ++shadowed;

@@ -30,7 +30,7 @@ void writeLight(JsonWriter& json, const LightExplanation& light, const SceneDesc
     writeVector(json, "ambient", light.ambient);
     writeVector(json, "diffuse", light.diffuse);
     writeVector(json, "specular", light.specular);
-    json.key("shadow_ray").value(light.asked);
+    json.key("shadow_ray").value(light.shadowRayCast);
     if (light.shadowedBy) {
         json.key("shadowed_by");
         writeShape(json, *light.shadowedBy, scene);

@@ -117,7 +117,7 @@ class Writer {
     std::string verdict(const LightExplanation& light) const {
         if (!(light.N_L > 0)) return "behind the surface (N.L <= 0), so only ambient";
         const std::string angles = "N.L = " + number(light.N_L) + ", V.R = " + number(light.V_R) + ", ";
-        if (!light.asked)
+        if (!light.shadowRayCast)
             return angles + (light.diffuse + light.specular == glm::dvec3(0) ? "nothing to be shadowed"
                                                                              : "shadows are off");
         if (!light.shadowedBy) return angles + "nothing in between";

@@ -61,7 +61,7 @@ void addTerms(std::vector<Mistake>& mistakes) {
 void addDepths(std::vector<Mistake>& mistakes, int depth) {
     const auto text = [](int bounces) { return " (max_recursion " + std::to_string(bounces) + ")"; };
     const char* const hint =
-        "Is max_recursion > 0 asked before each bounce, and max_recursion - 1 passed on?";
+        "Is max_recursion > 0 checked before each bounce, and max_recursion - 1 passed on?";
     if (depth > 0)
         mistakes.push_back({"with one bounce less" + text(depth - 1), hint, "depth",
                             withRecursion([](int bounces) { return bounces - 1; })});

@@ -37,7 +37,7 @@ class Recorder final : public Observer {
     }
 
     void shadow(const Shape* by, const Color& S_L) override {
-        light_.asked = true;
+        light_.shadowRayCast = true;
         if (by) light_.shadowedBy = by->index();
         light_.S_L = glm::dvec3(S_L);
     }

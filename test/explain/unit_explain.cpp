@@ -194,15 +194,15 @@ TEST_CASE("a shadow, and by whom") {
     const RayExplanation ray = scene.explainCentre();
     REQUIRE(ray.shape == 0);
     REQUIRE(ray.lights.size() == 4);
-    CHECK(ray.lights[0].asked);
+    CHECK(ray.lights[0].shadowRayCast);
     CHECK(ray.lights[0].shadowedBy == std::size_t{2});  // the nearest to the wall
     CHECK(ray.lights[0].S_L == glm::dvec3(0));
     CHECK(ray.lights[1].shadowedBy == std::size_t{3});  // glass, though something opaque follows
     CHECK(ray.lights[1].S_L == glm::dvec3(1, 0.5, 0.25));
-    CHECK(ray.lights[2].asked);
+    CHECK(ray.lights[2].shadowRayCast);
     CHECK_FALSE(ray.lights[2].shadowedBy);
     CHECK(ray.lights[2].S_L == glm::dvec3(1));
-    CHECK_FALSE(ray.lights[3].asked);  // behind the wall
+    CHECK_FALSE(ray.lights[3].shadowRayCast);  // behind the wall
     CHECK(ray.lights[3].N_L == 0);
     CHECK(ray.lights[3].sum == glm::dvec3(0));
 }

@@ -78,7 +78,7 @@ std::vector<long double> sharesOfBound(Kind kind, std::shared_ptr<const MeshData
 }
 
 constexpr int digits = std::numeric_limits<Real>::digits;
-constexpr bool isWidest = digits == std::numeric_limits<long double>::digits;  // no better judge
+constexpr bool isWidest = digits == std::numeric_limits<long double>::digits;  // nothing is more accurate
 
 // A large triangle around the origin, of coordinates that are exact in float.
 std::shared_ptr<const MeshData> triangleAroundOrigin(Random& random) {

@@ -1,5 +1,6 @@
 // Random poses over many orders of magnitude, random places on surfaces, and the surfaces' equations in long
-// double to judge by. Deterministic: the same seed, the same rays, on every machine and with every library.
+// double for the reference values. Deterministic: the same seed, the same rays, on every machine and with
+// every library.
 #pragma once
 
 #include <algorithm>

@@ -28,7 +28,7 @@ inline std::unique_ptr<Shape> makeShape(Kind kind, const Affine& worldFromObject
     return std::make_unique<Shape>(kind, Transform(worldFromObject), material, index, std::move(triangles));
 }
 
-// The judge's arithmetic.
+// The arithmetic of the reference values.
 using Wide = glm::vec<3, long double, glm::defaultp>;
 
 inline Wide pointToWorld(const Affine& affine, const Wide& p) {

@@ -52,9 +52,10 @@ double sizeOf(const SceneDescription& scene) {
 struct Tally {
     int wrong = 0, pixels = 0;
 
-    void add(const SceneDescription& scene, const ByteImage& judge, Precision precision = Precision::Double) {
+    void add(const SceneDescription& scene, const ByteImage& reference,
+             Precision precision = Precision::Double) {
         const ByteImage image = bytesOf(scene, 60, precision);
-        wrong += differingPixels(image, judge, 1);
+        wrong += differingPixels(image, reference, 1);
         pixels += image.width * image.height;
     }
     void check() const {
@@ -101,9 +102,9 @@ TEST_CASE("a scene times a power of ten is what extended precision makes of it")
         Tally tally;
         for (int exponent = -12; exponent <= 12; exponent += slowness > 1 ? 6 : 1) {
             const SceneDescription other = scaled(scene, std::pow(10, exponent));
-            const ByteImage judge = bytesOf(other, 60, Precision::Extended);
-            tally.add(other, judge);
-            inFloat.add(other, judge, Precision::Float);
+            const ByteImage reference = bytesOf(other, 60, Precision::Extended);
+            tally.add(other, reference);
+            inFloat.add(other, reference, Precision::Float);
         }
         tally.check();
     }

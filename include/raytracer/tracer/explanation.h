@@ -15,11 +15,11 @@ enum class RayKind { Primary, Reflection, Refraction };
 
 // One light's term: K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L.
 struct LightExplanation {
-    glm::dvec3 ambient{0};    // K_A I_AL
-    double N_L = 0, V_R = 0;  // 0 where the light is behind the surface, or mirrored away from the viewer
-    glm::dvec3 diffuse{0};    // K_D I_L (N.L), before the shadow
-    glm::dvec3 specular{0};   // K_S I_L (V.R)^n, before the shadow
-    bool asked = false;       // whether a shadow ray was cast: there was something to take away
+    glm::dvec3 ambient{0};       // K_A I_AL
+    double N_L = 0, V_R = 0;     // 0 where the light is behind the surface, or mirrored away from the viewer
+    glm::dvec3 diffuse{0};       // K_D I_L (N.L), before the shadow
+    glm::dvec3 specular{0};      // K_S I_L (V.R)^n, before the shadow
+    bool shadowRayCast = false;  // there was something to take away
     std::optional<std::size_t> shadowedBy;  // the shape that it hit first
     glm::dvec3 S_L{1};
     glm::dvec3 sum{0};  // the whole term

@@ -12,7 +12,7 @@
 namespace raytracer {
 
 struct RayTreeNode {
-    glm::dvec3 light{0};        // the point's light from the lamps at this ray's hit, weight included
+    glm::dvec3 light{0};        // of the lights and the ambient light at its hit, times the weight
     glm::dvec3 weight{1};       // throughput: what the ray's colour is multiplied by in the point's
     std::uint16_t depth = 0;    // reflections and refractions before this ray
     std::uint16_t shadows = 0;  // shadow rays from its hit

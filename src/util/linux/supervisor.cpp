@@ -140,7 +140,7 @@ class Supervisor {
     SupervisorReport watch() {
         while (!hasEnded() && report_.stop == ProcessEnd::Stop::None && !isTold_) {
             waitForSignal();
-            judge();
+            checkLimits();
         }
         report_.seconds = report_.stop == ProcessEnd::Stop::Hung ? limits_.wallSeconds : seconds();
         killAll();
@@ -174,7 +174,7 @@ class Supervisor {
         isTold_ = ::sigtimedwait(&set, nullptr, &time) == SIGTERM;
     }
 
-    void judge() {
+    void checkLimits() {
         const auto processes = descendants(static_cast<std::size_t>(limits_.processes));
         double used = reapedSeconds();
         for (const pid_t process : processes) used += processorSecondsOf(process);
