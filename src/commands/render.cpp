@@ -84,7 +84,8 @@ OutputFile openOutput(const PictureArguments& wanted) {
     return OutputFile::standardOutput();
 }
 
-struct Picture {
+// One picture, from its scene to its file.
+struct RenderJob {
     const RenderArguments& arguments;
     const PictureArguments& wanted;
     const SceneDescription& scene;
@@ -97,58 +98,54 @@ struct Picture {
     bool isBlack = true;  // as far as it is rendered
 };
 
-void renderBand(PixelSink& sink, Picture& picture, const PixelRectangle& band, StepProgress& progress) {
-    RenderOptions options = picture.options;
+void renderBand(PixelSink& sink, RenderJob& job, const PixelRectangle& band, StepProgress& progress) {
+    RenderOptions options = job.options;
     options.crop = band;
-    options.part = picture.part.part;
-    const bool hasFirst = picture.choice && !picture.choice->first.colors.empty();
-    picture.counts +=
-        picture.renderer.render(options, sink, &progress, hasFirst ? &picture.choice->first : nullptr);
+    options.part = job.part.part;
+    const bool hasFirst = job.choice && !job.choice->first.colors.empty();
+    job.counts += job.renderer.render(options, sink, &progress, hasFirst ? &job.choice->first : nullptr);
     progress.next();
 }
 
-void warnOfBlack(const Picture& picture) {
-    if (!picture.isBlack || picture.wanted.isPart() || !picture.arguments.isWhole() ||
-        !picture.arguments.warns())
-        return;
-    picture.arguments.warn(whyBlack(picture.scene, picture.renderer, picture.options));
+void warnOfBlack(const RenderJob& job) {
+    if (!job.isBlack || job.wanted.isPart() || !job.arguments.isWhole() || !job.arguments.warns()) return;
+    job.arguments.warn(whyBlack(job.scene, job.renderer, job.options));
 }
 
 template <class Sink, class Image>
-void renderTo(Picture& picture, PictureWriter<Image>& writer) {
+void renderTo(RenderJob& job, PictureWriter<Image>& writer) {
     Stopwatch watch;
-    StepProgress progress(picture.arguments.quiet, writer.bands().size());
+    StepProgress progress(job.arguments.quiet, writer.bands().size());
     for (const PixelRectangle& band : writer.bands()) {
         Sink sink(band);
-        renderBand(sink, picture, band, progress);
-        picture.timings.render += watch.lap();
-        picture.isBlack = picture.isBlack && isAllBlack(sink.image());
-        if (&band == &writer.bands().back()) warnOfBlack(picture);
+        renderBand(sink, job, band, progress);
+        job.timings.render += watch.lap();
+        job.isBlack = job.isBlack && isAllBlack(sink.image());
+        if (&band == &writer.bands().back()) warnOfBlack(job);
         writer.write(sink.image());
-        picture.timings.write += watch.lap();
+        job.timings.write += watch.lap();
     }
     writer.finish();
-    picture.timings.write += watch.lap();
+    job.timings.write += watch.lap();
 }
 
 template <class Sink, class Image>
-void renderTo(Picture& picture, OutputFile& file, std::unique_ptr<PictureWriter<Image>> writer) {
-    if (picture.wanted.isPart()) writer = partWriter<Image>(file, picture.part);
-    renderTo<Sink>(picture, *writer);
+void renderTo(RenderJob& job, OutputFile& file, std::unique_ptr<PictureWriter<Image>> writer) {
+    if (job.wanted.isPart()) writer = partWriter<Image>(file, job.part);
+    renderTo<Sink>(job, *writer);
 }
 
-void choose(Picture& picture) {
+void choose(RenderJob& job) {
     Stopwatch watch;
-    if (const auto target = picture.wanted.targetError)
-        picture.choice = chooseAndTell(picture.renderer, picture.options, *target, picture.arguments.quiet);
-    if (const auto seconds = picture.wanted.targetTime)
-        picture.counts +=
-            chooseForTimeAndTell(picture.renderer, picture.options,
-                                 *seconds - picture.timings.load.wall - picture.timings.build.wall,
-                                 picture.arguments.quiet ? "" : picture.wanted.command)
-                .counts;
-    if (picture.choice) picture.counts += picture.choice->counts;
-    picture.timings.choose = watch.lap();
+    if (const auto target = job.wanted.targetError)
+        job.choice = chooseAndTell(job.renderer, job.options, *target, job.arguments.quiet);
+    if (const auto seconds = job.wanted.targetTime)
+        job.counts += chooseForTimeAndTell(job.renderer, job.options,
+                                           *seconds - job.timings.load.wall - job.timings.build.wall,
+                                           job.arguments.quiet ? "" : job.wanted.command)
+                          .counts;
+    if (job.choice) job.counts += job.choice->counts;
+    job.timings.choose = watch.lap();
 }
 
 // With the exit status.
@@ -171,22 +168,22 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     const auto renderer = arguments.makeRenderer(description);
     timings.build = watch.lap();
     if (!wanted.targetError && !wanted.targetTime) remarkOnCost(arguments, description, *renderer, options);
-    Picture picture{arguments, wanted, description, *renderer, options, timings};
-    if (wanted.isPart()) picture.part = partHead(arguments, options, parsePart(wanted.part), files);
-    choose(picture);
+    RenderJob job{arguments, wanted, description, *renderer, options, timings};
+    if (wanted.isPart()) job.part = partHead(arguments, options, parsePart(wanted.part), files);
+    choose(job);
     if (wanted.isPart()) {
-        picture.part.options = pictureOptions(arguments, options);
-        picture.part.isFloat = wanted.isPfm();
-        picture.part.isReached = !picture.choice || picture.choice->reached;
-        if (wanted.skipExisting && isPart(wanted.file(), picture.part)) return tellSkipped(arguments, wanted);
+        job.part.options = pictureOptions(arguments, options);
+        job.part.isFloat = wanted.isPfm();
+        job.part.isReached = !job.choice || job.choice->reached;
+        if (wanted.skipExisting && isPart(wanted.file(), job.part)) return tellSkipped(arguments, wanted);
     }
-    if (wanted.isPfm()) renderTo<FloatSink>(picture, out, pfmWriter(out, options.crop));
-    else renderTo<ByteSink>(picture, out, pngWriter(out, options.crop, arguments.threads));
-    if (!arguments.quiet) tellLimited(picture.counts, options, options.crop.area() / picture.part.part.count);
-    if (wanted.stats) printStats(picture.counts, timings, options);
+    if (wanted.isPfm()) renderTo<FloatSink>(job, out, pfmWriter(out, options.crop));
+    else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, arguments.threads));
+    if (!arguments.quiet) tellLimited(job.counts, options, options.crop.area() / job.part.part.count);
+    if (wanted.stats) printStats(job.counts, timings, options);
     if (!arguments.quiet && terminalColumns() > 0) tellDone(wanted.file(), options.crop, timings);
-    const bool isJudged = picture.choice && !wanted.isPart();  // a part's picture is judged by assemble
-    return isJudged && !picture.choice->reached ? 1 : 0;
+    const bool isMissed = job.choice && !job.choice->reached;
+    return isMissed && !wanted.isPart() ? 1 : 0;  // assemble tells it of a picture in parts
 }
 
 // Renders again whenever a file has changed; an error waits for the change that mends it.
