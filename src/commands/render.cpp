@@ -218,29 +218,19 @@ int renderFrames(const RenderArguments& arguments, const PictureArguments& wante
     return status;
 }
 
-}  // namespace
-
-int render(int argc, char** argv) {
-    CommandLine line("raytracer", "Renders a scene to a picture.");
-    RenderArguments arguments;
-    PictureArguments wanted;
-    arguments.addTo(line);
-    line.text("IMAGE_OUT", wanted.out,
-              "The picture: .png, .pfm (linear float32, not clamped), or - for a PNG on standard output",
-              ArgumentKind::Picture);
-    arguments.addLongEdgeTo(line);
-    arguments.addPictureTo(line);
+void addTargetsTo(CommandLine& line, PictureArguments& wanted) {
     line.number("--target-error", wanted.targetError, atLeast(1e-9),
                 "Choose --samples, --adaptive, --max-recursion and --cutoff such that the error (RMSE, of 1, "
-                "of linear "
-                "colours) against samples and depth without end is at most this; rounding to a PNG's bytes "
-                "adds 0.0011; "
-                "exit status 1 where nothing is that accurate");
+                "of linear colours) against samples and depth without end is at most this; rounding to a "
+                "PNG's bytes adds 0.0011; exit status 1 where nothing is that accurate");
     line.number("--target-time", wanted.targetTime, above(0),
                 "Choose the same options such that all takes about so many seconds on this machine");
     line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});
     line.exclude("--target-time",
                  {"--samples", "--adaptive", "--max-recursion", "--cutoff", "--target-error"});
+}
+
+void addPartsAndFramesTo(CommandLine& line, PictureArguments& wanted) {
     line.text("--part", wanted.part,
               "Render the K-th of N parts of the picture, K/N, into the file IMAGE_OUT.part-K-of-N, for "
               "raytracer assemble; all parts take about the same time");
@@ -253,20 +243,44 @@ int render(int argc, char** argv) {
         "--skip-existing", wanted.skipExisting,
         "Keep a picture that is whole, of this size, and newer than the scene and all files that it names "
         "(of other options nothing is known); and a part that is whole and right");
+}
+
+void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& wanted) {
+    arguments.addTo(line);
+    line.text("IMAGE_OUT", wanted.out,
+              "The picture: .png, .pfm (linear float32, not clamped), or - for a PNG on standard output",
+              ArgumentKind::Picture);
+    arguments.addLongEdgeTo(line);
+    arguments.addPictureTo(line);
+    addTargetsTo(line, wanted);
+    addPartsAndFramesTo(line, wanted);
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.flag("--watch", wanted.watch,
               "Render again whenever the scene or a file that it names changes; Ctrl+C ends");
     line.exclude("--watch", {"--frames", "--part", "--skip-existing"});
     line.footer(renderFooter);
-    if (const auto status = line.parse(argc, argv)) return *status;
+}
+
+void check(const CommandLine& line, const RenderArguments& arguments, const PictureArguments& wanted) {
     arguments.check(line);
     if (wanted.isPart()) parsePart(wanted.part);
     if (wanted.skipExisting && wanted.out == "-")
         throw usageError("--skip-existing has no effect with the picture -");
     if (wanted.frames.empty()) refuseRanges(arguments.sets);
-    wanted.command = without("--target-time", {argv, static_cast<std::size_t>(argc)});
     if (wanted.watch && wanted.out == "-")
         throw usageError("--watch has no effect with the picture -: write to a file");
+}
+
+}  // namespace
+
+int render(int argc, char** argv) {
+    CommandLine line("raytracer", "Renders a scene to a picture.");
+    RenderArguments arguments;
+    PictureArguments wanted;
+    addTo(line, arguments, wanted);
+    if (const auto status = line.parse(argc, argv)) return *status;
+    check(line, arguments, wanted);
+    wanted.command = without("--target-time", {argv, static_cast<std::size_t>(argc)});
     if (!wanted.frames.empty()) return renderFrames(arguments, wanted);
     if (wanted.watch) watchScene(arguments, wanted);
     std::vector<std::string> files;
