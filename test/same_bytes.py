@@ -36,6 +36,15 @@ ways = {"scalar": ({"RAYTRACER_SIMD": "scalar"}, 2), "sse2": ({"RAYTRACER_SIMD":
         "avx512": ({"RAYTRACER_SIMD": "avx512"}, 2),
         "no FMA in glibc": (masked, 2), **{f"{threads} threads": ({}, threads) for threads in range(1, 8)}}
 
+
+
+def is_there(program, environment):
+    """Whether the processor has the instruction set that the environment names."""
+    names = subprocess.run([*program, "--version"], capture_output=True, text=True, check=True).stdout
+    sets = re.search("instruction sets: (.*); used", names).group(1).split(", ")
+    return environment.get("RAYTRACER_SIMD", sets[0]) in sets
+
+
 few = {way: how for way, how in ways.items() if way not in ("2 threads", "4 threads", "5 threads", "6 threads")}
 
 # Name: what is in front of the program, CMake's options, and the ways to run it. qemu-user 7.2 can hang where a program
@@ -66,11 +75,16 @@ def picture(program, scene, arguments, environment, threads):
 
 
 def pictures(program, scenes, ways=ways):
+    missing = [way for way, (environment, _) in ways.items() if not is_there(program, environment)]
+    if missing:
+        print(f"left out, the processor lacks: {', '.join(missing)}")
     jobs = {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for scene in scenes:
             for name, arguments in options.items():
                 for way, (environment, threads) in ways.items():
+                    if way in missing:
+                        continue
                     jobs[scene.stem, name, way] = pool.submit(picture, program, scene, arguments, environment, threads)
     return {key: job.result() for key, job in jobs.items()}
 

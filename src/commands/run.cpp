@@ -9,6 +9,7 @@
 
 #include "raytracer/commands/commands.h"
 #include "raytracer/json/json_document.h"
+#include "raytracer/numerics/instruction_set.h"
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/standard_streams.h"
@@ -139,6 +140,7 @@ std::optional<int> printDocument(int argc, char** argv) {
 }  // namespace
 
 int run(int argc, char** argv) {
+    defaultInstructionSet();  // throws, in each command and before its work, where RAYTRACER_SIMD is wrong
     for (const Command& command : commandTable)
         if (argc > 1 && command.name == argv[1]) return command.run(argc - 1, argv + 1);
     if (const auto status = printDocument(argc, argv)) return *status;

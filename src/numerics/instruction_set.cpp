@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+
+#include "raytracer/util/error.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -41,8 +45,13 @@ std::vector<InstructionSet> supportedInstructionSets() {
 
 InstructionSet supportedInstructionSet(std::string_view name) {
     const std::vector<InstructionSet> sets = supportedInstructionSets();
+    if (name.empty()) return sets.back();
     const auto found = std::ranges::find(sets, name, nameOf);
-    return found != sets.end() ? *found : sets.back();
+    if (found != sets.end()) return *found;
+    std::vector<std::string> known;
+    for (const InstructionSet set : sets) known.emplace_back(nameOf(set));
+    throw Error({"raytracer"}, "RAYTRACER_SIMD: expected " + listed(known) +
+                                   ", which this processor has, found " + inQuotes(name));
 }
 
 InstructionSet defaultInstructionSet() {

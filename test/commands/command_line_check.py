@@ -2,6 +2,7 @@
 
 Usage: command_line_check.py RAYTRACER, from the source folder.
 """
+import os
 import pathlib
 import re
 import struct
@@ -15,9 +16,10 @@ SCENE = str(pathlib.Path("test/good/least.json").resolve())
 COMMANDS = {"render": [], "assemble": ["assemble"], "compare": ["compare"], "grade": ["grade"], "explain": ["explain"], "tradeoff": ["tradeoff"]}
 
 
-def run(*arguments):
+def run(*arguments, **environment):
     words = [word if isinstance(word, bytes) else str(word) for word in arguments]
-    return subprocess.run([RAYTRACER, *words], capture_output=True, text=True, timeout=60)
+    return subprocess.run([RAYTRACER, *words], capture_output=True, text=True, timeout=60,
+                          env={**os.environ, **environment})
 
 
 def check_help(command):
@@ -209,6 +211,19 @@ def check_version():
             r"instruction sets: scalar[a-z0-9, ]*; used: \w+\nprecisions: float, double, extended\n", done.stdout)))
 
 
+def check_instruction_set():
+    """Of every command, before its work. The other sets are tested by test/same_bytes.py."""
+    sets = re.search("instruction sets: (.*); used", run("--version").stdout).group(1).split(", ")
+    has = sets[0] if len(sets) == 1 else ", ".join(sets[:-1]) + " or " + sets[-1]
+    for arguments in (["--version"], [SCENE, "/tmp/no.png", "8"], ["compare", "/no.png", "/no.png"]):
+        done = run(*arguments, RAYTRACER_SIMD="avx99")
+        check(f"RAYTRACER_SIMD=avx99, {arguments}",
+              (2, "", f'raytracer: RAYTRACER_SIMD: expected {has}, which this processor has, found "avx99"\n'),
+              (done.returncode, done.stdout, done.stderr))
+    for name in sets:
+        check(f"RAYTRACER_SIMD={name}", True, f"; used: {name}\n" in run("--version", RAYTRACER_SIMD=name).stdout)
+
+
 def check_shown():
     """What is found is shown shortened, and as text that does nothing to a terminal."""
     render = [*ARGUMENTS["render"].values(), "--texture-filter"]
@@ -256,6 +271,7 @@ def main():
     check_without_effect()
     check_only()
     check_version()
+    check_instruction_set()
     check_crop()
     check_shown()
     check_decimal()

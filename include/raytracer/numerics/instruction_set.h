@@ -18,10 +18,11 @@ std::vector<InstructionSet> supportedInstructionSets();
 // As CMakeLists.txt has it: "avx2".
 std::string_view nameOf(InstructionSet set);
 
-// The one of this name among these, or else the best.
+// The one of this name among these; the best for an empty name. Throws Error for any other.
 InstructionSet supportedInstructionSet(std::string_view name);
 
-// The one that the environment variable RAYTRACER_SIMD names, or else the best; looked up once.
+// The one that the environment variable RAYTRACER_SIMD names, or else the best. Throws Error where it names
+// none that this processor has.
 InstructionSet defaultInstructionSet();
 
 }  // namespace raytracer
