@@ -101,7 +101,7 @@ void RenderArguments::addPictureTo(CommandLine& line) {
         "--samples", samples, {1, mostSamples},
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");
     line.number(
-        "--adaptive", adaptive, atLeast(0),
+        "--adaptive", adaptive, {0, 1},
         "Take more samples in a pixel until its error is estimated to be at most this, of 1, or there "
         "are --samples; 0.02 makes a nice picture");
 }

@@ -45,7 +45,7 @@ NUMBERS = {
         "LONG_EDGE_PIXELS": ("a whole number from 1 to 65536", ["1", "65536"]),
         "--max-recursion": ("a whole number from 0 to 1000", ["0", "1000"]),
         "--samples": ("a whole number from 1 to 65536", ["1", "65536"]),
-        "--adaptive": ("a number not below 0", ["0", "1e-400", "+.5"]),
+        "--adaptive": ("a number from 0 to 1", ["0", "1", "1e-400", "+.5"]),
         "--cutoff": ("a number not below 0", ["0", "1e300"]),
         "--threads": ("a whole number from 0 to 4096", ["0", "4096"]),
         "--target-error": ("a number not below 1e-09", ["1e-9", "1"]),
@@ -107,7 +107,8 @@ def just_outside(expected):
     outside = {"a whole number": ["2147483648", "1.0"]}.get(expected, ["-1", "1e999"])
     if " from " in expected:
         least, most = re.findall(r"\d+", expected)
-        outside = [str(int(least) - 1), str(int(most) + 1), "99999999999999999999", least + ".0"]
+        outside = [str(int(least) - 1), str(int(most) + 1), "99999999999999999999"]
+        outside += [least + ".0"] if "whole" in expected else [most + ".01"]
     return outside + (["0", "-0"] if " above " in expected else [])
 
 
