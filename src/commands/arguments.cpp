@@ -2,7 +2,6 @@
 
 #include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/memory.h"
-#include "raytracer/util/text.h"
 
 namespace raytracer::commands {
 
@@ -12,16 +11,6 @@ void requirePictureFits(const std::string& file, const PixelRectangle& crop, boo
     if (isPfm) return requireMemory(file, {{pixels, 3 * sizeof(float) * band.area()}});
     // The rows as they are filtered, and their compressed form.
     requireMemory(file, {{pixels, 3 * band.area()}, {"the PNG", 6 * band.area()}});
-}
-
-std::string without(const std::string& option, std::span<char*> words) {
-    std::string line;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = words[i];
-        if (word == option) ++i;
-        else if (!word.starts_with(option + "=")) line += (line.empty() ? "" : " ") + inShellQuotes(word);
-    }
-    return line;
 }
 
 void addThreads(CommandLine& line, int& threads) {

@@ -18,9 +18,6 @@ constexpr Range longEdgeRange{1, 65536};
 // Throws Error, about the file, where the memory is too small for a band of the picture.
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm);
 
-// A command line without an option and its value.
-std::string without(const std::string& option, std::span<char*> words);
-
 // --threads.
 void addThreads(CommandLine& line, int& threads);
 

@@ -156,6 +156,17 @@ bool CommandLine::given(std::string_view option) const {
     return std::ranges::any_of(given_, [&](const Given& one) { return one.word->name == option; });
 }
 
+std::string CommandLine::again(std::initializer_list<std::string_view> without) const {
+    std::string line = inShellQuotes(program_);
+    for (const auto& [word, text] : given_) {
+        if (std::ranges::find(without, word->name) != without.end()) continue;
+        if (word->isOption()) line += " " + word->name;
+        const bool isLikeOption = !word->isOption() && looksLikeOption(text);  // it was behind "--"
+        if (!word->isFlag()) line += " " + inShellQuotes((isLikeOption ? "./" : "") + text);
+    }
+    return line;
+}
+
 // The option at line[at], "--samples 4" or "--samples=4"; `at` is left at its last word.
 void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& at) {
     const std::size_t equals = line[at].find('=');
@@ -197,6 +208,7 @@ void CommandLine::requireTogether() const {
 }
 
 std::optional<int> CommandLine::parse(int argc, char** argv) {
+    program_ = argv[0];
     const std::vector<std::string> line(argv + 1, argv + argc);
     if (const auto text = document(line)) {
         print(*text);

@@ -85,6 +85,9 @@ class CommandLine {
     // Whether the option was given.
     bool given(std::string_view option) const;
 
+    // The line for a shell, without some of its options.
+    std::string again(std::initializer_list<std::string_view> without) const;
+
     std::string help() const;
     std::string manual() const;                              // a section of a man page, in roff
     std::string completion(const std::string& shell) const;  // what bash, zsh or fish is to know
@@ -119,7 +122,7 @@ class CommandLine {
     [[noreturn]] void failUnknown(const std::string& option) const;
     void requireOrder() const;
 
-    std::string command_, purpose_, footer_;
+    std::string program_, command_, purpose_, footer_;
     std::vector<Word> words_;
     std::vector<Pair> excluded_, needed_, lacking_;
     std::vector<Spared> spared_;

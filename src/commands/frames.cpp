@@ -25,7 +25,7 @@ struct Ends {
 template <class Number>
 Ends<Number> endsOf(const std::string& text) {
     const std::size_t dots = text.find("..");
-    if (dots == text.npos) return {};
+    if (dots == text.npos || text.substr(dots).starts_with("...")) return {};
     return {numberOf<Number>(text.substr(0, dots)), numberOf<Number>(text.substr(dots + 2))};
 }
 

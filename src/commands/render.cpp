@@ -63,8 +63,8 @@ struct PictureArguments {
     std::optional<double> targetError, targetTime;
     std::string part;  // K/N; empty: the whole picture
     bool skipExisting = false;
-    std::string frames;   // A..B; empty: one picture
-    std::string command;  // without --target-time
+    std::string frames;  // A..B; empty: one picture
+    std::string again;   // the command line without --target-time
 
     bool isPfm() const { return endsIn(out, ".pfm"); }
     bool isPart() const { return !part.empty(); }
@@ -142,7 +142,7 @@ void choose(RenderJob& job) {
     if (const auto seconds = job.wanted.targetTime)
         job.counts += chooseForTimeAndTell(job.renderer, job.options,
                                            *seconds - job.timings.load.wall - job.timings.build.wall,
-                                           job.arguments.quiet ? "" : job.wanted.command)
+                                           job.arguments.quiet ? "" : job.wanted.again)
                           .counts;
     if (job.choice) job.counts += job.choice->counts;
     job.timings.choose = watch.lap();
@@ -258,6 +258,8 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
     line.flag("--watch", wanted.watch,
               "Render again whenever the scene or a file that it names changes; Ctrl+C ends");
     line.exclude("--watch", {"--frames", "--part", "--skip-existing"});
+    line.exclude("--frames", {"--target-time"});
+    line.exclude("--skip-existing", {"--stats"});
     line.footer(renderFooter);
 }
 
@@ -280,7 +282,7 @@ int render(int argc, char** argv) {
     addTo(line, arguments, wanted);
     if (const auto status = line.parse(argc, argv)) return *status;
     check(line, arguments, wanted);
-    wanted.command = without("--target-time", {argv, static_cast<std::size_t>(argc)});
+    wanted.again = line.again({"--target-time", "--skip-existing", "--watch", "--stats"});
     if (!wanted.frames.empty()) return renderFrames(arguments, wanted);
     if (wanted.watch) watchScene(arguments, wanted);
     std::vector<std::string> files;

@@ -107,7 +107,9 @@ void RenderArguments::addPictureTo(CommandLine& line) {
 }
 
 void RenderArguments::check(const CommandLine& line) const {
-    terms();
+    const Terms chosen = terms();
+    if (!chosen.ambient && !chosen.diffuse && !chosen.specular)
+        throw usageError("--only " + only + ": there is no light without ambient, diffuse or specular");
     for (const std::string& set : sets) JsonEdit{set};
     const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> options) {
         for (const char* option : options)

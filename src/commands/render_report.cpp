@@ -82,7 +82,8 @@ TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options
     tell("--target-time: about " + shortNumber(choice.seconds) + " s more; the error is about " +
          shortNumber(choice.sampleError) + " between samples and " + shortNumber(choice.depthError) +
          " of the depth");
-    tell("--target-time: the same picture again: " + command + " " + commandLine(told));
+    tell("--target-time: the same picture again:");
+    tellUnbroken(command + " " + commandLine(told));
     return choice;
 }
 

@@ -30,6 +30,8 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     const bool isRegular = S_ISREG(status.st_mode);
     if (kind == FileKind::Regular && !isRegular && !S_ISDIR(status.st_mode))
         fail("cannot read: it is no regular file");
+    if (S_ISCHR(status.st_mode) && ::isatty(file.get()) == 0)
+        fail("cannot read: it is a device");  // some have no end
     // One more byte than there should be: a read of nothing is the end.
     resize(std::max(pipeSize, isRegular ? static_cast<std::size_t>(status.st_size) + 1 : 0));
     for (;;) {

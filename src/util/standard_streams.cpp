@@ -18,10 +18,13 @@ void print(std::string_view text) {
 
 void tell(std::string_view text) {
     constexpr std::size_t indent = 4;
-    std::string line = printable(text);
-    if (const std::size_t columns = terminalColumns())
-        line = wrapped(line, std::min(columns, mostColumns), indent);
-    writeAll(STDERR_FILENO, line + "\n");  // where this fails, nobody can be told
+    const std::string line = printable(text);
+    const std::size_t columns = terminalColumns();
+    tellUnbroken(columns > 0 ? wrapped(line, std::min(columns, mostColumns), indent) : line);
+}
+
+void tellUnbroken(std::string_view text) {
+    writeAll(STDERR_FILENO, printable(text, "\n") + "\n");  // where this fails, nobody can be told
 }
 
 void tell(const Error& error) {

@@ -9,7 +9,7 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
-RAYTRACER = sys.argv[1]
+RAYTRACER = str(pathlib.Path(sys.argv[1]).resolve())
 SCENES = sorted(p for p in pathlib.Path("scenes").glob("*.json") if p.name != "scene.schema.json")
 DEFAULTS = "--samples 1 --adaptive 0 --max-recursion 3 --cutoff 0 --texture-filter nearest --precision double"
 
@@ -48,11 +48,16 @@ def check_target(folder, scene, size, target, others=""):
 def check_time(folder, scene):
     """--target-time tells the command that makes its picture again."""
     picture, done = render(scene, folder / "a time.png", 50, "--target-time 0.1 --texture-filter bilinear")
-    again = re.search(r"^--target-time: the same picture again: (.*)$", done.stderr, re.M)
+    again = re.search(r"^--target-time: the same picture again:\n(.*)$", done.stderr, re.M)
     assert done.returncode == 0 and again, done
     (folder / "a time.png").unlink()
     subprocess.run(again[1], shell=True, check=True, timeout=300)
     assert picture == (folder / "a time.png").read_bytes(), again[1]
+    # Names that begin with a dash stand behind "--", and options that say nothing of the picture are left out.
+    (folder / "-s.json").write_text(pathlib.Path("scenes/cone_cube.json").read_text())
+    done = subprocess.run([RAYTRACER, "--target-time=0.1", "--skip-existing", "--", "-s.json", "-o.png", "20"], cwd=folder,
+                          capture_output=True, text=True)
+    assert f"again:\n{RAYTRACER} ./-s.json ./-o.png 20 --samples 65536 --adaptive" in done.stderr, done.stderr
 
 
 def check_limit(folder):

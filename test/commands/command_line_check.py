@@ -190,6 +190,10 @@ def check_without_effect():
 def check_only():
     """Blanks around a term's name are taken; the last of a repeated option wins."""
     render = list(ARGUMENTS["render"].values())
+    for first, second in (("--skip-existing", "--stats"), ("--frames=1..2", "--target-time=1"), ("--watch", "--skip-existing")):
+        check_refused([*render, first, second], f"{first.split('=')[0]} and {second.split('=')[0]} exclude each other: give one of them")
+    for terms in ("shadows", "reflections,textures"):
+        check_refused([*render, "--only", terms], f"--only {terms}: there is no light without ambient, diffuse or specular")
     check_refused([*render, "--only", ""], '--only: expected a text, found ""')
     check_refused([*render, "--only", "diffuse,"], '--only: no term ""; there are ambient, diffuse, specular, shadows, '
                                                   "reflections, refraction and textures")

@@ -96,8 +96,11 @@ def check_files(folder):
     check("a mesh", re.escape(place + text) + LEFT, mesh, out, 8, script=addresses(40000))
     check_irregular(folder)
     for command in ([], ["compare"]):
-        check(f"{command} /dev/zero", "/dev/zero: not enough memory for what is in it " + r"\([\d.]+ [MG]B\): " + LEFT,
-              *command, "/dev/zero", out, *([] if command else [8]), script=addresses(300000))
+        check(f"{command} /dev/zero", "/dev/zero: cannot read: it is a device\n", *command, "/dev/zero", out, *([] if command else [8]))
+        sparse = folder / "sparse.json"
+        os.truncate(os.open(sparse, os.O_CREAT | os.O_WRONLY), 1 << 40)
+        check(f"{command} a sparse file", re.escape(f"{sparse}: not enough memory for what is in it (1.1 TB): ") + LEFT,
+              *command, sparse, out, *([] if command else [8]), script=addresses(300000))
 
 
 def check_irregular(folder):

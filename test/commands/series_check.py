@@ -38,6 +38,8 @@ def check_set(folder):
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye/0={0..1}"))
     check("a remark on what is set", (0, f"warning: {SCENE}: /lights/0/color, by --set: colors go from 0 to 1, not to 255: divide 255 0 0 by 255\n"),
           run(SCENE, folder / "a.png", 8, "--set", "/lights/0/color=[255,0,0]"))
+    check("three dots are none", (2, f'{SCENE}:7:17: /camera/eye/0: expected a number, found "{{0...3}}"\n'),
+          run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set", "/camera/eye/0={0...3}"))
     for ends in ("1..1e999", "-1e308..1e308"):
         check(f"a range {ends}", (2, f"raytracer: --set /camera/focal_length={{{ends}}}: the ends of a range, and the way between them, are finite\n"),
               run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set", f"/camera/focal_length={{{ends}}}"))

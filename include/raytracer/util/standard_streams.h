@@ -23,6 +23,9 @@ void print(std::string_view text);
 // terminal's width and to at most 100 columns.
 void tell(std::string_view text);
 
+// The same, not wrapped: what is to be copied.
+void tellUnbroken(std::string_view text);
+
 // The error's line, and the excerpt of its file.
 void tell(const Error& error);
 
