@@ -71,8 +71,8 @@ void RenderArguments::addTo(CommandLine& line) {
     line.text("SCENE", scene, "The scene: a JSON file", ArgumentKind::Scene);
     line.texts(
         "--set", sets,
-        "Another value in the scene, before it is read: /camera/eye=[0,1,5], a JSON pointer and JSON; may "
-        "be repeated");
+        "Another value in the scene, or one more, before it is read: /camera/eye=[0,1,5], a JSON pointer and "
+        "JSON; /lights/-={...} adds a light; may be repeated");
     line.number("--max-recursion", max_recursion, {0, mostRecursion},
                 "How many times a ray is reflected or refracted");
     line.text("--only", only,

@@ -1,5 +1,7 @@
 #include "raytracer/json/json_document.h"
 
+#include <algorithm>
+
 #include "raytracer/json/json_pointer.h"
 
 namespace raytracer {
@@ -28,7 +30,14 @@ std::string JsonDocument::pointer(std::uint32_t node) const {
     return pointer;
 }
 
+bool JsonDocument::isEdited(std::uint32_t node) const {
+    const auto offset = static_cast<std::size_t>(begin(node) - text_.data());
+    return std::ranges::any_of(
+        edits_, [&](const TextRange& edit) { return edit.begin <= offset && offset < edit.end; });
+}
+
 Error JsonDocument::error(std::uint32_t node, const std::string& message, std::uint32_t where) const {
+    if (isEdited(where)) return {{path_}, pointer(node) + ", by --set: " + message};
     Place at = place(static_cast<std::size_t>(begin(where) - text_.data()));
     at.pointer = pointer(node);
     return {at, message};

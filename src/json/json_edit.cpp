@@ -1,6 +1,7 @@
 #include "raytracer/json/json_edit.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_pointer.h"
@@ -67,6 +68,59 @@ std::string missing(const JsonDocument& document, const PointerEnd& end) {
     }
 }
 
+// Other text for a range of it.
+struct Replacement {
+    TextRange range;
+    std::string text;
+};
+
+// What adds a value to the container at which a pointer ends: a member, which comes first, or a last element.
+std::optional<Replacement> addition(const JsonDocument& document, std::string_view text,
+                                    const PointerEnd& end, const JsonEdit& edit) {
+    const std::string_view step = end.left.substr(1);
+    const bool isArray = document.kind(end.node) == Kind::Array && step == "-";
+    if (!isArray && (document.kind(end.node) != Kind::Object || step.find('/') != step.npos)) return {};
+    const bool isEmpty = document.end(end.node) == end.node + 1;
+    const char* const begin = document.begin(end.node);
+    const char* const place = isArray ? valueEnd(begin, text.data() + text.size()) - 1 : begin + 1;
+    const auto offset = static_cast<std::size_t>(place - text.data());
+    if (isArray) return Replacement{{offset, offset}, (isEmpty ? "" : ", ") + edit.value};
+    return Replacement{{offset, offset}, jsonString(keyOf(step)) + ": " + edit.value + (isEmpty ? "" : ", ")};
+}
+
+Replacement replacement(const JsonDocument& document, const std::string& path, std::string_view text,
+                        const JsonEdit& edit) {
+    const PointerEnd end = follow(document, edit.pointer);
+    if (!end.left.empty()) {
+        if (auto added = addition(document, text, end, edit)) return *added;
+        throw Error({path}, "--set " + edit.pointer + ": " + missing(document, end));
+    }
+    const char* const begin = document.begin(end.node);
+    return {{static_cast<std::size_t>(begin - text.data()),
+             static_cast<std::size_t>(valueEnd(begin, text.data() + text.size()) - text.data())},
+            edit.value};
+}
+
+// Where a range is after a part of the text, before it or within it, was replaced; of a range within that
+// part nothing is left.
+void move(TextRange& range, const Replacement& by) {
+    const auto [begin, end] = by.range;
+    const auto moved = [&, end = end, begin = begin](std::size_t at) {
+        return at - (end - begin) + by.text.size();
+    };
+    if (range.end <= begin) return;
+    if (range.begin >= end) range = {moved(range.begin), moved(range.end)};
+    else range.end = range.begin <= begin && range.end >= end ? moved(range.end) : range.begin;
+}
+
+void apply(const JsonEdit& edit, const std::string& path, EditedJson& json) {
+    const JsonDocument document(path, json.text, json.edits);
+    const Replacement by = replacement(document, path, json.text, edit);
+    for (TextRange& range : json.edits) move(range, by);
+    json.edits.push_back({by.range.begin, by.range.begin + by.text.size()});
+    json.text.replace(by.range.begin, by.range.end - by.range.begin, by.text);
+}
+
 }  // namespace
 
 JsonEdit::JsonEdit(const std::string& assignment) {
@@ -78,13 +132,10 @@ JsonEdit::JsonEdit(const std::string& assignment) {
     if (!isJson(value)) value = jsonString(value);
 }
 
-std::string edited(const std::string& path, std::string_view text, const JsonEdit& edit) {
-    const JsonDocument document(path, text);
-    const PointerEnd found = follow(document, edit.pointer);
-    if (!found.left.empty()) throw Error({path}, "--set " + edit.pointer + ": " + missing(document, found));
-    const char* const begin = document.begin(found.node);
-    const char* const end = valueEnd(begin, text.data() + text.size());
-    return std::string(text.data(), begin) + edit.value + std::string(end, text.data() + text.size());
+EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments) {
+    EditedJson json{std::string(text), {}};
+    for (const std::string& assignment : assignments) apply(JsonEdit(assignment), path, json);
+    return json;
 }
 
 }  // namespace raytracer

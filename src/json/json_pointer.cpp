@@ -28,6 +28,17 @@ std::string pointerStep(std::string_view key) {
     return step;
 }
 
+std::string keyOf(std::string_view step) {
+    std::string key;
+    for (std::size_t i = 0; i < step.size(); ++i) {
+        const bool isEscape =
+            step[i] == '~' && i + 1 < step.size() && (step[i + 1] == '0' || step[i + 1] == '1');
+        if (isEscape) key += step[++i] == '0' ? '~' : '/';
+        else key += step[i];
+    }
+    return key;
+}
+
 PointerEnd follow(const JsonDocument& document, std::string_view pointer) {
     PointerEnd end{0, pointer};
     while (!end.left.empty()) {

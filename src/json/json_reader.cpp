@@ -224,7 +224,8 @@ bool JsonReader::parse_error(std::size_t, const std::string& token, const nlohma
     throw document_.syntaxError(mistake.offset, mistake.message);
 }
 
-JsonDocument::JsonDocument(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {
+JsonDocument::JsonDocument(std::string path, std::string_view text, std::vector<TextRange> edits)
+    : path_(std::move(path)), text_(text), edits_(std::move(edits)) {
     if (isUtf16(text)) throw Error({path_}, "expected UTF-8, found UTF-16: save it as UTF-8");
     JsonReader(*this).read();
 }

@@ -38,7 +38,7 @@ void KnownKeys::report(const JsonObject& object, JsonView member) {
     NearestName nearest(key);
     for (const std::string_view name : object.known()) nearest.consider(name);
     const std::string message = "unknown key " + inQuotes(key) + nearest.question();
-    if (strict_) throw object.json().errorAtKey(member, message);
+    if (strict_ || member.hasEditedKey()) throw object.json().errorAtKey(member, message);
     warnings_.emplace_back(object.json().errorAtKey(member, message).what());
 }
 

@@ -124,19 +124,8 @@ struct Remark {
     std::string pointer, message;
 };
 
-// Whether the value at the pointer is, has, or is in one that is edited.
-bool isEdited(const std::string& pointer, std::span<const std::string> edits) {
-    return std::ranges::any_of(edits, [&](const std::string& edit) {
-        const std::string other = JsonEdit(edit).pointer + "/", own = pointer + "/";
-        return own.starts_with(other) || other.starts_with(own);
-    });
-}
-
-Error placed(const JsonDocument& document, const std::string& path, const std::string& text,
-             std::span<const std::string> edits) {
+Error placed(const JsonDocument& document, const std::string& path, const std::string& text) {
     const Remark remark(text);
-    if (!remark.pointer.empty() && isEdited(remark.pointer, edits))
-        return Error({path}, remark.pointer + ", by --set: " + remark.message);
     const PointerEnd end = follow(document, remark.pointer);
     const bool isFound = !remark.pointer.empty() && end.left.empty();
     return isFound ? document.error(end.node, remark.message) : Error({path}, text);
@@ -151,8 +140,9 @@ std::vector<Error> remarksOn(const std::string& path, const std::vector<std::str
     if (remarks.empty()) return errors;
     try {
         const FileBytes file(path, FileKind::Regular);
-        const JsonDocument document(path, file.text());
-        for (const std::string& text : remarks) errors.push_back(placed(document, path, text, edits));
+        const EditedJson json = edited(path, file.text(), edits);
+        const JsonDocument document(path, json.text, json.edits);
+        for (const std::string& text : remarks) errors.push_back(placed(document, path, text));
     } catch (const Error&) {
         errors.clear();
         for (const std::string& text : remarks) errors.emplace_back(Place{path}, text);
@@ -170,10 +160,9 @@ LoadedScene loadScene(const std::string& path, bool strict, std::span<const std:
     };
     try {
         const FileBytes file(path);
-        std::string text;
-        for (const std::string& edit : edits)
-            text = edited(path, text.empty() ? file.text() : text, JsonEdit(edit));
-        const JsonDocument document(path, text.empty() ? file.text() : text);
+        EditedJson json;
+        if (!edits.empty()) json = edited(path, file.text(), edits);
+        const JsonDocument document(path, edits.empty() ? file.text() : json.text, json.edits);
         reader.read(JsonView(document));
         if (named) *named = files();
         return {std::move(reader.description()), reader.warnings(path), files()};

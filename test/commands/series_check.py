@@ -28,9 +28,17 @@ def check_set(folder):
     check("an edited scene", (0, ""), run(edited, folder / "a.png", 40, "--quiet"))
     check("--set", (0, ""), run(SCENE, folder / "b.png", 40, "--quiet", "--set", "/lights/0/position=[1,5,2]", "--set", "/lights/0/position/2=2.5"))
     check("--set: the bytes", True, (folder / "a.png").read_bytes() == (folder / "b.png").read_bytes())
-    check("--set of what is not there", (2, f'{SCENE}: --set /camera/eyes: there is no "eyes" in /camera; did you mean /camera/eye?\n'),
+    scene = json.loads(SCENE.read_text())
+    light = scene["lights"].pop()
+    color = scene["materials"][0].pop("color_diffuse")
+    edited.write_text(json.dumps(scene))
+    check("--set of what is left out", (0, ""), run(edited, folder / "b.png", 40, "--quiet", "--set", f"/lights/-={json.dumps(light)}",
+                                                    "--set", f"/materials/0/color_diffuse={json.dumps(color)}"))
+    check("the scene", (0, ""), run(SCENE, folder / "a.png", 40, "--quiet"))
+    check("--set of what is left out: the bytes", True, (folder / "a.png").read_bytes() == (folder / "b.png").read_bytes())
+    check("--set of what is not there", (2, f'{SCENE}: /camera, by --set: unknown key "eyes"; did you mean "eye"?\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eyes=[1,2,3]"))
-    check("--set to what does not fit", (2, f'{SCENE}:7:16: /camera/eye: expected 3 numbers, found "here"\n'),
+    check("--set to what does not fit", (2, f'{SCENE}: /camera/eye, by --set: expected 3 numbers, found "here"\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye=here"))
     check("--set without a value", (2, 'raytracer: --set: expected /pointer=value, found "/camera/eye"\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye"))
@@ -38,7 +46,7 @@ def check_set(folder):
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye/0={0..1}"))
     check("a remark on what is set", (0, f"warning: {SCENE}: /lights/0/color, by --set: colors go from 0 to 1, not to 255: divide 255 0 0 by 255\n"),
           run(SCENE, folder / "a.png", 8, "--set", "/lights/0/color=[255,0,0]"))
-    check("three dots are none", (2, f'{SCENE}:7:17: /camera/eye/0: expected a number, found "{{0...3}}"\n'),
+    check("three dots are none", (2, f'{SCENE}: /camera/eye/0, by --set: expected a number, found "{{0...3}}"\n'),
           run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set", "/camera/eye/0={0...3}"))
     for ends in ("1..1e999", "-1e308..1e308"):
         check(f"a range {ends}", (2, f"raytracer: --set /camera/focal_length={{{ends}}}: the ends of a range, and the way between them, are finite\n"),

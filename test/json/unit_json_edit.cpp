@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "raytracer/json/json_edit.h"
+#include "raytracer/json/json_pointer.h"
 #include "raytracer/util/error.h"
 
 using namespace raytracer;
@@ -11,7 +12,7 @@ constexpr const char* text =
     R"({"camera": {"eye": [0, 1.5, -2e3], "a/b~c": "x\"]y", "on": true}, "list": [[1, {"z": null}], "last"]})";
 
 std::string after(const std::string& assignment, const std::string& of = text) {
-    return edited("s.json", of, JsonEdit(assignment));
+    return edited("s.json", of, {&assignment, 1}).text;
 }
 
 }  // namespace
@@ -35,21 +36,48 @@ TEST_CASE("A value of a JSON text is replaced, and nothing else") {
     CHECK(after("/a\"b=2", "{\"a\\\"b\":1}") == "{\"a\\\"b\":2}");
 }
 
+TEST_CASE("A key that an object does not have, and an element behind an array's last, are added") {
+    CHECK(after("/b=2", "{\"a\":1}") == "{\"b\": 2, \"a\":1}");
+    CHECK(after("/b=2", "{ }") == "{\"b\": 2 }");
+    CHECK(after("/a/b~1c~0d=x", "{\"a\":{}}") == "{\"a\":{\"b/c~d\": \"x\"}}");
+    CHECK(after("/-=2", "[1]") == "[1, 2]");
+    CHECK(after("/a/-={\"b\":\"]\"}", "{\"a\": [ ]}") == "{\"a\": [ {\"b\":\"]\"}]}");
+    CHECK(after("/-=2", "{\"a\":1}") == "{\"-\": 2, \"a\":1}");
+}
+
+TEST_CASE("An error about a value that is set says so; the others keep their places") {
+    const std::vector<std::string> sets = {"/a=[1,{}]", "/c=77", "/a/1/x=5", "/a/0=[]", "/b/-=3"};
+    const EditedJson json = edited("s.json", "{\"a\": null,\n\"b\": [2]}", sets);
+    REQUIRE(json.text == "{\"c\": 77, \"a\": [[],{\"x\": 5}],\n\"b\": [2, 3]}");
+    const JsonDocument document("s.json", json.text, json.edits);
+    const auto message = [&](std::string_view pointer) {
+        return std::string(document.error(follow(document, pointer).node, "bad").what());
+    };
+    for (const char* pointer : {"/a", "/a/0", "/a/1", "/a/1/x", "/c", "/b/1"})
+        CHECK(message(pointer) == "s.json: " + std::string(pointer) + ", by --set: bad");
+    CHECK(message("/b") == "s.json:2:6: /b: bad");
+    CHECK(message("/b/0") == "s.json:2:7: /b/0: bad");
+}
+
 TEST_CASE("A pointer to nothing is told, with the nearest") {
     const auto check = [](const std::string& assignment, const std::string& message) {
         CHECK_THROWS_WITH(after(assignment), message);
     };
     check("/camera/eyes/0=1",
           "s.json: --set /camera/eyes/0: there is no \"eyes\" in /camera; did you mean /camera/eye/0?");
-    check("/camra=1", "s.json: --set /camra: there is no \"camra\" in the scene; did you mean /camera?");
-    check("/camera/a~1b~0d=1",
-          "s.json: --set /camera/a~1b~0d: there is no \"a~1b~0d\" in /camera; did you mean /camera/a~1b~0c?");
-    check("/zzzz=1", "s.json: --set /zzzz: there is no \"zzzz\" in the scene");
+    check("/camra/eye=1",
+          "s.json: --set /camra/eye: there is no \"camra\" in the scene; did you mean /camera/eye?");
+    check("/camera/a~1b~0d/0=1",
+          "s.json: --set /camera/a~1b~0d/0: there is no \"a~1b~0d\" in /camera; did you mean "
+          "/camera/a~1b~0c/0?");
+    check("/zzzz/0=1", "s.json: --set /zzzz/0: there is no \"zzzz\" in the scene");
     check("/list/2=1", "s.json: --set /list/2: /list has 2 elements, from 0: there is no \"2\"");
     check("/list/01=1", "s.json: --set /list/01: /list has 2 elements, from 0: there is no \"01\"");
     check("/a/b=1", "s.json: --set /a/b: there is no \"a\" in the scene");
-    check("/camera/a~1b~c=1",
-          "s.json: --set /camera/a~1b~c: there is no \"a~1b~c\" in /camera; did you mean /camera/a~1b~0c?");
+    check(
+        "/camera/a~1b~c/0=1",
+        "s.json: --set /camera/a~1b~c/0: there is no \"a~1b~c\" in /camera; did you mean /camera/a~1b~0c/0?");
+    check("/list/-/0=1", "s.json: --set /list/-/0: /list has 2 elements, from 0: there is no \"-\"");
     check("/camera/on/x=1", "s.json: --set /camera/on/x: /camera/on is no object and no list");
     check("camera=1", "raytracer: --set: expected /pointer=value, found \"camera=1\"");
     check("/camera", "raytracer: --set: expected /pointer=value, found \"/camera\"");

@@ -10,12 +10,19 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "raytracer/util/error.h"
 #include "raytracer/util/large_vector.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
+
+// Of a text, in bytes.
+struct TextRange {
+    std::size_t begin = 0, end = 0;
+};
 
 class JsonDocument {
   public:
@@ -24,8 +31,8 @@ class JsonDocument {
 
     // The text of the file `path`: UTF-8, with a byte order mark or without. It must outlive the document.
     // Throws Error for what is no JSON, for a key that an object has twice, and for a number too large for a
-    // double. Deep nesting does not use the stack.
-    JsonDocument(std::string path, std::string_view text);
+    // double. Deep nesting does not use the stack. `edits`: what of the text is not the file's, but --set's.
+    JsonDocument(std::string path, std::string_view text, std::vector<TextRange> edits = {});
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
 
@@ -41,7 +48,10 @@ class JsonDocument {
     const char* begin(std::uint32_t node) const;    // in the text
     std::string pointer(std::uint32_t node) const;  // empty for the root
 
-    // An Error about a value, with the value's line, column and JSON pointer.
+    bool isEdited(std::uint32_t node) const;
+
+    // An Error about a value, with the value's line, column and JSON pointer; about one that is edited, with
+    // the pointer and "by --set".
     Error error(std::uint32_t node, const std::string& message) const { return error(node, message, node); }
     // The same, with the line and the column of another node.
     Error error(std::uint32_t node, const std::string& message, std::uint32_t where) const;
@@ -80,6 +90,7 @@ class JsonDocument {
 
     std::string path_;
     std::string_view text_;
+    std::vector<TextRange> edits_;
     LargeVector<Node> nodes_;
     std::deque<Decoded> decoded_;
 };

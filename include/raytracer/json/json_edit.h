@@ -1,8 +1,12 @@
-// Values of a JSON text, replaced before it is read.
+// Values of a JSON text, replaced or added before it is read.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "raytracer/json/json_document.h"
 
 namespace raytracer {
 
@@ -14,8 +18,14 @@ struct JsonEdit {
     explicit JsonEdit(const std::string& assignment);
 };
 
-// The text of the file `path` with another value at the pointer. Throws Error where there is none, with the
-// nearest pointer that the text has.
-std::string edited(const std::string& path, std::string_view text, const JsonEdit& edit);
+struct EditedJson {
+    std::string text;
+    std::vector<TextRange> edits;  // what is not the file's
+};
+
+// The text of the file `path` with other values, one edit after the other. A pointer's last step may be a key
+// that its object does not have, or "-", behind the last element of its array: then the value is added.
+// Throws Error where a pointer leads nowhere, with the nearest pointer that the text has.
+EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments);
 
 }  // namespace raytracer

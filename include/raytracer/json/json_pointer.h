@@ -12,6 +12,9 @@ namespace raytracer {
 // What a key or an index adds to a pointer: "/" and the text, with "~0" for "~" and "~1" for "/".
 std::string pointerStep(std::string_view key);
 
+// The key of a step without its "/".
+std::string keyOf(std::string_view step);
+
 // How far a pointer leads: to the value `node`, and all the way where nothing is left of it. What is left
 // begins with a step that this value does not have; it is a part of the pointer's own text.
 struct PointerEnd {

@@ -49,6 +49,8 @@ class JsonView {
     Error errorAtKey(JsonView member, const std::string& message) const {
         return document_->error(node_, message, member.node_ - 1);
     }
+    // Whether --set has put this member there, with its key.
+    bool hasEditedKey() const { return document_->isEdited(node_ - 1); }
     [[noreturn]] void fail(const std::string& message) const { throw error(message); }
     [[noreturn]] void failExpected(
         const std::string& expected) const;  // "expected ..., found " and this value
