@@ -1,9 +1,44 @@
 #include "arguments.h"
 
+#include <filesystem>
+
 #include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/memory.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer::commands {
+
+namespace {
+
+namespace files = std::filesystem;
+
+// By any path: links and ".." are followed. Devices may be shared.
+bool isSameFile(const std::string& a, const std::string& b) {
+    std::error_code error;
+    if (files::exists(a, error) && !files::is_regular_file(a, error)) return false;
+    if (files::equivalent(a, b, error)) return true;
+    const auto whole = [&](const std::string& path) {
+        return files::weakly_canonical(files::absolute(path, error), error);
+    };
+    const files::path one = whole(a), other = whole(b);
+    return !one.empty() && one == other;
+}
+
+}  // namespace
+
+void refuseInput(const std::string& out, std::span<const std::string> inputs) {
+    if (out.empty()) return;
+    for (const std::string& input : inputs)
+        if (!input.empty() && isSameFile(out, input))
+            throw Error(printable(out) + " is read, too: give another name for what is written");
+}
+
+void refuseSameOutput(std::span<const std::string> outputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        for (const std::string& other : outputs.subspan(i + 1))
+            if (!outputs[i].empty() && !other.empty() && isSameFile(outputs[i], other))
+                throw Error(printable(other) + " is written twice: give each file its own name");
+}
 
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm) {
     const PixelRectangle band = largestBand(crop, isPfm);

@@ -10,13 +10,22 @@
 
 namespace raytracer::commands {
 
-// About the command line.
-inline Error usageError(const std::string& message) { return {{"raytracer"}, message}; }
+// About the command line. run() names the command before the message.
+struct UsageError : Error {
+    using Error::Error;
+};
+inline UsageError usageError(const std::string& message) { return UsageError(message); }
 
 constexpr Range longEdgeRange{1, 65536};
 
 // Throws Error, about the file, where the memory is too small for a band of the picture.
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm);
+
+// Throws Error where writing `out` would replace a regular file that is among the inputs. Empty: no file.
+void refuseInput(const std::string& out, std::span<const std::string> inputs);
+
+// Throws Error where two of these would be written to one regular file. Empty: no file.
+void refuseSameOutput(std::span<const std::string> outputs);
 
 // --threads.
 void addThreads(CommandLine& line, int& threads);

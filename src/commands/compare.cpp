@@ -1,5 +1,6 @@
 // raytracer compare A B: how much two pictures differ.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -133,6 +134,7 @@ int comparePictures(const CompareArguments& arguments) {
     if (!arguments.diff.empty()) {
         if (!endsIn(arguments.diff, ".png"))
             throw Error({arguments.diff}, "expected a name that ends in .png");
+        refuseInput(arguments.diff, std::array{arguments.a, arguments.b});
         diff.emplace(arguments.diff);
     }
     const Picture a = readPicture(arguments.a), b = readPicture(arguments.b);

@@ -64,9 +64,10 @@ struct ExplainArguments {
 
 void requirePixel(const ImageSize& size, const PixelPlace& pixel) {
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height)
-        throw usageError("expected a pixel inside of the " + std::to_string(size.width) + " x " +
-                         std::to_string(size.height) + " picture, found " + std::to_string(pixel.x) + ", " +
-                         std::to_string(pixel.y));
+        throw usageError(
+            formatted("expected a pixel of the %d x %d picture, columns 0 to %d and rows 0 to %d, "
+                      "found %d, %d",
+                      size.width, size.height, size.width - 1, size.height - 1, pixel.x, pixel.y));
 }
 
 using Bytes = std::uint8_t[3];

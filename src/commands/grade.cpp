@@ -1,5 +1,6 @@
 // raytracer grade DIR: scenes with reference pictures, rendered and compared.
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -51,7 +52,7 @@ Examples:
   # a page that shows every pixel that differs
   raytracer grade reference --report report.html
   raytracer grade exam --program ~/ada/raytracer --report ada.html
-  raytracer grade exam --program "python3 bob.py" --timeout 120 --size 300
+  raytracer grade exam --program "python3 bob.py" --timeout 120
   raytracer grade homework2 --program ./raycasting --stage raycasting
   # a class: a page, and a table for a spreadsheet
   raytracer grade exam --submissions pictures --report all.html --csv all.csv
@@ -60,7 +61,6 @@ Examples:
 struct GradeArguments {
     std::string scenes, references, report, program, stage, submissions;
     std::string csv, json, junit, gradescope;
-    std::optional<int> size;
     double timeout = 60, wall = 600, points = 10;
     int memory = 8192, jobs = 1;
     std::string user;
@@ -70,8 +70,6 @@ struct GradeArguments {
         line.text("DIR", scenes, "The folder of the scenes", ArgumentKind::Folder);
         line.text("--references", references, "The folder of the reference pictures, where it is not DIR",
                   ArgumentKind::Folder);
-        line.number("--size", size, longEdgeRange,
-                    "Pixels along the longer side; without it: the reference's");
         line.choice("--stage", stage, stageNames(), "Grade only the pictures of this stage");
         line.text("--submissions", submissions, "Grade each folder in this folder", ArgumentKind::Folder);
         addProgramTo(line);
@@ -174,7 +172,7 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
     std::vector<GradeResult> results;
     print(gradeTableHead());
     for (const GradeCase& test : plan.cases) {
-        results.push_back(gradeCase(test, render, arguments.size.value_or(0), namerOf));
+        results.push_back(gradeCase(test, render, namerOf));
         print(gradeTableRow(results.back()));
     }
     return results;
@@ -200,9 +198,19 @@ std::string reportOf(const GradeArguments& arguments, const std::vector<GradeRes
     return gradeReport(results, arguments.thresholds, title);
 }
 
+void refuseInputs(const GradeArguments& arguments, const GradePlan& plan) {
+    const std::array outputs{arguments.report, arguments.csv, arguments.json, arguments.junit,
+                             arguments.gradescope};
+    refuseSameOutput(outputs);
+    std::vector<std::string> inputs;
+    for (const GradeCase& test : plan.cases) inputs.insert(inputs.end(), {test.scene, test.reference});
+    for (const std::string& output : outputs) refuseInput(output, inputs);
+}
+
 // The files that were asked for, opened before the work.
 struct GradeFiles {
-    explicit GradeFiles(const GradeArguments& arguments) {
+    GradeFiles(const GradeArguments& arguments, const GradePlan& plan) {
+        refuseInputs(arguments, plan);
         const auto open = [](std::optional<OutputFile>& file, const std::string& path) {
             if (!path.empty()) file.emplace(path);
         };
@@ -246,8 +254,7 @@ int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, Gra
     std::vector<GradedSubmission> graded;
     {
         ProgressBar progress;
-        const ClassOptions options{arguments.program, arguments.programOptions(), arguments.jobs,
-                                   arguments.size.value_or(0)};
+        const ClassOptions options{arguments.program, arguments.programOptions(), arguments.jobs};
         graded = gradeClass(plan, submissions, options, namerOf, shelf ? &*shelf : nullptr, progress);
     }
     const std::string title = arguments.submissions + " on " + arguments.scenes;
@@ -268,13 +275,15 @@ int grade(int argc, char** argv) {
                      "Renders every scene of a folder that has a reference picture, and compares.");
     GradeArguments arguments;
     arguments.addTo(line);
+    line.lacks({"--size"}, "a picture has its reference's size, which a program is told");
     if (const auto status = line.parse(argc, argv)) return *status;
     if (!arguments.program.empty()) requirePrograms();
     requireUser(arguments.user);
-    GradeFiles output(arguments);
     const GradePlan plan = planFor(arguments);
+    GradeFiles output(arguments, plan);
     if (plan.cases.empty())
         throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png");
+    requireGradable(plan);
     return arguments.submissions.empty() ? gradeFolder(arguments, plan, output)
                                          : gradeSubmissions(arguments, plan, output);
 }

@@ -195,6 +195,8 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
         for (const std::string& file : files) watch.add(file);
         try {
             renderPicture(arguments, wanted, files);
+        } catch (const UsageError& error) {
+            tell(Error({"raytracer"}, error.what()));
         } catch (const Error& error) {
             tell(error);
         }

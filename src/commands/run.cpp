@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/numerics/instruction_set.h"
@@ -137,15 +138,25 @@ std::optional<int> printDocument(int argc, char** argv) {
     return 0;
 }
 
+// With the command's name before what its line says wrong.
+int called(const std::string& name, int (*command)(int, char**), int argc, char** argv) {
+    try {
+        return command(argc, argv);
+    } catch (const UsageError& error) {
+        throw Error({name}, error.what());
+    }
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
     defaultInstructionSet();  // throws, in each command and before its work, where RAYTRACER_SIMD is wrong
     for (const Command& command : commandTable)
-        if (argc > 1 && command.name == argv[1]) return command.run(argc - 1, argv + 1);
+        if (argc > 1 && command.name == argv[1])
+            return called("raytracer " + std::string(command.name), command.run, argc - 1, argv + 1);
     if (const auto status = printDocument(argc, argv)) return *status;
     const std::string unknown = argc > 1 && looksLikeCommand(argv[1]) ? unknownCommand(argv[1]) : "";
-    if (unknown.empty()) return render(argc, argv);
+    if (unknown.empty()) return called("raytracer", render, argc, argv);
     tell(unknown);
     return 2;
 }

@@ -4,9 +4,11 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <tuple>
 #include <utility>
 
+#include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/temporary_folder.h"
 
@@ -58,7 +60,19 @@ void planScene(GradePlan& plan, const fs::path& scene, const fs::path& reference
     addCase(plan, scene, references / (name + ".png"), completeStage());
     for (const Stage& stage : stageTable)
         addCase(plan, scene, references / (name + "-" + std::string(stage.name) + ".png"), stage);
-    if (plan.cases.size() == before) plan.scenesWithoutReference.push_back(scene.filename().string());
+    const bool isSchema = name.ends_with(".schema");
+    if (plan.cases.size() == before && !isSchema)
+        plan.scenesWithoutReference.push_back(scene.filename().string());
+}
+
+// Files that the scene names are read behind its own text.
+void requireFilesOf(const std::string& scene) {
+    std::vector<std::string> named;
+    try {
+        loadScene(scene, false, {}, &named);
+    } catch (const Error&) {
+        if (named.size() > 1) throw;
+    }
 }
 
 // False where the program has failed; the result says how.
@@ -116,6 +130,12 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
     return plan;
 }
 
+void requireGradable(const GradePlan& plan) {
+    std::set<std::string> scenes;
+    for (const GradeCase& test : plan.cases)
+        if (scenes.insert(test.scene).second) requireFilesOf(test.scene);
+}
+
 CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options) {
     return [=](const GradeCase& test, int longEdge, const std::string& out) {
         Rendered result;
@@ -167,8 +187,7 @@ void gradePicture(GradeResult& result, const ReferencePicture& reference, const 
     }
 }
 
-GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge,
-                      const NamerMaker& makeNamer) {
+GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, const NamerMaker& makeNamer) {
     GradeResult result;
     result.test = test;
     const ReferencePicture reference(test.reference);
@@ -176,7 +195,7 @@ GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int lon
     const TemporaryFolder folder;
     requireRoom(folder, reference.image);
     const std::string out = folder.file("out.png");
-    const int edge = longEdge ? longEdge : std::max(reference.image.width, reference.image.height);
+    const int edge = std::max(reference.image.width, reference.image.height);
     if (!renderCase(result, render, edge, out)) return result;
     std::error_code isLocked;
     if (!fs::is_regular_file(out, isLocked)) {

@@ -137,7 +137,6 @@ class ClassGrading {
     }
 
     int longEdgeOf(const GradeCase& test) {
-        if (options_.longEdge) return options_.longEdge;
         int& edge = longEdges_[test.reference];
         if (edge) return edge;
         const FileBytes file(test.reference, FileKind::Regular);

@@ -58,7 +58,6 @@ NUMBERS = {
         "--min-score": ("a whole number from 0 to 100", ["0", "100"]),
     },
     "grade": {
-        "--size": ("a whole number from 1 to 65536", ["1", "65536"]),
         "--timeout": ("a number above 0", ["1e-3", "1e300"]),
         "--wall": ("a number above 0", ["1e-3", "1e300"]),
         "--memory": ("a whole number from 1 to 500000", ["1", "500000"]),

@@ -57,7 +57,7 @@ COMMANDS = [
      'raytracer: --crop: expected a rectangle inside of the 8 x 8 picture, found "0,0,9,9"'),
     ("scene.json out.jpg 8", "out.jpg: expected a name that ends in .png or .pfm"),
     ("scene.json nowhere/out.png 8", "nowhere/out.png: cannot write: No such file or directory"),
-    ("explain scene.json 8 8 8", "raytracer: expected a pixel inside of the 8 x 8 picture, found 8, 8"),
+    ("explain scene.json 8 8 8", "raytracer explain: expected a pixel of the 8 x 8 picture, columns 0 to 7 and rows 0 to 7, found 8, 8"),
     ("sceen.json out.png 8", 'sceen.json: cannot read: No such file or directory; there is "scene.json"'),
     ("scene out.png 8", 'scene: cannot read: No such file or directory; there is "scene.json"'),
     ("other.json out.png 8", 'other.json: cannot read: No such file or directory; there is "more/other.json"'),

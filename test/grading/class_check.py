@@ -241,10 +241,10 @@ def check_one(raytracer, folder):
     outputs = {test["name"]: test["output"] for test in results["tests"]}
     check(outputs["spheres_cylinder"] == "no picture spheres_cylinder.png" and "without specular light" in outputs["refraction"], f"{outputs}")
     refused = run(*grade, "--submissions", "pictures", cwd=folder)
-    check((refused.returncode, refused.stderr) == (2, f"raytracer: --gradescope: expected one submission, found {len(PICTURES_ALONE)}\n"),
+    check((refused.returncode, refused.stderr) == (2, f"raytracer grade: --gradescope: expected one submission, found {len(PICTURES_ALONE)}\n"),
           f"{refused.stderr}")
     refused = run(*grade[:-4], "--submissions", "pictures", "--program", "true", cwd=folder)
-    check((refused.returncode, refused.stderr) == (2, 'raytracer: --program: expected {} for the submission\'s folder, found "true"\n'),
+    check((refused.returncode, refused.stderr) == (2, 'raytracer grade: --program: expected {} for the submission\'s folder, found "true"\n'),
           f"{refused.stderr}")
     refused = run(*grade[:-4], "--submissions", "one/ada/none", cwd=folder)
     check((refused.returncode, refused.stderr) == (2, "one/ada/none: cannot read the folder: No such file or directory\n"),

@@ -192,6 +192,18 @@ def check_statuses(program, folder):
             yield f"{arguments}: {result.stderr!r}"
 
 
+def check_overwriting(program, folder):
+    """A picture that is read is not overwritten, by whatever name."""
+    path = save(gradient(20, 20), folder / "a")
+    (folder / "link.png").symlink_to("a.png")
+    for name in (path, folder / "link.png"):
+        before = path.read_bytes()
+        result = run(program, path, path, "--diff", name)
+        said = f"{name} is read, too: give another name for what is written\n"
+        if (result.returncode, result.stderr, path.read_bytes()) != (2, said, before):
+            yield f"--diff over a picture: {result.returncode} {result.stderr!r}"
+
+
 def main():
     failures, count = [], 0
     with tempfile.TemporaryDirectory() as name:
@@ -199,6 +211,7 @@ def main():
         for count, (title, a, b) in enumerate(pairs(), 1):
             failures += check_pair(sys.argv[1], folder, title, a, b)
         failures += check_statuses(sys.argv[1], folder)
+        failures += check_overwriting(sys.argv[1], folder)
     print("\n".join(failures) or f"{count} pairs: every number is the same")
     return 1 if failures else 0
 

@@ -2,6 +2,7 @@
 
 Usage: grade_check.py RAYTRACER. Exit status 77 (CTest: skipped) without Pillow.
 """
+import json
 import os
 import re
 import shutil
@@ -80,6 +81,7 @@ def make_class(folder):
         (shown.resize((30, 20)) if name == "size" else shown).save(folder / "ours" / f"{name}.png")
     draw_scene(10).save(folder / "exam" / "off-normals.png")
     (folder / "exam" / "lonely.json").write_text("{}")
+    (folder / "exam" / "scene.schema.json").write_text("{}")
     cases = "".join(f"{name}) {body or 'cp $ours $2'};;\n" for name, (body, _, _) in ENDINGS.items())
     return write_program(folder / "student", f'[ "$3" = 60 ] || exit 9\nname=$(basename "$1" .json); ours=ours/$name.png\n'
                                              f"case $name in\n{cases}esac\n")
@@ -98,7 +100,8 @@ def check_cli(program, folder):
     for words in ("about to fall", "done, nearly", "thinking", "what scene?"):
         check(words in result.stdout, f"a program's last line is shown: {result.stdout}")
     check("3 of 13 pictures as the reference, mean score 30.6" in result.stdout, f"the summary: {result.stdout[-200:]}")
-    check("no reference: lonely.json" in result.stdout, "scenes without reference are told")
+    check(result.stdout.endswith("no reference: lonely.json\n"), "scenes without reference are told, and no schema")
+    check("schema" not in result.stdout, f"a schema is no scene: {result.stdout}")
     safe = "\x1b" not in result.stdout and "  red \\xff\\xc2\\x9b\n" in result.stdout
     check(safe, f"no command for a terminal: {result.stdout}")
     page = (folder / "report.html").read_text("utf-8")
@@ -147,6 +150,7 @@ def check_own_failures(program, folder):
     for blank in ("", "  "):
         failing("no program", f'raytracer grade: --program: expected a text, found "{blank}"\n',
                 "one", "--program", blank)
+    check_files(folder, failing)
     (folder / "one/a.png").write_bytes((folder / "one/a.png").read_bytes()[:100])
     failing("a broken reference", "one/a.png: broken PNG picture: it is cut short, or a checksum in it is wrong\n", "one", "--program",
             "true")
@@ -156,6 +160,30 @@ def check_own_failures(program, folder):
     else:
         failing("a small disk", "one/raytracer-\\w+: no room for a picture: No space left on device\n", "few", "--program", "true",
                 before=mount, TMPDIR="one")
+
+
+def check_files(folder, failing):
+    """What is named twice, or is not there, is told before anything is graded."""
+    program = ("--program", "true")
+    for output in ("--csv", "--report", "--json", "--junit"):
+        for read in ("one/a.json", "one/../one/a.png"):
+            failing(f"{output} over {read}", f"{read} is read, too: give another name for what is written\n", "one", *program,
+                    output, read)
+    failing("two files of one name", "one/../x is written twice: give each file its own name\n", "one", *program,
+            "--csv", "x", "--json", "one/../x")
+    check(not (folder / "x").exists(), "no file where the line is wrong")
+    failing("--size", "raytracer grade: there is no --size: a picture has its reference's size, which a program is told\n",
+            "one", *program, "--size", 20)
+    scene = json.loads((Path(__file__).parent.parent / "good/least.json").read_text()) | {
+        "textures": {"wood": "no.png"}, "transforms": [{"name": "t"}],
+        "materials": [{"name": "m", "use_diffuse_texture": True, "diffuse_texture": "wood"}],
+        "shapes": [{"type": "sphere", "transform": "t", "material": "m"}]}
+    (folder / "one/a.json").write_text(json.dumps(scene))
+    (folder / "pupils/ada").mkdir(parents=True)
+    for arguments in (program, ["--submissions", "pupils"], ["--submissions", "pupils", "--program", "{}/rt"]):
+        failing("a texture that is not there", r'one/a.json:1:\d+: /textures/wood: no file "one/no.png" \(relative to the scene file\); .*\n',
+                "one", *arguments)
+    (folder / "one/a.json").write_text("{}")
 
 
 def has_ended(pid):
@@ -176,7 +204,7 @@ def check_statuses(program, folder):
     student = ("--program", "./student")
     for status, *arguments in [
         (1, "few", *student), (0, "few", *student, "--max-pixels", 4), (0, "few", *student, "--min-score", 98),
-        (1, "few", *student, "--min-score", 99), (1, "few", *student, "--size", 61), (0, "few", "--references", "ours",
+        (1, "few", *student, "--min-score", 99), (2, "few", *student, "--size", 61), (0, "few", "--references", "ours",
         *student), (2, "empty", *student), (2, "nowhere", *student), (2, "few", *student, "--report", "nowhere/r.html"),
         (2, "few", *student, "--stage", "sketch"), (2, "few", *student, "--timeout", 0), (2,),
         (0, "few", "--stage", "normals", "--program", "cp exam/off-normals.png \"$2\" #\n:"),

@@ -45,6 +45,10 @@ struct GradePlan {
 // the same. Throws Error if a folder cannot be read.
 GradePlan planGrading(const std::string& scenes, const std::string& references);
 
+// Throws Error where a scene names a file that is not there or broken, which no program can be blamed for.
+// What else a scene says wrong is not looked at: it may be made for other programs than ours.
+void requireGradable(const GradePlan& plan);
+
 // The outcome of rendering a case. It does not say whether there is a picture.
 struct Rendered {
     bool failed = false;                       // a picture that was written all the same does not count
@@ -117,9 +121,8 @@ void gradePicture(GradeResult& result, const ReferencePicture& reference, const 
                   NamedCase* named);
 
 // Throws Error for what is not the renderer's: a reference that cannot be read, no temporary folder, a full
-// disk. With `longEdge` 0 the picture has the reference's size.
-GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, int longEdge,
-                      const NamerMaker& makeNamer = {});
+// disk. The picture is to have the reference's size.
+GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, const NamerMaker& makeNamer = {});
 
 bool within(const GradeResult& result, const Thresholds& thresholds);
 

@@ -36,8 +36,7 @@ struct GradedSubmission {
 struct ClassOptions {
     std::string program;  // "{}" is the submission's folder; empty: the folder has the pictures
     ProgramOptions run;
-    int jobs = 1;      // programs side by side
-    int longEdge = 0;  // 0: the reference's
+    int jobs = 1;  // programs side by side
 };
 
 // Pictures are X.png anywhere beneath the folder, the one nearest to its top; programs are run in a fresh
