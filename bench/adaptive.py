@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""What --adaptive E gives and takes: the picture's RMSE as a part of E, and the samples of a pixel, on all scenes.
+"""What --adaptive E gives and takes: the picture's RMSE as a part of E, and the samples of a pixel, on all
+scenes.
 
     bench/adaptive.py [--raytracer PROGRAM] [--size 100] [SCENE...]
 
-At the defaults' depth, in the truth too (twice the size, a quarter of the least E). The samples include those that tiles
-take again, since a pixel looks at the centres around it; the last column is what these are for --adaptive 1, which needs no
-others.
+At the defaults' depth, in the truth too (twice the size, a quarter of the least E). The samples include those
+that tiles take again, since a pixel looks at the centres around it; the last column is what these are for
+--adaptive 1, which needs no others.
 """
 import argparse
 import json
@@ -25,11 +26,13 @@ def samples(done):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--raytracer", default=TOP / "build/release/raytracer")
     parser.add_argument("--size", type=int, default=100)
-    parser.add_argument("scenes", nargs="*", default=sorted(str(path) for path in (TOP / "scenes").glob("*.json")
-                                                             if "schema" not in path.name))
+    parser.add_argument("scenes", nargs="*",
+                        default=sorted(str(path) for path in (TOP / "scenes").glob("*.json")
+                                        if "schema" not in path.name))
     arguments = parser.parse_args()
     print("| scene | " + " | ".join(map(str, ERRORS)) + " | ring |\n|---" + "|--:" * (len(ERRORS) + 1) + "|")
     parts, taken = [], []
@@ -39,12 +42,14 @@ def main():
             truth = program.truth(scene, arguments.size, min(ERRORS) / 4, 2, depth=("--max-recursion", 3))
             rows = []
             for error in ERRORS:
-                picture, done = program.render(scene, arguments.size, "--adaptive", error, "--samples", 65536, "--stats")
+                picture, done = program.render(scene, arguments.size, "--adaptive", error, "--samples", 65536,
+                                               "--stats")
                 rows.append((rmse(picture[:len(truth), :truth.shape[1]], truth) / error, samples(done)))
             ring = samples(program.render(scene, arguments.size, "--adaptive", 1, "--stats")[1]) - 1
             parts.append([part for part, _ in rows])
             taken.append([count for _, count in rows])
-            print(f"| {pathlib.Path(scene).stem} | " + " | ".join(f"{part:.2f} E, {count:.3g}" for part, count in rows)
+            print(f"| {pathlib.Path(scene).stem} | " +
+                  " | ".join(f"{part:.2f} E, {count:.3g}" for part, count in rows)
                   + f" | {ring:.3f} |", flush=True)
     columns = [f"{numpy.median(p):.2f} ({min(p):.2f} to {max(p):.2f}) E, {numpy.median(t):.3g}"
                for p, t in zip(zip(*parts), zip(*taken))]

@@ -5,8 +5,8 @@
 
 plain is our own format without what one of them can't say, glass excepted.
 
-One ray a pixel, no antialiasing, four levels of rays (the camera's and three bounces), linear bytes. What can't be
-said in the other program's model is written to stderr, one line for each kind of thing.
+One ray a pixel, no antialiasing, four levels of rays (the camera's and three bounces), linear bytes. What
+can't be said in the other program's model is written to stderr, one line for each kind of thing.
 """
 import argparse
 import sys
@@ -27,12 +27,14 @@ def convert(scene_path, program, long_edge, out_path):
             write_plain(scene_path, out, lambda loss: losses.setdefault(loss))
             return list(losses)
         scene = read_scene(scene_path)
-        WRITERS[program].write(scene, scene.camera.image_size(long_edge), out, lambda loss: losses.setdefault(loss))
+        WRITERS[program].write(scene, scene.camera.image_size(long_edge), out,
+                               lambda loss: losses.setdefault(loss))
     return list(losses)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scene")
     parser.add_argument("--to", choices=[*WRITERS, "plain"], required=True)
     parser.add_argument("--size", type=int, default=600, help="pixels on the long edge")

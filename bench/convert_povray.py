@@ -3,8 +3,8 @@ import numpy
 
 from scene_file import read_obj
 
-# color_ambient doesn't depend on color_diffuse, POV-Ray's ambient does: a channel without diffuse gets this much, and
-# its ambient is divided by it. A ten-thousandth of a byte's step.
+# color_ambient doesn't depend on color_diffuse, POV-Ray's ambient does: a channel without diffuse gets this
+# much, and its ambient is divided by it. A ten-thousandth of a byte's step.
 LEAST_DIFFUSE = 1e-7
 
 
@@ -29,11 +29,13 @@ def write(scene, size, out, lose):
 
 
 def write_camera(camera, size, out):
-    """direction + x right + y up, x and y from -1/2 to 1/2: vectors as given, so off-centre films and skew frames too."""
+    """direction + x right + y up, x and y from -1/2 to 1/2: vectors as given, so off-centre films and skew
+    frames too."""
     center = (camera.left + camera.right) / 2 * camera.u + (camera.bottom + camera.top) / 2 * camera.v
     right = (camera.right - camera.left) * camera.u
     up = (camera.top - camera.bottom) * camera.v
-    kind, location, direction = (("perspective", camera.eye, center - camera.focal_length * camera.w) if camera.perspective
+    kind, location, direction = (("perspective", camera.eye, center - camera.focal_length * camera.w)
+                                 if camera.perspective
                                  else ("orthographic", camera.eye + center, -camera.w))
     out.write(f"camera {{ {kind} location {vector(location)} direction {vector(direction)} "
               f"right {vector(right)} up {vector(up)} }}\n")
@@ -48,8 +50,8 @@ def write_material(name, material, ambient_light, out, lose):
     if specular.max() > specular.min():
         lose("coloured highlights are grey: their mean")
     if material["refractive"]:
-        lose("refraction: total internal reflection is reflected rather than black, light through glass is filtered at "
-             "each surface rather than once, nested glass refracts by the ratio of the two")
+        lose("refraction: total internal reflection is reflected rather than black, light through glass is "
+             "filtered at each surface rather than once, nested glass refracts by the ratio of the two")
         if diffuse.any():
             lose("a refractive material has no diffuse term")
         pigment = f"pigment {{ rgbf <{','.join(repr(float(c)) for c in material['color_refract'])},1> }}"
@@ -60,15 +62,18 @@ def write_material(name, material, ambient_light, out, lose):
     else:
         pigment = f"pigment {{ rgb {vector(numpy.maximum(diffuse, LEAST_DIFFUSE))} }}"
         interior = ""
-    reflection = f" reflection {{ rgb {vector(material['color_reflect'])} }}" if material["reflective"] else ""
+    reflection = ""
+    if material["reflective"]:
+        reflection = f" reflection {{ rgb {vector(material['color_reflect'])} }}"
     phong = f" phong {specular.mean()!r} phong_size {material['shininess']!r}" if specular.any() else ""
     out.write(f"#declare {name} = material {{ texture {{ {pigment} finish {{ "
-              f"ambient rgb {vector(ambient / numpy.maximum(diffuse, LEAST_DIFFUSE))} diffuse 1{phong}{reflection} }} }}"
-              f"{interior} }};\n")
+              f"ambient rgb {vector(ambient / numpy.maximum(diffuse, LEAST_DIFFUSE))} diffuse "
+              f"1{phong}{reflection} }} }}{interior} }};\n")
 
 
 def body(shape):
-    """The shape without its closing brace. Baked into the primitive where it can be, as a POV-Ray user would write it."""
+    """The shape without its closing brace. Baked into the primitive where it can be, as a POV-Ray user would
+    write it."""
     bake = {"sphere": sphere, "plane": plane, "cylinder": cylinder, "cone": cone, "cube": box, "mesh": mesh}
     return bake[shape.type](shape)
 
@@ -80,7 +85,9 @@ def matrix(shape):
 
 def sphere(shape):
     scale = shape.similarity_scale()
-    return f"sphere {{ 0, 1 {matrix(shape)}" if scale is None else f"sphere {{ {vector(shape.point(0, 0, 0))}, {scale!r}"
+    if scale is None:
+        return f"sphere {{ 0, 1 {matrix(shape)}"
+    return f"sphere {{ {vector(shape.point(0, 0, 0))}, {scale!r}"
 
 
 def plane(shape):
@@ -112,5 +119,7 @@ def box(shape):
 def mesh(shape):
     vertices, triangles = read_obj(shape.mesh_path)
     points = shape.points(vertices).tolist()
-    return (f"mesh2 {{ vertex_vectors {{ {len(points)}," + ",\n".join("<%r,%r,%r>" % tuple(p) for p in points) +
-            f" }} face_indices {{ {len(triangles)}," + ",\n".join("<%d,%d,%d>" % tuple(t) for t in triangles.tolist()) + " }")
+    return (f"mesh2 {{ vertex_vectors {{ {len(points)}," +
+            ",\n".join("<%r,%r,%r>" % tuple(p) for p in points) +
+            f" }} face_indices {{ {len(triangles)}," +
+            ",\n".join("<%d,%d,%d>" % tuple(t) for t in triangles.tolist()) + " }")

@@ -19,14 +19,16 @@ def write(scene, size, out, lose):
     out.write("BACKGROUND 0 0 0\n")
     for light in scene.lights:
         # Its lights are spheres that rays can see; this one is too small for any ray.
-        out.write(f"LIGHT CENTER {numbers(light['position'][:3])} RAD 1e-30 COLOR {numbers(light['color'])}\n")
+        out.write(
+            f"LIGHT CENTER {numbers(light['position'][:3])} RAD 1e-30 COLOR {numbers(light['color'])}\n")
     ambient_light = sum(numpy.array(light["color_ambient"], float) for light in scene.lights)
     names = {}
     for material in scene.materials:
         names[material["name"]] = f"m{len(names)}"
         write_material(names[material["name"]], material, ambient_light, out, lose)
     for shape in scene.shapes:
-        bake = {"sphere": sphere, "plane": plane, "cylinder": cylinder, "cone": cone, "cube": cube, "mesh": mesh}
+        bake = {"sphere": sphere, "plane": plane, "cylinder": cylinder, "cone": cone, "cube": cube,
+                "mesh": mesh}
         bake[shape.type](shape, names[shape.material["name"]], out, lose)
     out.write("END_SCENE\n")
 
@@ -42,9 +44,11 @@ def write_camera(camera, size, out, lose):
     half_x, half_y = (camera.right - camera.left) / size[0] / 2, (camera.top - camera.bottom) / size[1] / 2
     film = [(half_x - camera.left) * x_scale, (half_x - camera.right) * x_scale,
             (camera.bottom - half_y) * y_scale, (camera.top - half_y) * y_scale]
-    out.write(f"CAMERA PROJECTION {'PERSPECTIVE' if camera.perspective else 'ORTHOGRAPHIC'} ZOOM 1 ASPECTRATIO 1 "
-              f"ANTIALIASING 0 RAYDEPTH 4 CENTER {numbers(camera.eye)} VIEWDIR {numbers(-camera.w / lengths[2])} "
-              f"UPDIR {numbers(camera.v / lengths[1])} FRUSTUM {numbers(film)} END_CAMERA\n")
+    out.write(
+        f"CAMERA PROJECTION {'PERSPECTIVE' if camera.perspective else 'ORTHOGRAPHIC'} ZOOM 1 ASPECTRATIO 1 "
+              f"ANTIALIASING 0 RAYDEPTH 4 CENTER {numbers(camera.eye)} VIEWDIR "
+              f"{numbers(-camera.w / lengths[2])} UPDIR {numbers(camera.v / lengths[1])} FRUSTUM "
+              f"{numbers(film)} END_CAMERA\n")
 
 
 def grey(color, what, lose):
@@ -71,8 +75,8 @@ def write_material(name, material, ambient_light, out, lose):
     mirror = grey(material["color_reflect"], "mirrors", lose) if material["reflective"] else 0.0
     highlight = grey(material["color_specular"], "highlights", lose)
     phong = f"PHONG PLASTIC {highlight!r} PHONG_SIZE {material['shininess']!r} " if highlight else ""
-    out.write(f"TEXDEF {name} AMBIENT {ambient_share!r} DIFFUSE {1.0 if diffuse.any() else 0.0!r} SPECULAR {mirror!r} "
-              f"OPACITY {opacity!r} {phong}COLOR {numbers(diffuse)} TEXFUNC 0\n")
+    out.write(f"TEXDEF {name} AMBIENT {ambient_share!r} DIFFUSE {1.0 if diffuse.any() else 0.0!r} SPECULAR "
+              f"{mirror!r} OPACITY {opacity!r} {phong}COLOR {numbers(diffuse)} TEXFUNC 0\n")
 
 
 def sphere(shape, material, out, lose):
@@ -88,12 +92,14 @@ def sphere(shape, material, out, lose):
 def sphere_grid(slices):
     """Rows from the north pole to the south pole, the first column repeated as the last."""
     polar, around = numpy.linspace(0, numpy.pi, slices // 2 + 1), numpy.linspace(0, 2 * numpy.pi, slices + 1)
-    return numpy.stack([numpy.outer(numpy.sin(polar), numpy.cos(around)), numpy.outer(numpy.sin(polar), numpy.sin(around)),
+    return numpy.stack([numpy.outer(numpy.sin(polar), numpy.cos(around)),
+                        numpy.outer(numpy.sin(polar), numpy.sin(around)),
                         numpy.outer(numpy.cos(polar), numpy.ones_like(around))], axis=-1)
 
 
 def smooth_grid(shape, points, normals, material, out):
-    """A grid of rows x columns x 3 as triangles with smooth normals; the empty ones at a pole are left out."""
+    """A grid of rows x columns x 3 as triangles with smooth normals; the empty ones at a pole are left
+    out."""
     rows, columns = points.shape[:2]
     position = shape.points(points.reshape(-1, 3)).reshape(points.shape)
     normal = shape.normals(normals.reshape(-1, 3)).reshape(points.shape)
@@ -101,10 +107,13 @@ def smooth_grid(shape, points, normals, material, out):
         for column in range(columns - 1):
             a, b, c, d = (row, column), (row + 1, column), (row + 1, column + 1), (row, column + 1)
             for corners in ((a, b, c), (a, c, d)):
-                if any(numpy.allclose(points[corners[i]], points[corners[i - 1]], rtol=0, atol=1e-12) for i in range(3)):
+                if any(numpy.allclose(points[corners[i]], points[corners[i - 1]], rtol=0, atol=1e-12)
+                       for i in range(3)):
                     continue
-                out.write("STRI " + " ".join(f"V{i} {numbers(position[corners[i]])}" for i in range(3)) + " " +
-                          " ".join(f"N{i} {numbers(normal[corners[i]])}" for i in range(3)) + f" {material}\n")
+                out.write("STRI " + " ".join(f"V{i} {numbers(position[corners[i]])}" for i in range(3)) +
+                          " " +
+                          " ".join(f"N{i} {numbers(normal[corners[i]])}" for i in range(3)) +
+                          f" {material}\n")
 
 
 def plane(shape, material, out, lose):
@@ -117,11 +126,12 @@ def disc(shape, z, material, out):
     radius = shape.round_radius()
     if radius is not None:
         normal = shape.normals(numpy.array([[0.0, 0.0, 1.0]]))[0]
-        out.write(f"RING CENTER {numbers(shape.point(0, 0, z))} NORMAL {numbers(normal)} INNER 0 OUTER {float(radius)!r} "
-                  f"{material}\n")
+        out.write(f"RING CENTER {numbers(shape.point(0, 0, z))} NORMAL {numbers(normal)} INNER 0 OUTER "
+                  f"{float(radius)!r} {material}\n")
         return
     around = numpy.linspace(0, 2 * numpy.pi, ELLIPSOID_SLICES + 1)
-    rim = shape.points(numpy.stack([numpy.cos(around), numpy.sin(around), numpy.full_like(around, z)], axis=-1))
+    rim = shape.points(numpy.stack([numpy.cos(around), numpy.sin(around), numpy.full_like(around, z)],
+                                   axis=-1))
     center = shape.point(0, 0, z)
     triangles(((center, rim[i], rim[i + 1]) for i in range(ELLIPSOID_SLICES)), material, out)
 
@@ -152,7 +162,8 @@ def cone(shape, material, out, lose):
 def body(shape, top_radius, material, out):
     around = numpy.linspace(0, 2 * numpy.pi, ELLIPSOID_SLICES + 1)
     x, y, one = numpy.cos(around), numpy.sin(around), numpy.ones_like(around)
-    points = numpy.stack([numpy.stack([x, y, 0 * one], axis=-1), numpy.stack([top_radius * x, top_radius * y, one], axis=-1)])
+    points = numpy.stack([numpy.stack([x, y, 0 * one], axis=-1),
+                          numpy.stack([top_radius * x, top_radius * y, one], axis=-1)])
     normals = numpy.stack([numpy.stack([x, y, (1 - top_radius) * one], axis=-1)] * 2)
     smooth_grid(shape, points, normals, material, out)
 

@@ -3,9 +3,10 @@
 
     bench/extremes.py [--scenes spheres_cylinder,cone_cube] [--size 200] [--by 8] [--out bench/results]
 
-A picture shouldn't depend on either. A pixel is wrong where a channel differs by more than --by of 255 from the same
-program's picture of the scene as it was; for raytracer also where it differs by more than 1 of 255 from
---precision extended on the very same numbers. Scenes lose first what one of the programs can't say (plain.py).
+A picture shouldn't depend on either. A pixel is wrong where a channel differs by more than --by of 255 from
+the same program's picture of the scene as it was; for raytracer also where it differs by more than 1 of 255
+from --precision extended on the very same numbers. Scenes lose first what one of the programs can't say
+(plain.py).
 """
 import argparse
 import pathlib
@@ -54,7 +55,8 @@ class Extremes:
         moved = self.transformed(scene, tag, options)
         pictures = {column: self.render(column, moved, tag) for column in self.columns}
         pixels = self.pixels(scene)
-        own = {column: pictures[column] and round(pixels * programs.differing_share(baseline[column], pictures[column], self.arguments.by))
+        own = {column: pictures[column] and
+               round(pixels * programs.differing_share(baseline[column], pictures[column], self.arguments.by))
                for column in self.columns}
         reference = {column: pictures[column] and pictures["extended"] and
                  round(pixels * programs.differing_share(pictures["extended"], pictures[column], 1))
@@ -73,7 +75,8 @@ class Extremes:
             say(tag)
             counts = [self.wrong(scene, tag, options, baseline) for scene, baseline in scenes.items()]
             cells = [total(own[column] for own, _ in counts) for column in self.columns]
-            references = [total(reference[column] for _, reference in counts) for column in ("float", "double")]
+            references = [total(reference[column] for _, reference in counts)
+                          for column in ("float", "double")]
             what = f"scaled by 10^{power}" if kind == "scale" else f"moved by 10^{power} sizes"
             yield f"| {what} | " + " | ".join(cells + references) + " |"
 
@@ -84,7 +87,8 @@ def total(counts):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scenes", default="spheres_cylinder,cone_cube")
     parser.add_argument("--size", type=int, default=200)
     parser.add_argument("--by", type=float, default=8)
@@ -98,21 +102,27 @@ def main():
             sys.exit(2)
         scenes = {}
         for name in arguments.scenes.split(","):
-            path = programs.TOP / "scenes" / f"{name}.json" if not name.endswith(".json") else pathlib.Path(name)
+            is_path = name.endswith(".json")
+            path = pathlib.Path(name) if is_path else programs.TOP / "scenes" / f"{name}.json"
             plain, _ = programs.convert(path, "plain", 0, extremes.folder)
             scenes[plain] = {column: extremes.render(column, plain, "start") for column in extremes.columns}
-        titles = [extremes.title(column) for column in extremes.columns] + ["float to long double", "double to long double"]
+        titles = [extremes.title(column) for column in extremes.columns]
+        titles += ["float to long double", "double to long double"]
         pixels = sum(extremes.pixels(scene) for scene in scenes)
         lines = ["| wrong pixels | " + " | ".join(titles) + " |", "|---|" + "--:|" * len(titles)]
         lines += extremes.rows(scenes, "scale", SCALES[::arguments.step])
         lines += extremes.rows(scenes, "move", TRANSLATIONS)
     arguments.out.mkdir(parents=True, exist_ok=True)
     note = "Tachyon's reader stores every number as a float. " if "tachyon" in extremes.columns else ""
-    missing = [f"{NAMES[name]} is not installed here. " for name in NAMES if name != "raytracer" and name not in extremes.columns]
+    missing = [f"{NAMES[name]} is not installed here. " for name in NAMES
+               if name != "raytracer" and name not in extremes.columns]
     (arguments.out / "extremes.md").write_text("\n".join(lines) + (
-        f"\n\nOf {pixels:,} pixels ({arguments.scenes}, {arguments.size} px). Wrong: a channel differs by more than "
-        f"{arguments.by:g} of 255 from the same program's picture of the scene as it was; in the last two columns, by more than 1 of "
-        f"255 from the picture in long double of the same numbers. {note}{''.join(missing)}{programs.machine()}.\n"))
+        f"\n\nOf {pixels:,} pixels ({arguments.scenes}, {arguments.size} px). Wrong: a channel differs by "
+        "more than "
+        f"{arguments.by:g} of 255 from the same program's picture of the scene as it was; in the last two "
+        "columns, by more than 1 of "
+        "255 from the picture in long double of the same numbers. "
+        f"{note}{''.join(missing)}{programs.machine()}.\n"))
     print("\n".join(lines))
 
 

@@ -13,4 +13,5 @@ cmake -S "$top" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER="clang++-$version" -DCMAKE_CXX_FLAGS=-stdlib=libc++ >/dev/null
 ninja -C "$build" --quiet
 # What measures pictures, or how long the programs of a class take, is compared in the GCC's release alone.
-ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -E 'target-error|error of a picture|error falls|counts are monotone|speed for accuracy|browser|schema'
+ctest --test-dir "$build" --output-on-failure -j "$(nproc)" -E \
+    'target-error|error of a picture|error falls|counts are monotone|speed for accuracy|browser|schema'

@@ -40,7 +40,8 @@ def run(command, cwd=None):
         if cwd:
             os.chdir(cwd)
         pid = os.posix_spawnp(command[0], [str(word) for word in command], os.environ,
-                              file_actions=[(os.POSIX_SPAWN_DUP2, null, 0), (os.POSIX_SPAWN_DUP2, write_end, 1),
+                              file_actions=[(os.POSIX_SPAWN_DUP2, null, 0),
+                                            (os.POSIX_SPAWN_DUP2, write_end, 1),
                                             (os.POSIX_SPAWN_DUP2, write_end, 2)])
     finally:
         os.chdir(here)
@@ -57,7 +58,8 @@ def run(command, cwd=None):
     if status != 0:
         code = os.waitstatus_to_exitcode(status)
         words = text.strip().splitlines()
-        raise Failed(f"{os.path.basename(str(command[0]))} ended with {code}: {words[-1] if words else 'no message'}")
+        raise Failed(
+            f"{os.path.basename(str(command[0]))} ended with {code}: {words[-1] if words else 'no message'}")
     return Usage(used.ru_utime, used.ru_stime, wall, used.ru_maxrss / 1024, text)
 
 

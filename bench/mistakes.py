@@ -1,7 +1,7 @@
 """How often `raytracer` names the mistake of a picture: single ones, pairs, right pictures, unknown mistakes.
 
-The pictures are those of test/tracer/plain_tracer.h, changed by hand (test/grading/students.py), and, as right
-pictures, those of other precisions.
+The pictures are those of test/tracer/plain_tracer.h, changed by hand (test/grading/students.py), and, as
+right pictures, those of other precisions.
 
 STUDENT is the program that test/grading/class_check.py builds.
 
@@ -34,7 +34,8 @@ class Bench:
         self.counts = {}
 
     def draw(self, scene, mistakes):
-        subprocess.run([self.options.student, scene, self.picture, str(self.options.size), *mistakes], check=True)
+        subprocess.run([self.options.student, scene, self.picture, str(self.options.size), *mistakes],
+                       check=True)
         return read(self.picture)
 
     def named(self, scene):
@@ -74,7 +75,8 @@ class Bench:
                 self.count("single", scene, [mistake], words in said, said)
 
     def pairs(self, scene, bits):
-        for mistakes in bits.sample([(a, b) for a in KNOWN for b in KNOWN if a < b and {a, b} != {"gamma", "srgb"}], self.options.pairs):
+        for mistakes in bits.sample([(a, b) for a in KNOWN for b in KNOWN
+                                     if a < b and {a, b} != {"gamma", "srgb"}], self.options.pairs):
             if self.shows(scene, mistakes):
                 said = self.named(scene)
                 self.count("pair", scene, mistakes, all(KNOWN[m] in said for m in mistakes), said)
@@ -83,14 +85,16 @@ class Bench:
         for mistake, words in UNKNOWN.items():
             if self.shows(scene, [mistake]):
                 said = self.named(scene)
-                self.count("unknown", scene, [mistake], not said or bool(words and re.search(words, said)), said)
+                self.count("unknown", scene, [mistake], not said or bool(words and re.search(words, said)),
+                           said)
 
     def right(self, scene):
         self.draw(scene, [])
         said = self.named(scene)
         self.count("right", scene, ["plain"], not said, said)
         for precision in ("float", "extended"):
-            command = [self.options.raytracer, scene, self.picture, str(self.options.size), "--precision", precision, "--quiet"]
+            command = [self.options.raytracer, scene, self.picture, str(self.options.size), "--precision",
+                       precision, "--quiet"]
             subprocess.run(command, check=True)
             said = self.named(scene)
             self.count("right", scene, [precision], not said, said)

@@ -3,10 +3,11 @@
 
     bench/mutants.py [--count N] [--seed N] [--only PART]
 
-A mutant is the core with one operator, constant or comparison changed. Each is compiled (double, one translation
-unit), linked with the rest of build/release, and run through the tests that see pictures; one that they all pass goes
-through the core's own tests, too. Prints each mutant with what became of it, the survivors last. Ends with 1 where one
-survived. A survivor is to be killed by a test, or to be explained in bench/README.md: some changes make no difference.
+A mutant is the core with one operator, constant or comparison changed. Each is compiled (double, one
+translation unit), linked with the rest of build/release, and run through the tests that see pictures; one
+that they all pass goes through the core's own tests, too. Prints each mutant with what became of it, the
+survivors last. Ends with 1 where one survived. A survivor is to be killed by a test, or to be explained in
+bench/README.md: some changes make no difference.
 Takes half a minute a mutant, and needs `./run test` to have built build/release.
 """
 import argparse
@@ -24,18 +25,29 @@ top = pathlib.Path(__file__).resolve().parent.parent
 release, work = top / "build/release", top / "build/mutants"
 tree = work / "tree"
 mutated_files = ["src/tracer/ray_color.h", "include/raytracer/tracer/shading.h", "src/tracer/shading.cpp",
-                 "src/tracer/camera.cpp", "src/tracer/tile.cpp", "include/raytracer/tracer/pixel_estimate.h", "include/raytracer/geometry/*.h",
-                 "src/geometry/chord.cpp", "src/geometry/transform.cpp", "include/raytracer/tracer/sample_sequence.h"]
-# Pattern, replacement. clang-format sets blanks around binary operators, so brackets of templates are no comparisons.
-changes = [(r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "), (r" < ", " <= "), (r" < ", " > "), (r" <= ", " < "),
-           (r" > ", " >= "), (r" > ", " < "), (r" >= ", " > "), (r" && ", " || "), (r" \|\| ", " && "), (r" & ", " | "), (r" == ", " != "),
-           (r" != ", " == "), (r"\bmin\(", "max("), (r"\bmax\(", "min("), (r"\b0\b", "1"), (r"\b1\b", "2"), (r"\b2\b", "3"), (r"\b4\b", "5"),
-           (r"\btrue\b", "false"), (r"\bfalse\b", "true"), (r" \+= ", " -= "), (r" \*= ", " /= "), (r"\(-", "("), (r"!\(", "(")]
-no_code = re.compile(r"^\s*(//|#|\*|template|using|static_assert|namespace|inline constexpr std|case|default)")
+                 "src/tracer/camera.cpp", "src/tracer/tile.cpp", "include/raytracer/tracer/pixel_estimate.h",
+                 "include/raytracer/geometry/*.h",
+                 "src/geometry/chord.cpp", "src/geometry/transform.cpp",
+                 "include/raytracer/tracer/sample_sequence.h"]
+# Pattern, replacement. clang-format sets blanks around binary operators, so brackets of templates are no
+# comparisons.
+changes = [(r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "), (r" < ", " <= "),
+           (r" < ", " > "), (r" <= ", " < "),
+           (r" > ", " >= "), (r" > ", " < "), (r" >= ", " > "), (r" && ", " || "), (r" \|\| ", " && "),
+           (r" & ", " | "), (r" == ", " != "),
+           (r" != ", " == "), (r"\bmin\(", "max("), (r"\bmax\(", "min("), (r"\b0\b", "1"), (r"\b1\b", "2"),
+           (r"\b2\b", "3"), (r"\b4\b", "5"),
+           (r"\btrue\b", "false"), (r"\bfalse\b", "true"), (r" \+= ", " -= "), (r" \*= ", " /= "),
+           (r"\(-", "("), (r"!\(", "(")]
+no_code = re.compile(
+    r"^\s*(//|#|\*|template|using|static_assert|namespace|inline constexpr std|case|default)")
 # Compiled once: they see the core through interfaces that are the same in each mutant.
-picture_tests = ["test/tracer/unit_plain_tracer.cpp", "test/tracer/unit_render.cpp", "test/tracer/unit_samples.cpp", "test/tracer/unit_extremes.cpp",
-                 "test/geometry/unit_coincidence.cpp", "test/geometry/unit_range.cpp", "test/explain/unit_explain.cpp"]
-core_tests = ["test/tracer/core_shading.cpp", "test/geometry/core_shapes_known.cpp", "test/geometry/core_bounds.cpp",
+picture_tests = ["test/tracer/unit_plain_tracer.cpp", "test/tracer/unit_render.cpp",
+                 "test/tracer/unit_samples.cpp", "test/tracer/unit_extremes.cpp",
+                 "test/geometry/unit_coincidence.cpp", "test/geometry/unit_range.cpp",
+                 "test/explain/unit_explain.cpp"]
+core_tests = ["test/tracer/core_shading.cpp", "test/geometry/core_shapes_known.cpp",
+              "test/geometry/core_bounds.cpp",
               "test/numerics/core_power.cpp"]
 # These take a third of the time, to see what the powers of two see in less.
 left_out = "~*extended precision*"
@@ -59,21 +71,24 @@ def core_command():
     """Compiler, flags and sources of the core in double."""
     entries = json.loads((release / "compile_commands.json").read_text())
     entry = next(e for e in entries if "core_double.dir" in e["command"])
-    words = [w for w in shlex.split(entry["command"]) if not w.startswith(("-O", "-Winvalid")) and "ccache" not in w]
+    words = [w for w in shlex.split(entry["command"])
+             if not w.startswith(("-O", "-Winvalid")) and "ccache" not in w]
     flags, skip = [], False
     for word in words[1:]:
         if skip or word in ("-o", "-c", "-include", "-MT", "-MF", "-MD"):
             skip = word in ("-o", "-c", "-include", "-MT", "-MF") and not skip
             continue
         flags.append(word.replace(str(top), str(tree)))
-    listed = re.search(r"set\(core_sources(.*?)\)", (top / "CMakeLists.txt").read_text(), re.S).group(1).split()
+    listed = re.search(r"set\(core_sources(.*?)\)", (top / "CMakeLists.txt").read_text(),
+                       re.S).group(1).split()
     return [words[0], *flags, "-O1", "-w"], listed
 
 
 def compile_to(command, sources, target):
     unit = work / (target + ".cpp")
     unit.write_text("".join(f'#include "{tree / source}"\n' for source in sources))
-    done = subprocess.run([*command, "-c", str(unit), "-o", str(work / (target + ".o"))], capture_output=True, text=True)
+    done = subprocess.run([*command, "-c", str(unit), "-o", str(work / (target + ".o"))], capture_output=True,
+                          text=True)
     return done.returncode == 0
 
 
@@ -87,9 +102,11 @@ def compile_each(command, sources):
 
 def passes(compiler, objects, name):
     """Whether the tests in these objects pass with the mutant's core."""
-    libraries = [str(release / "libraytracer_core.a"), str(next(release.glob("third_party/libstb.a"))), "-ldeflate", "-lpthread"]
+    libraries = [str(release / "libraytracer_core.a"), str(next(release.glob("third_party/libstb.a"))),
+                 "-ldeflate", "-lpthread"]
     program = str(work / name)
-    subprocess.run([compiler, "-o", program, *[str(work / (o + ".o")) for o in objects], *libraries], check=True)
+    subprocess.run([compiler, "-o", program, *[str(work / (o + ".o")) for o in objects], *libraries],
+                   check=True)
     try:
         # Single rays: the packets are not compiled again, and would hide the mutant.
         environment = {**os.environ, "RAYTRACER_SIMD": "scalar"}
@@ -119,7 +136,8 @@ def fate(command, sources, mutant, pictures):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=120, help="how many mutants that compile")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="", help="mutate only files with this in their names")

@@ -4,10 +4,11 @@
     bench/net.py record NET.json [--raytracer PROGRAM] [--no-instructions]
     bench/net.py compare NET.json [--raytracer PROGRAM] [--no-instructions]
 
-`record` renders every scene of scenes/ under each set of options below and stores the hashes of the PFM's samples,
-of the PNG's decoded pixels, of the rays counted, and of `explain`'s answer for a few pixels. `compare` does the same
-and prints each difference; it ends with 1 where a hash differs or an instruction count (callgrind, one thread) differs
-by more than 2 %. A change that must not change pictures is checked by: record before, compare after.
+`record` renders every scene of scenes/ under each set of options below and stores the hashes of the PFM's
+samples, of the PNG's decoded pixels, of the rays counted, and of `explain`'s answer for a few pixels.
+`compare` does the same and prints each difference; it ends with 1 where a hash differs or an instruction
+count (callgrind, one thread) differs by more than 2 %. A change that must not change pictures is checked by:
+record before, compare after.
 """
 import argparse
 import concurrent.futures
@@ -93,11 +94,13 @@ def hashes_of(program, scene, name):
         common = [str(size), "--quiet", *options]
         stats = run(program, [str(scene), pfm, *common, "--stats"], simd)
         run(program, [str(scene), png, *common], simd)
-        return {"pfm": digest(pfm_samples(pfm)), "png": digest(png_pixels(png)), "rays": digest(ray_counts(stats).encode())}
+        return {"pfm": digest(pfm_samples(pfm)), "png": digest(png_pixels(png)),
+                "rays": digest(ray_counts(stats).encode())}
 
 
 def explanation_of(program, scene, pixel):
-    return digest(run(program, ["explain", str(scene), str(pixel[0]), str(pixel[1]), str(size), "--json"]).encode())
+    return digest(run(program,
+                      ["explain", str(scene), str(pixel[0]), str(pixel[1]), str(size), "--json"]).encode())
 
 
 def instructions_of(program, scene):
@@ -109,7 +112,8 @@ def instructions_of(program, scene):
 
 
 def measure(program, with_instructions):
-    scenes = sorted(path for path in (top / "scenes").glob("*.json") if not path.name.endswith(".schema.json"))
+    scenes = sorted(path for path in (top / "scenes").glob("*.json")
+                    if not path.name.endswith(".schema.json"))
     there = re.search("instruction sets: (.*); used", run(program, ["--version"])).group(1).split(", ")
     jobs = {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -141,7 +145,8 @@ def compare(before, now):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("action", choices=["record", "compare"])
     parser.add_argument("net", type=pathlib.Path)
     parser.add_argument("--raytracer", default=str(top / "build/release/raytracer"))

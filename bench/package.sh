@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
-# Makes the Debian package, shows it to lintian, and installs, uses and removes it in fresh roots of Debian 12 and 13.
+# Makes the Debian package, shows it to lintian, and installs, uses and removes it in fresh roots of Debian 12
+# and 13.
 #
-#     bench/package.sh [SUITES]      as root, with lintian, debootstrap and a MIRROR of Debian; SUITES: "bookworm trixie"
+#     bench/package.sh [SUITES]      as root, with lintian, debootstrap and a MIRROR of Debian
+#
+# SUITES: "bookworm trixie".
 set -euo pipefail
 top=$(cd "$(dirname "$0")/.." && pwd)
 work=$(mktemp -d)
@@ -13,14 +16,17 @@ dpkg-deb --info "$deb" | grep -E "Version|Depends|Installed-Size"
 lintian --fail-on error,warning "$deb"
 echo "lintian: nothing to say"
 # Where this machine has its packages from.
-mirror=${MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' "Created-By: Packages" "Component: main" | head -1)}
+sources=(apt-get indextargets --format '$(REPO_URI)' "Created-By: Packages" "Component: main")
+mirror=${MIRROR:-$("${sources[@]}" | head -1)}
 for suite in ${1:-bookworm trixie}; do
     root=$work/$suite
-    debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$work/log" 2>&1 || { tail -5 "$work/log"; exit 1; }
+    debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$work/log" 2>&1 ||
+        { tail -5 "$work/log"; exit 1; }
     cp "$deb" "$root/raytracer.deb"
     cp /etc/apt/apt.conf.d/* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
     inside() { chroot "$root" "$@"; }
-    inside sh -c "apt-get install -y -qq --no-install-recommends /raytracer.deb" >"$work/log" 2>&1 || { tail -5 "$work/log"; exit 1; }
+    inside sh -c "apt-get install -y -qq --no-install-recommends /raytracer.deb" >"$work/log" 2>&1 ||
+        { tail -5 "$work/log"; exit 1; }
     inside raytracer --version
     inside raytracer /usr/share/doc/raytracer/examples/spheres_cylinder.json /out.png 300
     inside raytracer compare /out.png /out.png >/dev/null

@@ -1,4 +1,5 @@
-"""Line charts as SVG, readable on light and dark pages alike. Panels side by side, logarithmic or linear axes."""
+"""Line charts as SVG, readable on light and dark pages alike. Panels side by side, logarithmic or linear
+axes."""
 import math
 from dataclasses import dataclass, field
 from html import escape
@@ -8,11 +9,12 @@ LEFT, RIGHT, TOP, BOTTOM = 58, 14, 34, 44  # its margins
 STYLE = """<style>
 text { font: 12px system-ui, sans-serif; fill: #333 } .title { font-weight: 600 } .tick { font-size: 11px }
 .frame { stroke: #888; fill: none } .grid { stroke: #8884 } .line { fill: none; stroke-width: 2 }
-.c0 { stroke: #0a66c2; fill: #0a66c2 } .c1 { stroke: #c2410c; fill: #c2410c } .c2 { stroke: #15803d; fill: #15803d }
-.c3 { stroke: #7c3aed; fill: #7c3aed } text.c0, text.c1, text.c2, text.c3 { stroke: none } .ideal { stroke-dasharray: 4 4 }
+.c0 { stroke: #0a66c2; fill: #0a66c2 } .c1 { stroke: #c2410c; fill: #c2410c }
+.c2 { stroke: #15803d; fill: #15803d } .c3 { stroke: #7c3aed; fill: #7c3aed }
+text.c0, text.c1, text.c2, text.c3 { stroke: none } .ideal { stroke-dasharray: 4 4 }
 @media (prefers-color-scheme: dark) { text { fill: #ddd }
-.c0 { stroke: #60a5fa; fill: #60a5fa } .c1 { stroke: #fb923c; fill: #fb923c } .c2 { stroke: #4ade80; fill: #4ade80 }
-.c3 { stroke: #c4b5fd; fill: #c4b5fd } }
+.c0 { stroke: #60a5fa; fill: #60a5fa } .c1 { stroke: #fb923c; fill: #fb923c }
+.c2 { stroke: #4ade80; fill: #4ade80 } .c3 { stroke: #c4b5fd; fill: #c4b5fd } }
 </style>"""
 
 
@@ -67,14 +69,17 @@ def panel_svg(panel, offset):
     for tick in x_axis.ticks():
         x = x_axis.place(tick)
         yield f'<line class="grid" x1="{x:.1f}" x2="{x:.1f}" y1="{TOP}" y2="{HEIGHT - BOTTOM}"/>'
-        yield f'<text class="tick" x="{x:.1f}" y="{HEIGHT - BOTTOM + 15}" text-anchor="middle">{short(tick)}</text>'
+        yield (f'<text class="tick" x="{x:.1f}" y="{HEIGHT - BOTTOM + 15}" '
+               f'text-anchor="middle">{short(tick)}</text>')
     for tick in y_axis.ticks():
         y = y_axis.place(tick)
         yield f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>'
         yield f'<text class="tick" x="{LEFT - 5}" y="{y + 4:.1f}" text-anchor="end">{short(tick)}</text>'
-    yield (f'<rect class="frame" x="{LEFT}" y="{TOP}" width="{WIDTH - RIGHT - LEFT}" height="{HEIGHT - BOTTOM - TOP}"/>'
+    yield (f'<rect class="frame" x="{LEFT}" y="{TOP}" width="{WIDTH - RIGHT - LEFT}" '
+           f'height="{HEIGHT - BOTTOM - TOP}"/>'
            f'<text class="title" x="{LEFT}" y="18">{escape(panel.title)}</text>'
-           f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 10}" text-anchor="middle">{escape(panel.x_label)}</text>'
+           f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 10}" '
+           f'text-anchor="middle">{escape(panel.x_label)}</text>'
            f'<text transform="translate(13,{(TOP + HEIGHT - BOTTOM) / 2}) rotate(-90)" text-anchor="middle">'
            f'{escape(panel.y_label)}</text>')
     for index, (name, series) in enumerate(panel.series.items()):

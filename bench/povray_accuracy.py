@@ -3,9 +3,10 @@
 
     bench/povray_accuracy.py [--size 240] [--raytracer PROGRAM] [SCENE...]
 
-Scenes lose what POV-Ray can't say (plain.py). Ours: --target-error E for the errors below. POV-Ray: no antialiasing, and
-each of its two methods (+AM1, +AM2) with thresholds and depths. Each program's error is against its own picture of four
-times the size with 9 samples in each of those pixels; CPU time is that of the whole process, one thread.
+Scenes lose what POV-Ray can't say (plain.py). Ours: --target-error E for the errors below. POV-Ray: no
+antialiasing, and each of its two methods (+AM1, +AM2) with thresholds and depths. Each program's error is
+against its own picture of four times the size with 9 samples in each of those pixels; CPU time is that of the
+whole process, one thread.
 """
 import argparse
 import itertools
@@ -21,7 +22,8 @@ from target_error import Program, rmse
 
 COURSE = ["spheres_cylinder", "cone_cube", "camera_test1", "camera_test2", "mesh"]
 ERRORS = [0.02, 0.01, 0.007, 0.005, 0.004, 0.003, 0.002, 0.001]
-POVRAY = [["-A"]] + [[f"+AM{method}", f"+A{threshold}", f"+R{depth}"] for method, threshold, depth in itertools.product(
+POVRAY = [["-A"]] + [[f"+AM{method}", f"+A{threshold}", f"+R{depth}"]
+                     for method, threshold, depth in itertools.product(
     (1, 2), (0.3, 0.1, 0.03, 0.01, 0.003), (2, 3, 4, 6))]
 
 
@@ -41,7 +43,8 @@ class PovRay:
         file.write_text(re.sub(r"max_trace_level \d+", "max_trace_level 8", text))
         width, height = programs.image_size(self.scene, size)
         out = self.folder / "povray.ppm"
-        command = ["povray", f"+I{file}", f"+O{out}", f"+W{width}", f"+H{height}", "-D", "+FP16", "File_Gamma=1.0", "-GA", "+WT1",
+        command = ["povray", f"+I{file}", f"+O{out}", f"+W{width}", f"+H{height}", "-D", "+FP16",
+                   "File_Gamma=1.0", "-GA", "+WT1",
                    "-J", *options]
         usage = measure.run(command)
         return read_ppm(out), usage.user + usage.system
@@ -56,10 +59,12 @@ def read_ppm(path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--raytracer", type=pathlib.Path, default=programs.default_binary())
     parser.add_argument("--size", type=int, default=240)
-    parser.add_argument("scenes", nargs="*", default=[str(programs.TOP / "scenes" / f"{name}.json") for name in COURSE])
+    parser.add_argument("scenes", nargs="*",
+                        default=[str(programs.TOP / "scenes" / f"{name}.json") for name in COURSE])
     arguments = parser.parse_args()
     print("| scene | " + " | ".join(f"{error}" for error in ERRORS) + " |\n|---" + "|--:" * len(ERRORS) + "|")
     with tempfile.TemporaryDirectory() as name:
@@ -71,7 +76,8 @@ def main():
             ours = []
             for error in [0.03, *ERRORS]:
                 picture, _ = program.render(scene, arguments.size, "--target-error", error, "--threads", 1)
-                usage = measure.run([arguments.raytracer, scene, folder / "o.png", arguments.size, "--quiet", "--threads", 1,
+                usage = measure.run([arguments.raytracer, scene, folder / "o.png", arguments.size, "--quiet",
+                                     "--threads", 1,
                                      "--target-error", error])
                 ours.append((rmse(picture, truth), usage.user + usage.system))
             povray = PovRay(scene, folder)
@@ -83,7 +89,8 @@ def main():
             row = []
             for error in ERRORS:
                 a, b = (min((s for e, s in points if e <= error), default=None) for points in (ours, theirs))
-                row.append(f"{a:.2f} s, {b:.2f} s: **{b / a:.0f}**" if a and b else f"{a:.2f} s, not reached" if a else "–")
+                row.append(f"{a:.2f} s, {b:.2f} s: **{b / a:.0f}**" if a and b else f"{a:.2f} s, not reached"
+                           if a else "–")
             print(f"| {pathlib.Path(given).stem} | " + " | ".join(row) + " |", flush=True)
 
 

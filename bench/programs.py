@@ -23,7 +23,8 @@ def installed(name, binary=None):
     """Whether there is such a program; says so where there is none."""
     there = pathlib.Path(binary or default_binary()).is_file() if name == "raytracer" else shutil.which(name)
     if not there:
-        say(f"{NAMES[name]} is not installed: left out" if name != "raytracer" else "raytracer is not built: ./run test")
+        say(f"{NAMES[name]} is not installed: left out" if name != "raytracer"
+            else "raytracer is not built: ./run test")
     return bool(there)
 
 
@@ -45,7 +46,8 @@ def convert(scene, program, size, folder):
         return pathlib.Path(scene).resolve(), []
     suffix = {"povray": "pov", "tachyon": "dat", "plain": "json"}[program]
     out = pathlib.Path(folder) / f"{pathlib.Path(scene).stem}-{size}.{suffix}"
-    said = subprocess.run([sys.executable, HERE / "convert.py", scene, "--to", program, "--size", str(size), out],
+    said = subprocess.run([sys.executable, HERE / "convert.py", scene, "--to", program, "--size", str(size),
+                           out],
                           capture_output=True, text=True)
     if said.returncode:
         raise RuntimeError(f"converting {scene}: {said.stderr}")
@@ -57,23 +59,26 @@ def command(program, scene, picture, image_size, threads, binary=None):
     if program == "raytracer":
         return [binary or default_binary(), scene, picture, max(image_size), "--threads", threads, "--quiet"]
     if program == "povray":
-        return ["povray", f"+I{scene}", f"+O{picture}", f"+W{image_size[0]}", f"+H{image_size[1]}", "-D", "-A", "+FN8",
+        return ["povray", f"+I{scene}", f"+O{picture}", f"+W{image_size[0]}", f"+H{image_size[1]}", "-D",
+                "-A", "+FN8",
                 "File_Gamma=1.0", "-GA", f"+WT{threads}"]
     return ["tachyon", scene, "-shade_phong", "-numthreads", threads, "-format", "PNG", "-o", picture]
 
 
 def image_size(scene, long_edge):
-    """(width, height), asked of the converter's own reader in a process of its own: numpy stays out of this one."""
+    """(width, height), asked of the converter's own reader in a process of its own: numpy stays out of this
+    one."""
     said = subprocess.run([sys.executable, "-c", "import sys; from scene_file import read_scene; "
-                           "print(*read_scene(sys.argv[1]).camera.image_size(int(sys.argv[2])))", scene, str(long_edge)],
+                           "print(*read_scene(sys.argv[1]).camera.image_size(int(sys.argv[2])))", scene,
+                           str(long_edge)],
                           capture_output=True, text=True, cwd=HERE, check=True)
     return tuple(int(number) for number in said.stdout.split())
 
 
 def differing_share(picture, other, by=8):
     """The share of pixels of which a channel differs by more than `by` of 255."""
-    said = subprocess.run([sys.executable, HERE / "differ.py", picture, other, "--by", str(by)], capture_output=True,
-                          text=True, check=True)
+    said = subprocess.run([sys.executable, HERE / "differ.py", picture, other, "--by", str(by)],
+                          capture_output=True, text=True, check=True)
     return float(said.stdout)
 
 
@@ -83,6 +88,7 @@ def machine():
     count = len(os.sched_getaffinity(0))
     commit = "an unknown commit"
     if shutil.which("git"):
-        said = subprocess.run(["git", "-C", TOP, "describe", "--always", "--dirty"], capture_output=True, text=True)
+        said = subprocess.run(["git", "-C", TOP, "describe", "--always", "--dirty"], capture_output=True,
+                              text=True)
         commit = said.stdout.strip() or commit
     return f"{model.group(1) if model else 'unknown processor'}, {count} processors; raytracer at {commit}"

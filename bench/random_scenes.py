@@ -3,8 +3,8 @@
 
     bench/random_scenes.py FOLDER --seed SEED [--count 8]
 
-Writes scene 0, 1, ... as KIND_NUMBER.json into FOLDER: the kinds below in turn, each different. The same seed makes
-the same scenes.
+Writes scene 0, 1, ... as KIND_NUMBER.json into FOLDER: the kinds below in turn, each different. The same seed
+makes the same scenes.
 """
 import argparse
 import json
@@ -33,7 +33,8 @@ class Maker:
         specular = self.dice.choice([0, 0.3, 0.8])
         self.materials.append({"name": f"m{len(self.materials)}", "color_diffuse": diffuse,
                                "color_ambient": [round(ambient * channel, 3) for channel in diffuse],
-                               "color_specular": [specular] * 3, "shininess": self.dice.choice([5, 20, 100, 500]),
+                               "color_specular": [specular] * 3,
+                               "shininess": self.dice.choice([5, 20, 100, 500]),
                                **others})
         return self.materials[-1]["name"]
 
@@ -42,8 +43,10 @@ class Maker:
 
     def glass(self):
         dark = self.dice.uniform(0, 0.2)
-        return self.material(color_diffuse=[dark] * 3, reflective=self.dice.random() < 0.6, color_reflect=self.color(0.05, 0.4),
-                             refractive=True, color_refract=self.color(0.5, 0.98), index_of_refraction=self.dice.uniform(1.05, 1.8))
+        return self.material(color_diffuse=[dark] * 3, reflective=self.dice.random() < 0.6,
+                             color_reflect=self.color(0.05, 0.4),
+                             refractive=True, color_refract=self.color(0.5, 0.98),
+                             index_of_refraction=self.dice.uniform(1.05, 1.8))
 
     def texture(self):
         """Stripes, a checker, noise or dots, coarse or fine."""
@@ -52,7 +55,8 @@ class Maker:
         period = self.dice.choice([2, 8, 16])
         a, b = (numpy.array(self.color()) * 255 for _ in range(2))
         noise = numpy.random.RandomState(self.dice.randrange(2**31)).uniform(size=(edge, edge))
-        mask = self.dice.choice([x // period % 2, (x // period + y // period) % 2, noise, noise > 0.95])[..., None]
+        mask = self.dice.choice([x // period % 2, (x // period + y // period) % 2, noise,
+                                 noise > 0.95])[..., None]
         name = f"t{len(self.textures)}"
         file = f"{self.name}_{name}.png"
         PIL.Image.fromarray((a * mask + b * (1 - mask)).astype(numpy.uint8)).save(self.folder / file)
@@ -81,23 +85,28 @@ class Maker:
         """One to three lamps, near the eye or far above."""
         for _ in range(self.dice.choice([1, 1, 2, 3])):
             strength = self.dice.choice([0.5, 0.8, 1.2])
-            self.lights.append({"position": [self.dice.uniform(-6, 6), self.dice.uniform(2, 9), self.dice.uniform(0, 9)],
-                                "color": [round(strength * c, 3) for c in self.color(0.6, 1)],
-                                "color_ambient": self.color(0.1, 0.6)})
+            self.lights.append(
+                {"position": [self.dice.uniform(-6, 6), self.dice.uniform(2, 9), self.dice.uniform(0, 9)],
+                 "color": [round(strength * c, 3) for c in self.color(0.6, 1)],
+                 "color_ambient": self.color(0.1, 0.6)})
 
     def look(self):
         """From some way off at the origin."""
-        angle, height, far = self.dice.uniform(-0.8, 0.8), self.dice.uniform(-0.1, 0.5), self.dice.uniform(5, 8)
-        eye = numpy.array([math.sin(angle) * math.cos(height), math.sin(height), math.cos(angle) * math.cos(height)])
+        angle, height = self.dice.uniform(-0.8, 0.8), self.dice.uniform(-0.1, 0.5)
+        far = self.dice.uniform(5, 8)
+        eye = numpy.array([math.sin(angle) * math.cos(height), math.sin(height),
+                           math.cos(angle) * math.cos(height)])
         right = numpy.cross([0, 1, 0], eye)
         right /= numpy.linalg.norm(right)
         short = self.dice.choice([1, 0.75, 0.6])
         half = self.dice.uniform(0.4, 0.6)
-        self.camera = {"type": "perspective", "focal_length": 1, "eye": (far * eye).tolist(), "look": (-eye).tolist(),
+        self.camera = {"type": "perspective", "focal_length": 1, "eye": (far * eye).tolist(),
+                       "look": (-eye).tolist(),
                        "up": numpy.cross(eye, right).tolist(), "film_left": -half, "film_right": half,
                        "film_bottom": -half * short, "film_top": half * short}
         if self.dice.random() < 0.2:
-            self.camera |= {"type": "orthographic", "film_left": -3, "film_right": 3, "film_bottom": -3 * short, "film_top": 3 * short}
+            self.camera |= {"type": "orthographic", "film_left": -3, "film_right": 3,
+                            "film_bottom": -3 * short, "film_top": 3 * short}
             del self.camera["focal_length"]
 
     def write(self):
@@ -117,7 +126,8 @@ def room(make):
         make.add("plane", make.material(), (0, 0, -4), turn=(0, (1, 0, 0)))
     for _ in range(make.dice.randint(2, 6)):
         size = make.dice.uniform(0.3, 1)
-        make.add(make.solid(), make.mirror() if make.dice.random() < 0.3 else make.material(), make.somewhere(), [size] * 3)
+        make.add(make.solid(), make.mirror() if make.dice.random() < 0.3 else make.material(),
+                 make.somewhere(), [size] * 3)
 
 
 def many(make):
@@ -154,7 +164,8 @@ def mirrors(make):
         make.add("plane", make.mirror(0.5, 0.95), (side, 0, 0), turn=(90, (0, 1, 0)))
     make.floor()
     for _ in range(make.dice.randint(1, 5)):
-        make.add(make.solid(), make.mirror() if make.dice.random() < 0.5 else make.material(), make.somewhere(1.5),
+        make.add(make.solid(), make.mirror() if make.dice.random() < 0.5 else make.material(),
+                 make.somewhere(1.5),
                  [make.dice.uniform(0.2, 0.8)] * 3)
 
 
@@ -169,12 +180,14 @@ def mesh(make):
                 for j in range(columns):
                     polar, around = math.pi * i / rows, 2 * math.pi * j / columns
                     r = 1.3 + 0.2 * dice.uniform(-1, 1)
-                    out.write(f"v {r * math.sin(polar) * math.cos(around)} {r * math.cos(polar)} {r * math.sin(polar) * math.sin(around)}\n")
+                    out.write(f"v {r * math.sin(polar) * math.cos(around)} {r * math.cos(polar)} "
+                              f"{r * math.sin(polar) * math.sin(around)}\n")
             for i in range(rows):
                 for j in range(columns):
                     k = (j + 1) % columns
                     out.write("f %d %d %d\nf %d %d %d\n" % tuple(1 + n for n in (
-                        i * columns + j, i * columns + k, (i + 1) * columns + k, i * columns + j, (i + 1) * columns + k,
+                        i * columns + j, i * columns + k, (i + 1) * columns + k, i * columns + j,
+                        (i + 1) * columns + k,
                         (i + 1) * columns + j)))
         else:
             for n in range(make.dice.randint(20, 1000)):
@@ -184,7 +197,8 @@ def mesh(make):
                 out.write("f -3 -2 -1\n")
     if make.dice.random() < 0.6:
         make.floor()
-    make.add("mesh", make.mirror() if make.dice.random() < 0.2 else make.material(), scale=[make.dice.uniform(0.7, 1.3)] * 3, path=file)
+    make.add("mesh", make.mirror() if make.dice.random() < 0.2 else make.material(),
+             scale=[make.dice.uniform(0.7, 1.3)] * 3, path=file)
 
 
 def thin(make):
@@ -194,7 +208,8 @@ def thin(make):
     for _ in range(int(10 ** make.dice.uniform(0.5, 2.5))):
         width, length = 10 ** make.dice.uniform(-3, -1.5), make.dice.uniform(0.3, 2)
         if make.dice.random() < 0.7:
-            make.add(make.dice.choice(["cylinder", "cone", "cube"]), make.material(), make.somewhere(), (width, width, length))
+            make.add(make.dice.choice(["cylinder", "cone", "cube"]), make.material(), make.somewhere(),
+                     (width, width, length))
         else:
             make.add("cube", make.material(), make.somewhere(), (length, length, width))
 
@@ -203,7 +218,8 @@ def empty(make):
     """A picture with next to nothing in it."""
     for _ in range(make.dice.choice([1, 1, 2, 10])):
         size = 10 ** make.dice.uniform(-2.3, -0.5)
-        make.add(make.solid(), make.mirror() if make.dice.random() < 0.2 else make.material(), make.somewhere(), [size] * 3)
+        make.add(make.solid(), make.mirror() if make.dice.random() < 0.2 else make.material(),
+                 make.somewhere(), [size] * 3)
 
 
 KINDS = [room, many, textured, glassy, mirrors, mesh, thin, empty]
@@ -218,7 +234,8 @@ def generate(folder, seed, number):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--seed", required=True)
     parser.add_argument("--count", type=int, default=len(KINDS))

@@ -3,7 +3,8 @@
 
     bench/samples.py --old PROGRAM [--raytracer PROGRAM] [--size 100] [SCENE...]
 
---old is this project's program at commit bd55ad3, whose --samples N was a grid of N x N. Both at the defaults' depth.
+--old is this project's program at commit bd55ad3, whose --samples N was a grid of N x N. Both at the
+defaults' depth.
 """
 import argparse
 import pathlib
@@ -17,12 +18,14 @@ COUNTS = [4, 16, 64, 256]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--raytracer", default=TOP / "build/release/raytracer")
     parser.add_argument("--old", required=True)
     parser.add_argument("--size", type=int, default=100)
-    parser.add_argument("scenes", nargs="*", default=sorted(str(path) for path in (TOP / "scenes").glob("*.json")
-                                                             if "schema" not in path.name))
+    parser.add_argument("scenes", nargs="*",
+                        default=sorted(str(path) for path in (TOP / "scenes").glob("*.json")
+                                        if "schema" not in path.name))
     arguments = parser.parse_args()
     ratios = {count: [] for count in COUNTS}
     print("| scene | " + " | ".join(map(str, COUNTS)) + " |\n|---" + "|--:" * len(COUNTS) + "|")

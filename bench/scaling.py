@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 """How the cost grows: with the number of spheres and of triangles, with the picture's size, with threads.
 
-    bench/scaling.py [--runs 3] [--parts spheres,mesh,picture,threads,ends] [--most 1000000] [--megapixels 64] [--size 1500] [--out bench/results]
+    bench/scaling.py [--runs 3] [--parts spheres,mesh,picture,threads,ends] [--most 1000000]
+        [--megapixels 64] [--size 1500] [--out bench/results]
 
---most caps the spheres and triangles; 10000000 adds the mesh of ten million, which takes several GB and minutes.
+--most caps the spheres and triangles; 10000000 adds the mesh of ten million, which takes several GB and
+minutes.
 A ray's cost is the CPU time of rendering alone (without loading, building and the PNG) over all rays cast.
 """
 import argparse
@@ -29,7 +31,8 @@ class Bench:
         self.picture = folder / "out.png"
 
     def command(self, scene, size, threads):
-        return [*programs.command("raytracer", scene, self.picture, (size, size), threads, self.arguments.raytracer), "--stats"]
+        return [*programs.command("raytracer", scene, self.picture, (size, size), threads,
+                                  self.arguments.raytracer), "--stats"]
 
     def alternated(self, commands):
         return measure.alternated(commands, self.arguments.runs)
@@ -55,7 +58,8 @@ def seconds(usages, part, kind="seconds"):
 
 def by_count(bench, kind, counts):
     """The table's lines and [(count, ns a ray)] for scenes of growing numbers of shapes."""
-    lines = [f"| {'spheres' if kind == 'spheres' else 'triangles'} | load, CPU s | build, CPU s | ns a ray | to {plot.short(counts[0])} | peak MiB |",
+    lines = [f"| {'spheres' if kind == 'spheres' else 'triangles'} | load, CPU s | build, CPU s | ns a ray | "
+             f"to {plot.short(counts[0])} | peak MiB |",
              "|--:|--:|--:|--:|--:|--:|"]
     points = []
     for count in (count for count in counts if count <= bench.arguments.most):
@@ -68,13 +72,15 @@ def by_count(bench, kind, counts):
         cost = 1e9 * seconds(usages, "render", "cpu_seconds") / rays(usages)
         points.append((count, cost))
         lines.append(f"| {plot.short(count)} | {seconds(usages, 'load', 'cpu_seconds'):.3f} | "
-                     f"{seconds(usages, 'build', 'cpu_seconds'):.3f} | {cost:.0f} | {cost / points[0][1]:.2f} | "
+                     f"{seconds(usages, 'build', 'cpu_seconds'):.3f} | {cost:.0f} | "
+                     f"{cost / points[0][1]:.2f} | "
                      f"{measure.median(usages, 'peak'):.0f} |")
     return lines, points
 
 
 def by_picture(bench, scene):
-    lines = ["| megapixels | user s | wall s | PNG written in s | user ns a pixel | peak MiB |", "|--:|--:|--:|--:|--:|--:|"]
+    lines = ["| megapixels | user s | wall s | PNG written in s | user ns a pixel | peak MiB |",
+             "|--:|--:|--:|--:|--:|--:|"]
     points = []
     for edge in (edge for edge in EDGES if edge * edge <= bench.arguments.megapixels * 1e6):
         say(f"picture: {edge} x {edge}")
@@ -85,21 +91,25 @@ def by_picture(bench, scene):
         user = measure.median(usages, "user")
         points.append((edge * edge / 1e6, user))
         lines.append(f"| {edge * edge / 1e6:.1f} | {user:.3f} | {measure.median(usages, 'wall'):.3f} | "
-                     f"{seconds(usages, 'write'):.3f} | {1e9 * user / edge ** 2:.0f} | {measure.median(usages, 'peak'):.0f} |")
+                     f"{seconds(usages, 'write'):.3f} | {1e9 * user / edge ** 2:.0f} | "
+                     f"{measure.median(usages, 'peak'):.0f} |")
     return lines, points
 
 
 def by_threads(bench, scene):
     count = len(os.sched_getaffinity(0))
     say(f"threads: 1 to {count}")
-    usages = bench.alternated({threads: bench.command(scene, bench.arguments.size, threads) for threads in range(1, count + 1)})
-    lines = ["| threads | wall s | times one thread | render alone s | times one thread |", "|--:|--:|--:|--:|--:|"]
+    usages = bench.alternated({threads: bench.command(scene, bench.arguments.size, threads)
+                               for threads in range(1, count + 1)})
+    lines = ["| threads | wall s | times one thread | render alone s | times one thread |",
+             "|--:|--:|--:|--:|--:|"]
     points = []
     for threads, of_these in usages.items():
         gain = measure.ratio(usages[1], of_these, "wall")
         render = seconds(usages[1], "render") / seconds(of_these, "render")
         points.append((threads, render))
-        lines.append(f"| {threads} | {measure.median(of_these, 'wall'):.3f} | {gain:.2f} | {seconds(of_these, 'render'):.3f} | {render:.2f} |")
+        lines.append(f"| {threads} | {measure.median(of_these, 'wall'):.3f} | {gain:.2f} | "
+                     f"{seconds(of_these, 'render'):.3f} | {render:.2f} |")
     return lines, points
 
 
@@ -116,15 +126,18 @@ def by_scene(bench):
         if isinstance(usages, measure.Failed):
             lines.append(f"| {name} | {usages} | | | | | | |")
             continue
-        parts = {part: 1e3 * seconds(usages, part, "cpu_seconds") for part in ("render", "load", "build", "write")}
+        parts = {part: 1e3 * seconds(usages, part, "cpu_seconds")
+                 for part in ("render", "load", "build", "write")}
         whole = 1e3 * min(usage.user + usage.system for usage in usages)
         cells = [*parts.values(), whole - sum(parts.values()), whole]
-        lines.append(f"| {name} | " + " | ".join(f"{cell:.1f}" for cell in cells) + f" | {whole / parts['render']:.2f} |")
+        lines.append(f"| {name} | " + " | ".join(f"{cell:.1f}" for cell in cells) +
+                     f" | {whole / parts['render']:.2f} |")
     return lines, []
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--parts", default="spheres,mesh,picture,threads,ends")
     parser.add_argument("--most", type=int, default=1_000_000)
@@ -142,7 +155,8 @@ def main():
             "spheres": ("Random spheres", lambda: by_count(bench, "spheres", SPHERES)),
             "mesh": ("One mesh", lambda: by_count(bench, "mesh", TRIANGLES)),
             "picture": ("spheres_cylinder, one thread, whole process", lambda: by_picture(bench, course)),
-            "threads": ("10,000 spheres", lambda: by_threads(bench, bench.generated("spheres", min(10_000, arguments.most)))),
+            "threads": ("10,000 spheres",
+                        lambda: by_threads(bench, bench.generated("spheres", min(10_000, arguments.most)))),
             "ends": ("600-pixel course scenes, one thread", lambda: by_scene(bench)),
         }
         results = {part: (parts[part][0], *parts[part][1]()) for part in arguments.parts.split(",")}
@@ -153,15 +167,18 @@ def write(arguments, results):
     arguments.out.mkdir(parents=True, exist_ok=True)
     text = "\n\n".join(f"### {title}\n\n" + "\n".join(lines) for title, lines, _ in results.values())
     (arguments.out / "scaling.md").write_text(
-        f"{text}\n\nWhole processes' times and peaks are medians of {arguments.runs} runs, those of load, build, render and PNG the least. "
-        f"{programs.machine()}.\n")
+        f"{text}\n\nWhole processes' times and peaks are medians of {arguments.runs} runs, those of load, "
+        f"build, render and PNG the least. {programs.machine()}.\n")
     points = {part: points for part, (_, _, points) in results.items()}
     ideal = [(threads, threads) for threads, _ in points.get("threads", [])]
     plot.write_svg(arguments.out / "scaling.svg", [
         plot.Panel("A ray's cost", "spheres or triangles", "ns",
-                   {name: points[part] for part, name in (("spheres", "spheres"), ("mesh", "one mesh")) if points.get(part)}),
-        plot.Panel("A picture's cost", "megapixels", "user CPU s", {"spheres_cylinder": points.get("picture", [])}),
-        plot.Panel("Threads", "threads", "times one thread", {"10,000 spheres": points.get("threads", []), "ideal": ideal},
+                   {name: points[part] for part, name in (("spheres", "spheres"), ("mesh", "one mesh"))
+                    if points.get(part)}),
+        plot.Panel("A picture's cost", "megapixels", "user CPU s",
+                   {"spheres_cylinder": points.get("picture", [])}),
+        plot.Panel("Threads", "threads", "times one thread",
+                   {"10,000 spheres": points.get("threads", []), "ideal": ideal},
                    log_x=False, log_y=False, dashed={"ideal"}),
     ])
 

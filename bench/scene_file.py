@@ -72,7 +72,8 @@ class Shape:
         return object_points @ self.matrix[:3, :3].T + self.matrix[:3, 3]
 
     def normals(self, object_normals):
-        world = object_normals @ numpy.linalg.inv(self.matrix[:3, :3])  # rows times the inverse: the inverse transpose
+        # rows times the inverse: the inverse transpose
+        world = object_normals @ numpy.linalg.inv(self.matrix[:3, :3])
         return world / numpy.linalg.norm(world, axis=1, keepdims=True)
 
 
@@ -120,8 +121,10 @@ def read_scene(path):
     material_named = {material["name"]: material for material in materials}
     matrix_named = {transform["name"]: transform_matrix(transform) for transform in scene["transforms"]}
     shapes = [Shape(shape["type"], matrix_named[shape["transform"]], material_named[shape["material"]],
-                    path.parent / shape["path"] if shape["type"] == "mesh" else None) for shape in scene["shapes"]]
-    return Scene(read_camera(scene["camera"]), materials, [LIGHT_DEFAULTS | light for light in scene["lights"]], shapes)
+                    path.parent / shape["path"] if shape["type"] == "mesh" else None)
+              for shape in scene["shapes"]]
+    return Scene(read_camera(scene["camera"]), materials,
+                 [LIGHT_DEFAULTS | light for light in scene["lights"]], shapes)
 
 
 def read_obj(path):

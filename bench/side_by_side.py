@@ -1,10 +1,13 @@
 #!/usr/bin/python3
-"""raytracer, POV-Ray and Tachyon on the same scenes: whole processes, the same picture size, one ray a pixel, PNG out.
+"""raytracer, POV-Ray and Tachyon on the same scenes: whole processes, the same picture size, one ray a pixel,
+PNG out.
 
-    bench/side_by_side.py [--runs 5] [--threads 1,2] [--only NAME,...] [--size 2000] [--scenes scenes] [--out bench/results]
+    bench/side_by_side.py [--runs 5] [--threads 1,2] [--only NAME,...] [--size 2000] [--scenes scenes]
+        [--out bench/results]
 
 Scenes lose what one of the programs can't say (see plain.py) before any of them draws them; glass stays.
-Rounds are alternated: each runs every program once, and a ratio is the median over the rounds of a round's own ratio.
+Rounds are alternated: each runs every program once, and a ratio is the median over the rounds of a round's
+own ratio.
 """
 import argparse
 import pathlib
@@ -16,12 +19,14 @@ import programs
 from programs import NAMES, say
 
 COURSE = ["stress_test", "spheres_cylinder", "refraction"]
-GENERATED = {"spheres_10k": ("spheres", 10_000), "spheres_100k": ("spheres", 100_000), "mesh_5k": ("mesh", 5_000),
+GENERATED = {"spheres_10k": ("spheres", 10_000), "spheres_100k": ("spheres", 100_000),
+             "mesh_5k": ("mesh", 5_000),
              "mesh_1.3M": ("mesh", 1_300_000)}
 
 
 def find_scene(name, scenes, folder):
-    """(scene file that all can say, what it lost for that), made now if it is a generated one; None where there is none."""
+    """(scene file that all can say, what it lost for that), made now if it is a generated one; None where
+    there is none."""
     if name in GENERATED:
         kind, count = GENERATED[name]
         out = folder / f"{name}.json"
@@ -39,8 +44,9 @@ def compare_one(scene, size, threads, who, runs, folder, binary):
     image_size = programs.image_size(scene, size)
     converted = {program: programs.convert(scene, program, size, folder) for program in who}
     pictures = {program: folder / f"{program}.png" for program in who}
-    usages = measure.alternated({program: programs.command(program, converted[program][0], pictures[program], image_size,
-                                                           threads, binary) for program in who}, runs)
+    usages = measure.alternated(
+        {program: programs.command(program, converted[program][0], pictures[program], image_size,
+                                   threads, binary) for program in who}, runs)
     rows = []
     for program in who:
         failed = isinstance(usages[program], measure.Failed)
@@ -59,22 +65,26 @@ def table_lines(name, size, threads, rows):
             continue
         costs = [measure.median(usages, field) for field in ("user", "system", "wall", "peak")]
         ratios = ["", ""] if isinstance(ours, measure.Failed) else \
-            [f"**{measure.ratio(usages, ours, field):.2f}**" if usages is not ours else "1" for field in ("user", "wall")]
-        yield (f"{start} {costs[0]:.3f} | {costs[1]:.3f} | {costs[2]:.3f} | {ratios[0]} | {ratios[1]} | {costs[3]:.0f} | "
+            [f"**{measure.ratio(usages, ours, field):.2f}**" if usages is not ours else "1"
+             for field in ("user", "wall")]
+        yield (f"{start} {costs[0]:.3f} | {costs[1]:.3f} | {costs[2]:.3f} | {ratios[0]} | {ratios[1]} | "
+               f"{costs[3]:.0f} | "
                f"{'' if usages is ours or share is None else f'{100 * share:.2f} %'} |")
 
 
-HEAD = """| scene | pixels | threads | program | user s | system s | wall s | user, to ours | wall, to ours | peak MiB | pixels that differ |
-|---|--:|--:|---|--:|--:|--:|--:|--:|--:|--:|"""
+HEAD = ("| scene | pixels | threads | program | user s | system s | wall s | user, to ours | wall, to ours | "
+        "peak MiB | pixels that differ |\n|---|--:|--:|---|--:|--:|--:|--:|--:|--:|--:|")
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--threads", default="1,2")
     parser.add_argument("--only", default=",".join([*COURSE, *GENERATED]))
     parser.add_argument("--size", type=int, default=2000)
-    parser.add_argument("--scenes", type=pathlib.Path, default=programs.TOP / "scenes", help="folder of the course scenes")
+    parser.add_argument("--scenes", type=pathlib.Path, default=programs.TOP / "scenes",
+                        help="folder of the course scenes")
     parser.add_argument("--out", type=pathlib.Path, default=programs.HERE / "results")
     parser.add_argument("--raytracer", type=pathlib.Path, default=programs.default_binary())
     arguments = parser.parse_args()
@@ -91,7 +101,8 @@ def main():
             losses |= {(name, "all"): lost} if lost else {}
             for threads in arguments.threads.split(","):
                 say(f"{name}, {threads} threads")
-                rows = compare_one(scene, arguments.size, threads, who, arguments.runs, folder, arguments.raytracer)
+                rows = compare_one(scene, arguments.size, threads, who, arguments.runs, folder,
+                                   arguments.raytracer)
                 lines += table_lines(name, arguments.size, threads, rows)
                 say("\n".join(lines[-len(who):]))
                 losses |= {(name, NAMES[program]): said for program, _, _, said in rows if said}
@@ -100,10 +111,12 @@ def main():
 
 def write(arguments, who, lines, losses):
     arguments.out.mkdir(parents=True, exist_ok=True)
-    notes = [f"Medians of {arguments.runs} alternated runs of the whole process; a ratio is the median of the rounds' own "
-             "ratios (above 1: raytracer is faster). A pixel differs where a channel is off by more than 8 of 255. Peaks "
+    notes = [f"Medians of {arguments.runs} alternated runs of the whole process; a ratio is the median of "
+             "the rounds' own ratios (above 1: raytracer is faster). A pixel differs where a channel is off "
+             "by more than 8 of 255. Peaks "
              f"up to {measure.memory_floor():.0f} MiB can't be told apart.",
-             ", ".join([programs.machine(), *(programs.version(name) for name in who if name != "raytracer")]) + "."]
+             ", ".join([programs.machine(),
+                        *(programs.version(name) for name in who if name != "raytracer")]) + "."]
     notes += [f"{NAMES[name]} is not installed here." for name in NAMES if name not in who]
     notes += [f"- {scene}, {program}: " + "; ".join(said) + "." for (scene, program), said in losses.items()]
     (arguments.out / "side_by_side.md").write_text("\n".join(lines) + "\n\n" + "\n".join(notes) + "\n")

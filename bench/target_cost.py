@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""What --target-error costs, in rays and CPU time, against the best setting of the regular grid that reaches the same error.
+"""What --target-error costs, in rays and CPU time, against the best setting of the regular grid that reaches
+the same error.
 
-    bench/target_cost.py --old PROGRAM [--raytracer PROGRAM] [--size 240] [--errors 0.02 0.01 0.005 0.002] scenes/*.json
+    bench/target_cost.py --old PROGRAM [--raytracer PROGRAM] [--size 240] [--errors 0.02 0.01 0.005 0.002]
+        scenes/*.json
 
---old is this project's program at commit bd55ad3: --samples N was a grid of N x N, and --adaptive T took all of them where
-the four corners differ by more than T. Its best setting is searched by predictions: the sampling error and the cost of each
-grid at one depth, the truncation error and the cost of each depth at one sample, squares added, rays multiplied; the
-predicted cheapest is rendered, and the next one if it fails. Rays are those of --stats: all that were cast, the look too.
+--old is this project's program at commit bd55ad3: --samples N was a grid of N x N, and --adaptive T took all
+of them where the four corners differ by more than T. Its best setting is searched by predictions: the
+sampling error and the cost of each grid at one depth, the truncation error and the cost of each depth at one
+sample, squares added, rays multiplied; the predicted cheapest is rendered, and the next one if it fails. Rays
+are those of --stats: all that were cast, the pilot samples' too.
 """
 import argparse
 import json
@@ -19,7 +22,8 @@ import numpy
 
 from target_error import Program, rmse
 
-DEPTHS = ([(r, c) for r in (0, 1, 2, 3, 4, 6, 8, 12, 16) for c in (0.01, 0.03, 0.1, 0.3, 1)] + [(r, 0) for r in (1, 2, 3)])
+DEPTHS = ([(r, c) for r in (0, 1, 2, 3, 4, 6, 8, 12, 16) for c in (0.01, 0.03, 0.1, 0.3, 1)] +
+          [(r, 0) for r in (1, 2, 3)])
 DEEP = (16, 0.01)
 GRIDS = [(n, t) for n in (1, 2, 3, 4, 6, 8, 12, 16) for t in ((0,) if n < 3 else (0.3, 0.1, 0.03, 0.01, 0))]
 
@@ -32,7 +36,8 @@ class Old:
 
     def render(self, grid, depth):
         if (grid, depth) not in self.done:
-            picture, done = self.program.render(self.scene, self.size, "--stats", "--samples", grid[0], "--adaptive", grid[1],
+            picture, done = self.program.render(self.scene, self.size, "--stats", "--samples", grid[0],
+                                                "--adaptive", grid[1],
                                                 "--max-recursion", depth[0], "--cutoff", depth[1])
             self.done[grid, depth] = picture, *cost_of(done)
         return self.done[grid, depth]
@@ -40,7 +45,8 @@ class Old:
     def best(self, error):
         """(rays, CPU seconds) of the cheapest that reaches it, or None."""
         deep, deep_rays, _ = self.render((1, 0), DEEP)
-        depths = {d: (rmse(self.render((1, 0), d)[0], deep), self.render((1, 0), d)[1] / deep_rays) for d in DEPTHS}
+        depths = {d: (rmse(self.render((1, 0), d)[0], deep), self.render((1, 0), d)[1] / deep_rays)
+                  for d in DEPTHS}
         guesses = []
         for grid in GRIDS:
             picture, rays, _ = self.render(grid, DEEP)
@@ -62,8 +68,10 @@ def cost_of(done):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--raytracer", default=pathlib.Path(__file__).resolve().parent.parent / "build/release/raytracer")
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--raytracer",
+                        default=pathlib.Path(__file__).resolve().parent.parent / "build/release/raytracer")
     parser.add_argument("--old", required=True)
     parser.add_argument("--size", type=int, default=240)
     parser.add_argument("--errors", type=float, nargs="+", default=[0.02, 0.01, 0.005, 0.002])
@@ -71,7 +79,8 @@ def main():
     arguments = parser.parse_args()
     rays, seconds = [], []
     with tempfile.TemporaryDirectory() as name:
-        new, old_program = Program(arguments.raytracer, pathlib.Path(name)), Program(arguments.old, pathlib.Path(name))
+        new = Program(arguments.raytracer, pathlib.Path(name))
+        old_program = Program(arguments.old, pathlib.Path(name))
         for scene in arguments.scenes:
             truth = new.truth(scene, arguments.size, min(arguments.errors), 2)
             old = Old(old_program, scene, arguments.size, truth)
@@ -79,15 +88,18 @@ def main():
                 picture, done = new.render(scene, arguments.size, "--target-error", error, "--stats")
                 ours, best = cost_of(done), old.best(error)
                 reached = rmse(picture, truth) / error
-                line = f"{pathlib.Path(scene).stem} E {error}: {reached:.2f} E, {ours[0] / 1e6:.3g} million rays"
+                line = (f"{pathlib.Path(scene).stem} E {error}: {reached:.2f} E, "
+                        f"{ours[0] / 1e6:.3g} million rays")
                 if best is None:
                     print(f"{line}; the grid does not reach it")
                     continue
                 rays.append(ours[0] / best[0])
                 seconds.append(ours[1] / best[1])
-                print(f"{line}; {rays[-1]:.2f} of the rays and {seconds[-1]:.2f} of the time of {best[2]} at depth {best[3]}", flush=True)
+                print(f"{line}; {rays[-1]:.2f} of the rays and {seconds[-1]:.2f} of the time of {best[2]} at "
+                      f"depth {best[3]}", flush=True)
     for kind, ratios in (("rays", rays), ("CPU time", seconds)):
-        print(f"{kind}: median {statistics.median(ratios):.2f}, most {max(ratios):.2f} of {len(ratios)} cases; "
+        print(
+            f"{kind}: median {statistics.median(ratios):.2f}, most {max(ratios):.2f} of {len(ratios)} cases; "
               f"{sum(r > 1.2 for r in ratios)} above 1.2")
 
 

@@ -4,14 +4,16 @@
     bench/target_error.py --seed SEED [--count 240] [--part 0/1] [--raytracer PROGRAM]
     bench/target_error.py --scenes scenes/*.json [--sizes 240]
 
-Scene i of bench/random_scenes.py is rendered at one size and one E, such that every 24 cycles of its eight kinds have each
-pair of the SIZES and ERRORS once; which cycle has which pair is drawn by the seed. (Those of --scenes: at each size and E.)
+Scene i of bench/random_scenes.py is rendered at one size and one E, such that every 24 cycles of its eight
+kinds have each pair of the SIZES and ERRORS once; which cycle has which pair is drawn by the seed. (Those of
+--scenes: at each size and E.)
 
-The true error is measured against a picture of twice the size, with other depths, whose pixels' own errors are estimated
-to be at most E; the mean of its 2 x 2 pixels is the truth. Of every fourth case its own error is measured too: half of the
-difference from a second one, of three times the size. A scene with glass whose truth takes more than --seconds of CPU time
-(both reflective and refractive, its rays double with each bounce) is left out, and counted. Prints each case that is above
-E, then the shares. --part 0/2 takes every second scene.
+The true error is measured against a picture of twice the size, with other depths, whose pixels' own errors
+are estimated to be at most E; the mean of its 2 x 2 pixels is the truth. Of every fourth case its own error
+is measured too: half of the difference from a second one, of three times the size. A scene with glass whose
+truth takes more than --seconds of CPU time (both reflective and refractive, its rays double with each bounce)
+is left out, and counted. Prints each case that is above E, then the shares. --part 0/2 takes every second
+scene.
 """
 import argparse
 import collections
@@ -53,8 +55,8 @@ class Program:
 
     def render(self, scene, size, *options):
         """The colours, and how the program ended."""
-        done = subprocess.run([self.path, scene, self.out, str(size), "--quiet", *map(str, options)], capture_output=True, text=True,
-                              preexec_fn=self.limit)
+        done = subprocess.run([self.path, scene, self.out, str(size), "--quiet", *map(str, options)],
+                              capture_output=True, text=True, preexec_fn=self.limit)
         if done.returncode in (-signal.SIGKILL, -signal.SIGXCPU):
             raise TooSlow()
         if done.returncode not in (0, 1) or not self.out.exists():
@@ -68,7 +70,8 @@ class Program:
         large, _ = self.render(scene, times * size, "--adaptive", error, "--samples", 65536,
                                *(depth or ("--max-recursion", bounces, "--cutoff", error / 10)))
         height, width = large.shape[0] // times, large.shape[1] // times
-        means = large[:height * times, :width * times].reshape(height, times, width, times, 3).mean(axis=(1, 3))
+        whole = large[:height * times, :width * times]
+        means = whole.reshape(height, times, width, times, 3).mean(axis=(1, 3))
         return means.clip(0, 1)
 
 
@@ -79,11 +82,13 @@ def rmse(a, b):
 def cases(arguments, folder):
     """Scene, size, E."""
     if arguments.scenes:
-        return [(scene, size, error) for scene in arguments.scenes for size in arguments.sizes for error in ERRORS]
+        return [(scene, size, error) for scene in arguments.scenes for size in arguments.sizes
+                for error in ERRORS]
     pairs = [(size, error) for size in arguments.sizes for error in ERRORS]
     random.Random(arguments.seed).shuffle(pairs)
     part, parts = map(int, arguments.part.split("/"))
-    return [(random_scenes.generate(folder, arguments.seed, i), *pairs[i // len(random_scenes.KINDS) % len(pairs)])
+    return [(random_scenes.generate(folder, arguments.seed, i),
+             *pairs[i // len(random_scenes.KINDS) % len(pairs)])
             for i in range(part, arguments.count, parts)]
 
 
@@ -110,10 +115,11 @@ class Results:
     def print(self):
         for name, ratios in self.ratios.items():
             r = numpy.array(ratios)
-            print(f"{name}: {len(r)} cases, {(r > 1).sum()} ({100 * (r > 1).mean():.1f} %) above E, {(r > 2).sum()} above 2 E, "
-                  f"median {numpy.median(r):.2f}, most {r.max():.2f}")
-        print(f"{self.unreached} not reached, says the program; {self.left_out} left out; the truths' own errors: "
-              f"median {numpy.median(self.own):.2f}, most {max(self.own):.2f} E of {len(self.own)}", flush=True)
+            print(f"{name}: {len(r)} cases, {(r > 1).sum()} ({100 * (r > 1).mean():.1f} %) above E, "
+                  f"{(r > 2).sum()} above 2 E, median {numpy.median(r):.2f}, most {r.max():.2f}")
+        print(f"{self.unreached} not reached, says the program; {self.left_out} left out; the truths' own "
+              f"errors: median {numpy.median(self.own):.2f}, most {max(self.own):.2f} E of {len(self.own)}",
+              flush=True)
 
 
 def measure(program, case, results, with_own_error):
@@ -131,7 +137,8 @@ def measure(program, case, results, with_own_error):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--raytracer", default=TOP / "build/release/raytracer")
     parser.add_argument("--seed")
     parser.add_argument("--count", type=int, default=240)

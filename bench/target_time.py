@@ -21,7 +21,8 @@ def seconds_of(command):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=2)
     parser.add_argument("--size", type=int, default=2000)
     parser.add_argument("--raytracer", default=TOP / "build/release/raytracer")
@@ -31,7 +32,8 @@ def main():
     near = 0
     with tempfile.TemporaryDirectory() as folder:
         for scene in scenes:
-            ratio = seconds_of([arguments.raytracer, scene, pathlib.Path(folder, "o.png"), str(arguments.size), "--target-time",
+            ratio = seconds_of([arguments.raytracer, scene, pathlib.Path(folder, "o.png"),
+                                str(arguments.size), "--target-time",
                                 str(arguments.seconds)]) / arguments.seconds
             near += 0.8 <= ratio <= 1.2
             print(f"{scene.stem} {ratio:.2f}", flush=True)

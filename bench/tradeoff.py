@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""What the knobs cost and give: `raytracer tradeoff` on six scenes with different bottlenecks, and bench/README.md's tables from it.
+"""What the knobs cost and give: `raytracer tradeoff` on six scenes with different bottlenecks, and
+bench/README.md's tables from it.
 
     bench/tradeoff.py [--raytracer PROGRAM] [--size 120] [--out bench/results] [--from tradeoff.csv]
 
-Writes tradeoff.svg, tradeoff.html and tradeoff.csv into --out, and tradeoff.md: the tables of bench/README.md. --from only makes
-the tables anew. The tables have rays of all kinds, which no other load on the machine changes, as multiples of the defaults';
-float and extended cost the same rays, so that their table has processor seconds.
+Writes tradeoff.svg, tradeoff.html and tradeoff.csv into --out, and tradeoff.md: the tables of
+bench/README.md. --from only makes the tables anew. The tables have rays of all kinds, which no other load on
+the machine changes, as multiples of the defaults'; float and extended cost the same rays, so that their table
+has processor seconds.
 """
 import argparse
 import csv
@@ -32,7 +34,8 @@ def read(path):
 
 
 def is_plain(trial, **knobs):
-    usual = dict(samples=1, adaptive=0, max_recursion=3, cutoff=0, texture_filter="nearest", precision="double")
+    usual = dict(samples=1, adaptive=0, max_recursion=3, cutoff=0, texture_filter="nearest",
+                 precision="double")
     return all(trial[key] == value for key, value in (usual | knobs).items())
 
 
@@ -60,12 +63,14 @@ def reaching(trials, error):
 
 
 def options(trial):
+    usual = dict(samples=1, adaptive=0, max_recursion=3, cutoff=0, texture_filter="nearest",
+                 precision="double")
     shown = [(key.replace("_", "-"), trial[key]) for key in ("samples", "adaptive", "max_recursion", "cutoff")
-             if not is_plain({**dict(samples=1, adaptive=0, max_recursion=3, cutoff=0, texture_filter="nearest",
-                                     precision="double"), key: trial[key]})]
+             if not is_plain({**usual, key: trial[key]})]
     if trial["texture_filter"] == "bilinear":
         shown.append(("texture-filter", "bilinear"))
-    return "`" + (" ".join(f"--{key} {value:g}" if isinstance(value, float) else f"--{key} {value}" for key, value in shown)
+    return "`" + (" ".join(f"--{key} {value:g}" if isinstance(value, float) else f"--{key} {value}"
+                           for key, value in shown)
                   or "the defaults") + "`"
 
 
@@ -122,7 +127,8 @@ def precision_table(scenes):
 
 
 def float_is_on_front(trials):
-    """Whether nothing in double is both as fast and as accurate: its picture is off by what double's is, and by its own."""
+    """Whether nothing in double is both as fast and as accurate: its picture is off by what double's is, and
+    by its own."""
     double, single = (find(trials, "arithmetic", samples=16, precision=p) for p in ("double", "float"))
     return single["seconds"] < double["seconds"]
 
@@ -141,7 +147,8 @@ def knob_table(scenes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--raytracer", default=TOP / "build/release/raytracer")
     parser.add_argument("--size", default="120")
     parser.add_argument("--out", default=TOP / "bench/results", type=pathlib.Path)
@@ -149,7 +156,8 @@ def main():
     arguments = parser.parse_args()
     if not arguments.csv:
         files = [TOP / "scenes" / f"{name}.json" for name in SCENES]
-        subprocess.run([arguments.raytracer, "tradeoff", *files, "--size", arguments.size, "--out", arguments.out], check=True)
+        subprocess.run([arguments.raytracer, "tradeoff", *files, "--size", arguments.size, "--out",
+                        arguments.out], check=True)
     scenes = read(arguments.csv or arguments.out / "tradeoff.csv")
     text = "\n".join(make.__doc__ + "\n\n" + make(scenes)
                      for make in (reach_table, depth_table, sample_table, precision_table, knob_table))

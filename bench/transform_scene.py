@@ -3,7 +3,8 @@
 
     bench/transform_scene.py SCENE.json [--scale 1e6] [--translate X Y Z] [--translate-sizes K] OUT.json
 
---translate-sizes K goes K scene sizes away, along a direction without round numbers. The picture should stay as it was.
+--translate-sizes K goes K scene sizes away, along a direction without round numbers. The picture should stay
+as it was.
 """
 import argparse
 import json
@@ -30,7 +31,8 @@ def transform_scene(scene_path, out_path, scale, translation):
     transform_camera(scene["camera"], scale, translation)
     for light in scene["lights"]:
         light["position"] = moved(light["position"][:3], scale, translation)
-    for transform in scene["transforms"]:  # translate * rotate * scale * matrix: scaling all scales the first and third
+    # translate * rotate * scale * matrix: scaling all scales the first and third
+    for transform in scene["transforms"]:
         transform["translate"] = moved(transform.get("translate", [0, 0, 0]), scale, translation)
         transform["scale"] = [scale * s for s in transform.get("scale", [1, 1, 1])]
     for shape in scene["shapes"]:
@@ -42,7 +44,8 @@ def transform_scene(scene_path, out_path, scale, translation):
 
 
 def scene_size(scene_path):
-    """The longest side of the box around the eye and every shape but planes, meshes by their transform's place alone."""
+    """The longest side of the box around the eye and every shape but planes, meshes by their transform's
+    place alone."""
     import numpy
     from scene_file import read_scene
     scene = read_scene(scene_path)
@@ -54,7 +57,8 @@ def scene_size(scene_path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scene")
     parser.add_argument("--scale", type=float, default=1.0)
     parser.add_argument("--translate", type=float, nargs=3, default=[0.0, 0.0, 0.0])

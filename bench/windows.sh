@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Cross-builds build/windows/raytracer.exe, one file that needs no other, with Debian's MinGW-w64, and tries it under Wine:
-# the pictures of all scenes with each instruction set, the commands, names of files, mistakes.
+# Cross-builds build/windows/raytracer.exe, one file that needs no other, with Debian's MinGW-w64, and tries
+# it under Wine: the pictures of all scenes with each instruction set, the commands, names of files, mistakes.
 #
 #     bench/windows.sh [cmake -D options]    as root, with build/release/raytracer to compare with
 set -euo pipefail
@@ -12,22 +12,28 @@ if ! type $triple-g++-posix wine dpkg-source >/dev/null 2>&1; then
 fi
 mkdir -p "$prefix/include" "$prefix/lib" "$prefix/share/cmake"
 
-# Debian has these libraries for MinGW in source only. Of the system's headers the compiler must not see others.
+# Debian has these libraries for MinGW in source only. Of the system's headers the compiler must not see
+# others.
 cp -r /usr/include/{glm,nlohmann,stb} "$prefix/include/"
 cp -r /usr/share/cmake/{glm,nlohmann_json} "$prefix/share/cmake/"
 if [ ! -e "$prefix/lib/libdeflate.a" ]; then
     rm -rf "$build/source" && mkdir -p "$build/source/lists/partial" && cd "$build/source"
-    echo "deb-src $(apt-get indextargets --format '$(REPO_URI)' "Created-By: Packages" "Component: main" | head -1) $(. /etc/os-release && echo "$VERSION_CODENAME") main" >list
-    apt=(-qq -o "Dir::Etc::sourcelist=$PWD/list" -o Dir::Etc::sourceparts=/dev/null -o "Dir::State::Lists=$PWD/lists")
+    sources=(apt-get indextargets --format '$(REPO_URI)' "Created-By: Packages" "Component: main")
+    suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
+    echo "deb-src $("${sources[@]}" | head -1) $suite main" >list
+    apt=(-qq -o "Dir::Etc::sourcelist=$PWD/list" -o Dir::Etc::sourceparts=/dev/null
+        -o "Dir::State::Lists=$PWD/lists")
     apt-get "${apt[@]}" update && apt-get "${apt[@]}" source libdeflate >/dev/null
     cd libdeflate-*/
     for file in lib/*.c lib/x86/*.c; do $triple-gcc -O2 -I. -c "$file" -o "../${file//\//-}.o"; done
     $triple-ar rcs "$prefix/lib/libdeflate.a" ../*.o
     cp libdeflate.h "$prefix/include/"
 fi
-cmake -S "$top" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DCMAKE_SYSTEM_NAME=Windows \
-    -DCMAKE_SYSTEM_PROCESSOR=x86_64 -DCMAKE_CXX_COMPILER=$triple-g++-posix -DCMAKE_RC_COMPILER=$triple-windres \
-    -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_FIND_ROOT_PATH_MODE_{LIBRARY,INCLUDE,PACKAGE}=ONLY "$@" >"$build/log" ||
+cmake -S "$top" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
+    -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_SYSTEM_PROCESSOR=x86_64 \
+    -DCMAKE_CXX_COMPILER=$triple-g++-posix -DCMAKE_RC_COMPILER=$triple-windres \
+    -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_FIND_ROOT_PATH_MODE_{LIBRARY,INCLUDE,PACKAGE}=ONLY \
+    "$@" >"$build/log" ||
     { cat "$build/log"; exit 1; }
 ninja -C "$build" raytracer
 
@@ -56,7 +62,8 @@ for set in scalar sse2 avx2 avx512; do
     done
     tried "each scene with $set: the bytes of Linux"
 done
-for options in "--precision float" "--precision extended" "--samples 4 --adaptive 0.02" "--max-recursion 1"; do
+for options in "--precision float" "--precision extended" "--samples 4 --adaptive 0.02" \
+    "--max-recursion 1"; do
     for scene in scenes/{texture,mesh,refraction,cone_cube}.json; do
         "$native" "$scene" "$work/linux.png" 40 --quiet $options
         run "$scene" "$work/windows.png" 40 --quiet $options

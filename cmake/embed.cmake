@@ -1,6 +1,8 @@
-# Writes OUTPUT, a .cpp that defines each of FILES as a string: style.css is NAMESPACE::style, which HEADER declares.
+# Writes OUTPUT, a .cpp that defines each of FILES as a string: style.css is NAMESPACE::style, which HEADER
+# declares.
 #
-#     cmake -DOUTPUT=page.cpp -DHEADER=page.h -DNAMESPACE=grading_page "-DFILES=style.css;script.js" -P embed.cmake
+#     cmake -DOUTPUT=page.cpp -DHEADER=page.h -DNAMESPACE=grading_page "-DFILES=style.css;script.js"
+#         -P embed.cmake
 set(text "// Made by cmake/embed.cmake.\n#include \"${HEADER}\"\nnamespace raytracer::${NAMESPACE} {\n")
 foreach(file IN LISTS FILES)
   cmake_path(GET file STEM name)

@@ -1,4 +1,5 @@
-# Writes OUTPUT, a .cpp with the project's VERSION, the commit that SOURCE, a clone, is at, and a hash of its code.
+# Writes OUTPUT, a .cpp with the project's VERSION, the commit that SOURCE, a clone, is at, and a hash of its
+# code.
 #
 #     cmake -DOUTPUT=version.cpp -DVERSION=1.0 -DSOURCE=. -P version.cmake
 execute_process(COMMAND git -C ${SOURCE} rev-parse --short=10 HEAD OUTPUT_VARIABLE commit ERROR_QUIET

@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
-"""The rooms keep their floors: a room includes only itself and what is below it, and no private header of another room.
+"""The rooms keep their floors: a room includes only itself and what is below it, and no private header of
+another room.
 
     layers_check.py ROOT
 
-The order is the one of src/README.md. include/raytracer/ROOM/ is what a room offers; src/ROOM/ is private to it and to
-its tests. A library that one room, or one file, wraps is included there alone; the platform is util's.
+The order is the one of src/README.md. include/raytracer/ROOM/ is what a room offers; src/ROOM/ is private to
+it and to its tests. A library that one room, or one file, wraps is included there alone; the platform is
+util's.
 """
 import pathlib
 import re
 import sys
 
 # From the top floor down.
-rooms = ["commands", "accuracy", "grading", "explain", "tracer", "geometry", "bvh", "numerics", "scene", "pictures", "json",
+rooms = ["commands", "accuracy", "grading", "explain", "tracer", "geometry", "bvh", "numerics", "scene",
+         "pictures", "json",
          "util"]
 floor = {room: -place for place, room in enumerate(rooms)}
 
@@ -24,7 +27,8 @@ wrapped = {
 }
 platform = re.compile(r"\s*#\s*(el)?if.*(_WIN32|__MINGW32__|__linux__|__APPLE__|__unix__)")
 
-# The plain tracer that the tests compare the tracer with shares no more with it than the description of a scene.
+# The plain tracer that the tests compare the tracer with shares no more with it than the description of a
+# scene.
 independent = {"test/tracer/plain_tracer.h": {"scene", "pictures"}}
 
 
@@ -46,7 +50,8 @@ def faults_of(root, path):
             continue
         quote, name = match.groups()
         place = f"{relative}:{number}: {room} includes {name}"
-        if not is_test and any(re.match(pattern, name) and not who & {room, str(relative)} for pattern, who in wrapped.items()):
+        if not is_test and any(re.match(pattern, name) and not who & {room, str(relative)}
+                               for pattern, who in wrapped.items()):
             yield f"{place}, which is wrapped elsewhere"
         if quote == "<":
             continue

@@ -6,7 +6,8 @@
 Every relative link, and every path in backticks or in a code block, of README.md, src/README.md,
 bench/README.md and Notes.txt exists. README.md has at most 1,500 words of prose (without code, tables,
 pictures and addresses), Notes.txt at most 120 lines. A line that is not of a table ends by column 110, in
-Notes.txt by column 100. Comments name no file that is not there. --words prints the count.
+Notes.txt by column 100; so does a line of Python, CMake and shell (clang-format checks C++). Comments name no
+file that is not there. --words prints the count.
 """
 import pathlib
 import re
@@ -14,6 +15,7 @@ import sys
 
 MOST_WORDS, MOST_LINES = 1500, 120
 MOST_COLUMNS = {".md": 110, ".txt": 100}
+MOST_CODE_COLUMNS = 110
 PAPERS = ["README.md", "src/README.md", "bench/README.md", "Notes.txt"]
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 IMAGE = re.compile(r"!\[[^]]*\]\([^)]*\)")
@@ -96,13 +98,31 @@ def width_faults(root, paper):
             yield f"{paper}:{number}: {len(line)} columns; at most {most}"
 
 
+def is_script(path):
+    if path.suffix:
+        return path.suffix in (".py", ".sh", ".cmake") or path.name == "CMakeLists.txt"
+    return path.is_file() and path.read_bytes()[:2] == b"#!"
+
+
+def code_width_faults(tree):
+    tops = [tree.root / top for top in sorted(tree.tops - {"third_party", "recipes"})]
+    files = [*tree.root.iterdir(), *(path for top in tops for path in top.rglob("*"))]
+    for path in sorted(path for path in files if path.is_file() and is_script(path)):
+        if path.parent.name == "grading":
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            if len(line) > MOST_CODE_COLUMNS:
+                name = path.relative_to(tree.root)
+                yield f"{name}:{number}: {len(line)} columns; at most {MOST_CODE_COLUMNS}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     if "--words" in sys.argv:
         print(words((root / "README.md").read_text()), "words of prose in README.md")
     tree = Tree(root)
     faults = [fault for paper in PAPERS for fault in [*faults_of(tree, paper), *width_faults(root, paper)]]
-    faults += [*length_faults(root), *comment_faults(tree)]
+    faults += [*length_faults(root), *comment_faults(tree), *code_width_faults(tree)]
     print("\n".join(faults) if faults else f"{len(PAPERS)} papers name what is there")
     return 1 if faults else 0
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Renders every picture in ../gallery: the README's large one and the small ones. Well sampled, unlike test/expected.
+# Renders every picture in ../gallery: the README's large one and the small ones. Well sampled, unlike
+# test/expected.
 #
 #     scenes/make/gallery.sh              # all of them, in about two minutes
 #     scenes/make/gallery.sh nested_glass # some
@@ -16,7 +17,8 @@ picture() {  # NAME PIXELS options...
     shift 2
     if [ ${#wanted[@]} -gt 0 ] && [[ " ${wanted[*]} " != *" $name "* ]]; then return; fi
     echo "$name"
-    "$raytracer" "scenes/$name.json" "scenes/gallery/$name.png" "$pixels" --quiet --strict --texture-filter bilinear "$@"
+    "$raytracer" "scenes/$name.json" "scenes/gallery/$name.png" "$pixels" \
+        --quiet --strict --texture-filter bilinear "$@"
 }
 
 picture lantern_lake 1200 --samples 36 --max-recursion 8 --cutoff 0.002

@@ -37,14 +37,16 @@ def quads(columns, rows):
 
 
 def mountains():
-    """A low-poly range in x from -1 to 1, z from -.25 (far) to .25 (near), a saddle left of the middle; closed below."""
+    """A low-poly range in x from -1 to 1, z from -.25 (far) to .25 (near), a saddle left of the middle;
+    closed below."""
     random = np.random.default_rng(12)
     columns, rows = 64, 14
     x = np.linspace(-1, 1, columns + 1)
     z = np.linspace(-.25, .25, rows + 1)
     height = np.zeros((rows + 1, columns + 1))
     peaks = [(-.86, .0, .30, .17), (-.62, .03, .21, .13), (-.05, -.02, .20, .12), (.13, .02, .31, .13),
-             (.33, -.04, .24, .12), (.52, .04, .34, .15), (.74, -.03, .25, .14), (.93, .02, .30, .13), (-.40, -.06, .09, .12)]
+             (.33, -.04, .24, .12), (.52, .04, .34, .15), (.74, -.03, .25, .14), (.93, .02, .30, .13),
+             (-.40, -.06, .09, .12)]
     for px, pz, tall, wide in peaks:
         d = np.hypot((x[None, :] - px) / wide, (z[:, None] - pz) / .17)
         height = np.maximum(height, tall * np.clip(1 - d, 0, None) ** 1.15)
@@ -83,7 +85,8 @@ def ridged(x, z, seed, octaves=5):
 
 
 def sierra():
-    """A range in x from -1 to 1, z from -.25 (far) to .25 (near), a saddle left of the middle; its feet lie below y = 0."""
+    """A range in x from -1 to 1, z from -.25 (far) to .25 (near), a saddle left of the middle; its feet lie
+    below y = 0."""
     random = np.random.default_rng(12)
     columns, rows = 150, 20
     x = np.linspace(-1, 1, columns + 1)
@@ -91,7 +94,8 @@ def sierra():
     xx = x[None, :] + (random.random((rows + 1, columns + 1)) - .5) * .008
     zz = z[:, None] + (random.random((rows + 1, columns + 1)) - .5) * .015
     peaks = [(-.86, .0, .27, .19), (-.62, .03, .19, .13), (-.05, -.02, .20, .13), (.13, .02, .27, .15),
-             (.33, -.04, .20, .13), (.52, .04, .32, .17), (.74, -.03, .22, .15), (.93, .02, .28, .14), (-.40, -.06, .07, .12)]
+             (.33, -.04, .20, .13), (.52, .04, .32, .17), (.74, -.03, .22, .15), (.93, .02, .28, .14),
+             (-.40, -.06, .07, .12)]
     height = np.zeros_like(xx)
     for px, pz, tall, wide in peaks:
         d = np.hypot((xx - px) / wide, (zz - pz) / .21)
@@ -123,7 +127,8 @@ def sierra():
 
 
 def sheet(at, columns, rows, positions, texcoords, faces, turned=False):
-    """Adds the quads of a surface at(s, t), s and t from 0 to 1; a quad of no area becomes a triangle or nothing."""
+    """Adds the quads of a surface at(s, t), s and t from 0 to 1; a quad of no area becomes a triangle or
+    nothing."""
     first, seen = len(texcoords), {}
     index = []
     for i in range(columns + 1):
@@ -174,10 +179,12 @@ def hull():
 
 
 def sails():
-    """Mainsail and jib for the hull, whose mast stands at x = .15; thin, filled by a wind from z < 0; v is the height."""
+    """Mainsail and jib for the hull, whose mast stands at x = .15; thin, filled by a wind from z < 0; v is
+    the height."""
     def main(s, t):
         leech = .08 * np.sin(np.pi * t ** .8)
-        return .13 - s * (.98 * (1 - t) + leech), .42 + 1.75 * t + .03 * s, .20 * np.sin(np.pi * s ** .8) * (1 - t) ** .6
+        return .13 - s * (.98 * (1 - t) +
+                          leech), .42 + 1.75 * t + .03 * s, .20 * np.sin(np.pi * s ** .8) * (1 - t) ** .6
 
     def jib(s, t):
         luff = np.array((1.0 - .83 * t, .33 + 1.55 * t, 0))
@@ -223,7 +230,8 @@ def torus():
 
 
 def shell():
-    """A sea snail: a tube around a conical spiral, axis z up, about 1 unit tall; u along the spiral, v around the tube."""
+    """A sea snail: a tube around a conical spiral, axis z up, about 1 unit tall; u along the spiral, v around
+    the tube."""
     steps, tube, turns = 220, 30, 5.2
     positions, texcoords, faces = [], [], []
     for i in range(steps + 1):
@@ -245,7 +253,8 @@ def shell():
         positions.append(np.mean(positions[ring * tube:(ring + 1) * tube], axis=0))
         texcoords.append((ring / steps, .5))
         for j in range(tube):
-            pair = [(ring * tube + (j + 1) % tube, ring * (tube + 1) + j + 1), (ring * tube + j, ring * (tube + 1) + j)][::order]
+            pair = [(ring * tube + (j + 1) % tube, ring * (tube + 1) + j + 1),
+                    (ring * tube + j, ring * (tube + 1) + j)][::order]
             faces.append([(len(positions) - 1, len(texcoords) - 1)] + pair)
     save("shell", "a sea snail's shell", positions, texcoords, faces)
 
@@ -257,7 +266,8 @@ def starfish():
         reach = .34 + .66 * arm
         curl = 2 * np.pi * s + .16 * t * t * arm * np.sin(2 * np.pi * s + 1)
         knobs = .016 * np.cos(22 * t) * arm ** 6 * (t > .12)
-        height = (.17 - .06 * t * arm) * (1 - t ** 2.5) ** .5 * (1 - .25 * (1 - arm) * min(1, 2 * t)) + knobs * (1 - t)
+        height = (.17 - .06 * t *
+                  arm) * (1 - t ** 2.5) ** .5 * (1 - .25 * (1 - arm) * min(1, 2 * t)) + knobs * (1 - t)
         return reach * t * np.cos(curl), reach * t * np.sin(curl), height
 
     positions, texcoords, faces = [], [], []
@@ -266,12 +276,14 @@ def starfish():
 
 
 def scallop():
-    """A fan of ribs in y > 0, hinged at the origin, bulging to z > 0; u across the ribs, v from the hinge to the rim."""
+    """A fan of ribs in y > 0, hinged at the origin, bulging to z > 0; u across the ribs, v from the hinge to
+    the rim."""
     def at(s, t):
         across = (s - .5) * np.radians(150)
         rib = np.cos(2 * np.pi * 13 * s)
         reach = t * (1 - .10 * np.sin(across) ** 2 + .012 * rib)
-        bulge = .34 * np.sin(np.pi * np.clip(.06 + .94 * t, 0, 1) ** .75) ** .8 * np.cos(across * .95) + .022 * rib * t
+        bulge = .34 * np.sin(np.pi * np.clip(.06 + .94 * t, 0,
+                                             1) ** .75) ** .8 * np.cos(across * .95) + .022 * rib * t
         return reach * np.sin(across), reach * np.cos(across), bulge
 
     def ears(s, t):

@@ -81,8 +81,8 @@ def save(name, pixels, colours=None):
 
 # ---------------------------------------------------------------- the dusk of lantern_lake
 
-# As in lantern_lake.json: the lights that the sky is lit by, the sun's behind the ball that is seen, and the moon's.
-# Their colours add up to 1, so that the sky is as drawn.
+# As in lantern_lake.json: the lights that the sky is lit by, the sun's behind the ball that is seen, and the
+# moon's. Their colours add up to 1, so that the sky is as drawn.
 SUN_AT, SUN_COLOR = np.array([-95.1, 10.9, -305.4]), np.array([.92, .91, .87])
 MOON_AT, MOON_COLOR = np.array([60., 130., 60.]), np.array([.08, .09, .13])
 SKY_DIFFUSE = 1.6  # the slab's color_diffuse
@@ -98,7 +98,9 @@ def dusk(direction, detail):
     towards = np.degrees(np.arccos(np.clip(direction @ SUN, -1, 1)))
     sky = ramp(up, [(-5, "#f58a4a"), (0, "#fba257"), (3.5, "#f98a55"), (8, "#dc6468"), (14, "#9a4a7b"),
                     (22, "#5a3c7c"), (34, "#2b2a63"), (90, "#0c1233")])
-    away = ramp(up, [(-5, "#6a4a7a"), (0, "#b8607f"), (6, "#8a4f86"), (14, "#54407c"), (28, "#26295c"), (90, "#0c1233")])
+    away = ramp(up,
+                [(-5, "#6a4a7a"), (0, "#b8607f"), (6, "#8a4f86"), (14, "#54407c"), (28, "#26295c"),
+                 (90, "#0c1233")])
     sky = mix(sky, away, smooth(12, 85, towards))
     sky = sky + (colour("#ff8a50") * .42) * np.exp(-(towards / 7.5) ** 1.3)[..., None]
     sky = sky + (colour("#ffa068") * .45) * np.exp(-(np.maximum(0, towards - 1.8) / 2.2))[..., None]
@@ -108,8 +110,11 @@ def dusk(direction, detail):
         wide = fractal(azimuth / 15 + .12 * bent + 3, bent / 3.4, 71, 3)
         fine = fractal(azimuth / 3.2 + .3 * bent, bent / .62, 91, 4)
         band = .64 * wide + .36 * fine
-        cloud = smooth(.48, .68, band) * smooth(2.2, 6, up) * (1 - smooth(16, 23, up)) * (1 - smooth(36, 41, np.abs(azimuth)))
-        lit = ramp(towards, [(0, "#ffe3b0"), (8, "#ffb886"), (18, "#ff9490"), (32, "#e2749f"), (50, "#9a62a8")])
+        cloud = smooth(.48, .68, band) * smooth(2.2, 6,
+                                                up) * (1 - smooth(16, 23,
+                                                                  up)) * (1 - smooth(36, 41, np.abs(azimuth)))
+        lit = ramp(towards,
+                   [(0, "#ffe3b0"), (8, "#ffb886"), (18, "#ff9490"), (32, "#e2749f"), (50, "#9a62a8")])
         dark = ramp(towards, [(0, "#f08a58"), (12, "#c2586a"), (30, "#6d4079"), (50, "#40336c")])
         lower = fractal(azimuth / 15 + .12 * (bent - .45) + 3, (bent - .45) / 3.4, 71, 3) * .64 + .36 * fine
         face = smooth(-.025, .035, lower - wide * .64 - .36 * fine)  # bright below, where the sun shines from
@@ -118,7 +123,8 @@ def dusk(direction, detail):
 
 
 def sky_dusk():
-    """On a slab 1 unit away: x from -.9 to .9, y from -.02 to .52; brighter where the lights meet it less squarely."""
+    """On a slab 1 unit away: x from -.9 to .9, y from -.02 to .52; brighter where the lights meet it less
+    squarely."""
     width, height = 1640, 492
     u, v = grid(width, height)
     d = np.stack([-.9 + 1.8 * u, -.02 + .54 * v, -np.ones_like(u)], axis=-1)
@@ -153,8 +159,9 @@ def ridge():
     """Colours of a mountain by height (v) and by patch (u)."""
     u, v = grid(64, 64)
     height = v + .10 * (noise(u * 16, v * 10, 3) - .5)
-    pixels = ramp(height, [(0, "#141d32"), (.14, "#28304e"), (.36, "#5a4672"), (.56, "#9a6484"), (.68, "#d08c90"),
-                           (.82, "#f2c2b0"), (1, "#ffe9dc")])
+    pixels = ramp(height,
+                  [(0, "#141d32"), (.14, "#28304e"), (.36, "#5a4672"), (.56, "#9a6484"), (.68, "#d08c90"),
+                   (.82, "#f2c2b0"), (1, "#ffe9dc")])
     save("ridge", pixels * (.85 + .15 * noise(u * 32, v * 32, 9))[..., None], 64)
 
 
@@ -200,14 +207,17 @@ def globe():
     u, v = grid(512, 256)
     longitude, latitude = 2 * np.pi * u, np.pi * (v - .5)
     x, y, z = np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)
-    land = (fractal(x * 1.7 + 7, y * 1.7 + 3 + z, 101, 5) + fractal(z * 1.7 + 9 + x, x * 1.7 + 5 - y, 131, 5)) / 2
+    land = (fractal(x * 1.7 + 7, y * 1.7 + 3 + z, 101, 5) +
+            fractal(z * 1.7 + 9 + x, x * 1.7 + 5 - y, 131, 5)) / 2
     land = land + .03 * np.sin(3 * longitude)
     sea = ramp(land, [(.3, "#123a66"), (.46, "#1f6a96"), (.5, "#4fb0bd")])
     dry = np.abs(latitude) / (np.pi / 2) + .5 * (fractal(x * 5, y * 5 + z * 3, 151, 3) - .5)
     soil = ramp(dry, [(0, "#3d8b46"), (.25, "#d9b565"), (.45, "#6fa04b"), (.7, "#7d8f63"), (.85, "#e8eef0")])
     pixels = np.where((land > .505)[..., None], soil, sea)
-    pixels = mix(pixels, colour("#f5fafc") + 0 * pixels, smooth(.80, .84, np.abs(latitude) / (np.pi / 2) + .1 * (land - .5)))
-    lines = np.minimum(np.abs((u * 12 + .5) % 1 - .5) / 12 * 512, np.abs((v * 6 + .5) % 1 - .5) / 6 * 256) < .55
+    pixels = mix(pixels, colour("#f5fafc") + 0 * pixels,
+                 smooth(.80, .84, np.abs(latitude) / (np.pi / 2) + .1 * (land - .5)))
+    lines = np.minimum(np.abs((u * 12 + .5) % 1 - .5) / 12 * 512,
+                       np.abs((v * 6 + .5) % 1 - .5) / 6 * 256) < .55
     save("globe", mix(pixels, colour("#fff3d0") + 0 * pixels, .45 * lines), 64)
 
 
@@ -224,7 +234,8 @@ def crate():
     wood = ramp(grain, [(.2, "#7a4d28"), (.5, "#b07a42"), (.8, "#d6a566")])
     wood = wood * np.where(frame | brace, 1.1, .82)[..., None]
     gap = np.where(~frame & ~brace & ((v * 5.4 + .1) % 1 < .05), .4, 1)
-    rim = np.where((np.abs(edge - .13) < .008) | (~frame & (np.abs(np.abs(u - v) - .09) < .008)) | (edge < .012), .45, 1)
+    rim = np.where((np.abs(edge - .13) < .008) | (~frame & (np.abs(np.abs(u - v) - .09) < .008)) |
+                   (edge < .012), .45, 1)
     nail = np.min([np.hypot(u - a, v - b) for a in (.065, .935) for b in (.065, .5, .935)], axis=0) < .014
     save("crate", np.where(nail[..., None], colour("#3a3a40"), wood * (gap * rim)[..., None]), 48)
 
@@ -239,7 +250,8 @@ def label():
     pixels = np.where(rays[..., None], colour("#e9a23b"), pixels)
     pixels = np.where((r < .22)[..., None], colour("#d9492f"), pixels)
     pixels = np.where((r < .17)[..., None], colour("#f2b63c"), pixels)
-    for low, high, c in ((0, .09, "#2b6e6b"), (.09, .115, "#e9a23b"), (.885, .91, "#e9a23b"), (.91, 1, "#2b6e6b")):
+    for low, high, c in ((0, .09, "#2b6e6b"), (.09, .115, "#e9a23b"), (.885, .91, "#e9a23b"),
+                         (.91, 1, "#2b6e6b")):
         pixels = np.where(((v >= low) & (v < high))[..., None], colour(c), pixels)
     save("label", pixels, 32)
 
@@ -249,7 +261,8 @@ def spiral():
     u, v = grid(256, 128)
     turn = (u * 3 + v * 2) % 1
     pixels = np.where((turn < .5)[..., None], colour("#7a2f8c"), colour("#f3c64a"))
-    pixels = np.where(((turn > .46) & (turn < .54) | (turn < .04) | (turn > .96))[..., None], colour("#fbf3e0"), pixels)
+    pixels = np.where(((turn > .46) & (turn < .54) | (turn < .04) | (turn > .96))[..., None],
+                      colour("#fbf3e0"), pixels)
     save("spiral", pixels)
 
 
@@ -268,7 +281,8 @@ def mosaic():
 
 
 def rosette():
-    """A round floor of glazed tiles, for the cap of a cylinder: rings of stars, petals and diamonds around a sun."""
+    """A round floor of glazed tiles, for the cap of a cylinder: rings of stars, petals and diamonds around a
+    sun."""
     u, v = grid(768, 768)
     x, y = u * 2 - 1, v * 2 - 1
     r, turn = np.hypot(x, y), np.arctan2(y, x) / (2 * np.pi)
@@ -280,9 +294,11 @@ def rosette():
         pixels[where] = c
 
     def ring(low, high, count, half=0):
-        """Along a ring of tiles: where it is, across and along in its tile from -1 to 1, and the tile's number."""
+        """Along a ring of tiles: where it is, across and along in its tile from -1 to 1, and the tile's
+        number."""
         t = turn * count + half
-        return (r >= low) & (r < high), (t % 1 - .5) * 2, (r - low) / (high - low) * 2 - 1, np.floor(t) % count
+        return (r >= low) & (r < high), (t % 1 - .5) * 2, (r -
+                                                           low) / (high - low) * 2 - 1, np.floor(t) % count
 
     def band(low, high, c):
         paint((r >= low) & (r < high), c)
@@ -323,10 +339,13 @@ def rosette():
 
 
 def sky_studio():
-    """A backdrop by height, for the inside of a sphere whose pole z points up: a glow low down, night above."""
+    """A backdrop by height, for the inside of a sphere whose pole z points up: a glow low down, night
+    above."""
     u, v = grid(2, 1024)
-    save("sky_studio", ramp((v - .5) * 180, [(-90, "#4a2a55"), (-50, "#b5607a"), (-30, "#f2a981"), (-22, "#ee9478"), (-12, "#b8658a"),
-                                             (-2, "#6b4a96"), (8, "#3b3f8a"), (25, "#3a64b0"), (50, "#5f9fd6"), (90, "#2a4f9a")]))
+    save("sky_studio",
+         ramp((v - .5) * 180,
+              [(-90, "#4a2a55"), (-50, "#b5607a"), (-30, "#f2a981"), (-22, "#ee9478"), (-12, "#b8658a"),
+               (-2, "#6b4a96"), (8, "#3b3f8a"), (25, "#3a64b0"), (50, "#5f9fd6"), (90, "#2a4f9a")]))
 
 
 def glaze():
@@ -345,7 +364,8 @@ def shell():
     """Along a shell (u: mouth to tip, v: around it): growth lines and tiger bands."""
     u, v = grid(512, 128)
     wave = .012 * np.sin(2 * np.pi * v * 2) + .02 * fractal(u * 30, v * 4, 401, 3, (30, 4))
-    bands = smooth(.45, .6, fractal((u + wave) * 34, v * 6, 411, 3, (34, 6))) * smooth(.02, .10, v) * smooth(1, .8, v)
+    bands = smooth(.45, .6,
+                   fractal((u + wave) * 34, v * 6, 411, 3, (34, 6))) * smooth(.02, .10, v) * smooth(1, .8, v)
     base = ramp(fractal(u * 8, v * 3, 421, 2, (8, 3)), [(.2, "#f6e3c8"), (.8, "#fff7ea")])
     pixels = mix(base, ramp(u, [(0, "#b3552f"), (.6, "#96402c"), (1, "#5d2a2c")]), .92 * bands)
     lines = .93 + .07 * np.sin(2 * np.pi * 150 * (u + .3 * wave))
@@ -357,12 +377,15 @@ def shell():
 def sky_day():
     """Only a gradient by height, for the inside of a sphere whose pole z points up."""
     u, v = grid(2, 1024)
-    save("sky_day", ramp((v - .5) * 180, [(-90, "#cfe3ea"), (0, "#dceef2"), (6, "#bfe2f0"), (20, "#86c3e6"), (45, "#4a93d2"),
-                                          (90, "#2a62ab")]))
+    save("sky_day",
+         ramp((v - .5) * 180,
+              [(-90, "#cfe3ea"), (0, "#dceef2"), (6, "#bfe2f0"), (20, "#86c3e6"), (45, "#4a93d2"),
+               (90, "#2a62ab")]))
 
 
 def clouds():
-    """A fair day's sky above the sea, heaps of cloud along the horizon, for an upright slab 2.8 times as wide as high."""
+    """A fair day's sky above the sea, heaps of cloud along the horizon, for an upright slab 2.8 times as wide
+    as high."""
     u, v = grid(810, 288)
     x, y = u * 4.5, v * 1.6
     sky = ramp(y, [(0, "#e9f1ee"), (.12, "#cfe6ef"), (.45, "#8cc4ea"), (1, "#4f95d6"), (1.6, "#2f6fb8")])
@@ -372,7 +395,9 @@ def clouds():
         heap = fractal(x * 1.15 + 3.3, 0 * y, 521, 2)  # where the clouds stand
         above = y - base
         puff = fractal(x * 2.6 + 2, y * 3.4, 511, 5)
-        return puff + 1.25 * (heap - .50) - 1.15 * np.maximum(0, above - .04) ** .8 - .10 - 5 * np.maximum(0, .02 - above)
+        return puff + 1.25 * (heap - .50) - 1.15 * np.maximum(0,
+                                                              above - .04) ** .8 - .10 - 5 * np.maximum(
+                                                                  0, .02 - above)
 
     cover = density(x, y)
     thick = smooth(.20, .34, cover)
@@ -388,7 +413,8 @@ def skin():
     """Of a starfish (u around, five arms; v from the middle to the edge): pale knobs in rows."""
     u, v = grid(320, 64)
     arm = (u * 5 + .5) % 1 - .5
-    base = ramp(v + .25 * (fractal(u * 40, v * 8, 541, 3) - .5), [(0, "#c4452a"), (.5, "#e06a34"), (1, "#f2a35e")])
+    base = ramp(v + .25 * (fractal(u * 40, v * 8, 541, 3) - .5),
+                [(0, "#c4452a"), (.5, "#e06a34"), (1, "#f2a35e")])
     dots = np.zeros(u.shape, bool)
     for row, gap in ((0, .09), (.10, .11), (-.10, .11), (.21, .13), (-.21, .13)):
         along = (v / gap + abs(row) * 5) % 1 - .5
@@ -397,12 +423,15 @@ def skin():
 
 
 def fan():
-    """Of a scallop (u across its 13 ribs, v from the hinge to the rim): bands of growth, a paler groove between the ribs."""
+    """Of a scallop (u across its 13 ribs, v from the hinge to the rim): bands of growth, a paler groove
+    between the ribs."""
     u, v = grid(416, 128)
     rib = .5 + .5 * np.cos(2 * np.pi * 13 * u)
     wave = v + .03 * (fractal(u * 26, v * 3, 551, 3) - .5) + .012 * rib
-    pixels = ramp(wave, [(0, "#fff0dc"), (.25, "#f7c9a4"), (.40, "#e98b6c"), (.47, "#f6c3a2"), (.60, "#d9655a"), (.68, "#f3b39c"),
-                         (.80, "#b9415a"), (.87, "#eaa09a"), (.96, "#8f2f52"), (1, "#f6dcd0")])
+    pixels = ramp(wave,
+                  [(0, "#fff0dc"), (.25, "#f7c9a4"), (.40, "#e98b6c"), (.47, "#f6c3a2"), (.60, "#d9655a"),
+                   (.68, "#f3b39c"),
+                   (.80, "#b9415a"), (.87, "#eaa09a"), (.96, "#8f2f52"), (1, "#f6dcd0")])
     save("fan", mix(pixels, colour("#fff3e4") + 0 * pixels, .5 * (1 - rib) ** 2), 48)
 
 
@@ -421,7 +450,8 @@ def dots():
     save("dots", pixels, 64)
 
 
-MAKERS = [sky_dusk, dome_dusk, ridge, planks, checker, stripes, sand, globe, crate, label, spiral, mosaic, rosette, glaze, shell, sky_day, sky_studio, clouds, skin, fan, dots]
+MAKERS = [sky_dusk, dome_dusk, ridge, planks, checker, stripes, sand, globe, crate, label, spiral, mosaic,
+          rosette, glaze, shell, sky_day, sky_studio, clouds, skin, fan, dots]
 
 if __name__ == "__main__":
     OUT.mkdir(exist_ok=True)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The commands that trade speed for accuracy, as a user meets them: tradeoff_check.py RAYTRACER, from the project's folder."""
+"""The commands that trade speed for accuracy, as a user meets them: tradeoff_check.py RAYTRACER, from the
+project's folder."""
 import csv
 import json
 import pathlib
@@ -36,8 +37,9 @@ def check_target(folder, scene, size, target, others=""):
     """What --target-error says that it chooses is what it renders, also under --crop."""
     picture, done = render(scene, folder / "target.png", size, f"--target-error {target} {others}")
     assert done.returncode == 0, done
-    setting = re.match(r"--target-error \S+: (--.*)\n--target-error \S+: the error is about \S+ between samples and "
-                       r"\S+ of the depth\n$", done.stderr)
+    setting = re.match(r"--target-error \S+: (--.*)\n"
+                       r"--target-error \S+: the error is about \S+ between samples and \S+ of the depth\n$",
+                       done.stderr)
     assert setting, done.stderr
     same, done = render(scene, folder / "same.png", size, f"{setting[1]} {others}")
     assert done.returncode == 0 and picture == same, done
@@ -53,9 +55,11 @@ def check_time(folder, scene):
     (folder / "a time.png").unlink()
     subprocess.run(again[1], shell=True, check=True, timeout=300)
     assert picture == (folder / "a time.png").read_bytes(), again[1]
-    # Names that begin with a dash stand behind "--", and options that say nothing of the picture are left out.
+    # Names that begin with a dash stand behind "--", and options that say nothing of the picture are left
+    # out.
     (folder / "-s.json").write_text(pathlib.Path("scenes/cone_cube.json").read_text())
-    done = subprocess.run([RAYTRACER, "--target-time=0.1", "--skip-existing", "--", "-s.json", "-o.png", "20"], cwd=folder,
+    done = subprocess.run([RAYTRACER, "--target-time=0.1", "--skip-existing", "--", "-s.json", "-o.png",
+                           "20"], cwd=folder,
                           capture_output=True, text=True)
     assert f"again:\n{RAYTRACER} ./-s.json ./-o.png 20 --samples 65536 --adaptive" in done.stderr, done.stderr
 
@@ -73,7 +77,8 @@ def check_limit(folder):
 
 def check_report(folder):
     """tradeoff writes a table, a chart and a page that tell of every setting."""
-    done = run("tradeoff", "scenes/cone_cube.json", "--size", 16, "--samples", 4, "--repeats", 1, "--out", folder / "report",
+    done = run("tradeoff", "scenes/cone_cube.json", "--size", 16, "--samples", 4, "--repeats", 1, "--out",
+               folder / "report",
                "--quiet")
     assert done.returncode == 0, done
     rows = list(csv.DictReader((folder / "report/tradeoff.csv").open(newline="")))
@@ -84,7 +89,8 @@ def check_report(folder):
     assert len(points) == questions.count("truncation"), len(points)
     assert all("RMSE" in point[0].text for point in points)  # the hover text
     fronts = [row for row in rows if row["on_front"] == "1"]
-    assert len([p for p in points if p.get("class") == "front"]) in (len(fronts), len(fronts) - 1)  # the defaults have a class
+    # the defaults have a class
+    assert len([p for p in points if p.get("class") == "front"]) in (len(fronts), len(fronts) - 1)
     page = (folder / "report/tradeoff.html").read_text()
     assert page.count("<circle") == len(points) and "data:image/png" in page and "http" not in re.sub(
         r"http://www\.w3\.org/2000/svg", "", page), "not self-contained"
@@ -95,7 +101,8 @@ def check_names(folder):
     name = 'a,b"\n\x1b[31m<i>\'&\udcff'
     scene = folder / f"{name}.json"
     scene.write_bytes(pathlib.Path("test/good/least.json").read_bytes())
-    done = subprocess.run([RAYTRACER, "tradeoff", scene, "--size", "16", "--samples", "2", "--repeats", "1", "--out", folder / "names"],
+    done = subprocess.run([RAYTRACER, "tradeoff", scene, "--size", "16", "--samples", "2", "--repeats", "1",
+                           "--out", folder / "names"],
                           capture_output=True, timeout=300)
     assert done.returncode == 0, done
     shown = 'a,b"\\x0a\\x1b[31m<i>\'&\\xff'
@@ -104,8 +111,10 @@ def check_names(folder):
     rows = list(csv.reader((folder / "names/tradeoff.csv").open(newline="")))
     assert {len(row) for row in rows} == {21}, rows
     assert {row[0] for row in rows[1:]} == {'a,b"\n\\x1b[31m<i>\'&\\xff'}, rows[1]
-    text = xml.etree.ElementTree.parse(folder / "names/tradeoff.svg").findall(".//{http://www.w3.org/2000/svg}text")
-    assert 'a,b"\n\\x1b[31m<i>\'&\\xff' in [element.text for element in text], [element.text for element in text]
+    text = xml.etree.ElementTree.parse(folder /
+                                       "names/tradeoff.svg").findall(".//{http://www.w3.org/2000/svg}text")
+    assert 'a,b"\n\\x1b[31m<i>\'&\\xff' in [element.text
+                                            for element in text], [element.text for element in text]
     page = (folder / "names/tradeoff.html").read_bytes().decode()
     assert "a,b&quot;\n\\x1b[31m&lt;i&gt;&#39;&amp;\\xff</h2>" in page and "\x1b" not in page, "the page"
 

@@ -1,5 +1,6 @@
-"""bvh_kernel.cpp and packet_tracer.cpp are compiled for newer processors, too. A function there that other files may have as
-well (an inline one of the standard library, say) could be linked for them and run on an older processor: there must be none.
+"""bvh_kernel.cpp and packet_tracer.cpp are compiled for newer processors, too. A function there that other
+files may have as well (an inline one of the standard library, say) could be linked for them and run on an
+older processor: there must be none.
 
     packets_check.py PROGRAM NM INSTRUCTION_SET OBJECT...
 """

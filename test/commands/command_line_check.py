@@ -13,7 +13,8 @@ import tempfile
 from checks import RAYTRACER, check, conclude, failures
 
 SCENE = str(pathlib.Path("test/good/least.json").resolve())
-COMMANDS = {"render": [], "assemble": ["assemble"], "compare": ["compare"], "grade": ["grade"], "explain": ["explain"], "tradeoff": ["tradeoff"]}
+COMMANDS = {"render": [], "assemble": ["assemble"], "compare": ["compare"], "grade": ["grade"],
+            "explain": ["explain"], "tradeoff": ["tradeoff"]}
 
 
 def run(*arguments, **environment):
@@ -96,8 +97,10 @@ ARGUMENTS = {
 
 def with_number(command, name, text):
     arguments = ARGUMENTS[command] | ({} if name.startswith("-") else {name: text})
-    others = {"--timeout": ["--program", "no"], "--wall": ["--program", "no"], "--memory": ["--program", "no"], "--jobs":
-              ["--program", "no", "--submissions", "no"], "--points": ["--gradescope", "/no/no"]}.get(name, [])
+    others = {"--timeout": ["--program", "no"], "--wall": ["--program", "no"],
+              "--memory": ["--program", "no"], "--jobs":
+              ["--program", "no", "--submissions", "no"],
+              "--points": ["--gradescope", "/no/no"]}.get(name, [])
     return [*COMMANDS[command], *arguments.values(), *([name, text] if name.startswith("-") else []), *others]
 
 
@@ -113,7 +116,8 @@ def just_outside(expected):
 
 def check_numbers(command, name, expected, good):
     full = " ".join(["raytracer", *COMMANDS[command]])
-    for text in just_outside(expected) + ["nan", "inf", "-inf", "0x10", "1e", "", " 1", "1 ", "1,5", "++1", "ten"]:
+    for text in just_outside(expected) + ["nan", "inf", "-inf", "0x10", "1e", "", " 1", "1 ", "1,5", "++1",
+                                          "ten"]:
         check_refused(with_number(command, name, text), f'{name}: expected {expected}, found "{text}"', full)
     for text in good:
         done = run(*with_number(command, name, text))
@@ -124,9 +128,11 @@ def check_numbers(command, name, expected, good):
 def check_other_refusals():
     render = list(ARGUMENTS["render"].values())
     check_refused([*render, "--pass", "depth"], '--pass: expected color, raycast or normals, found "depth"')
-    check_refused([*render, "--accelerator", "BHV"], '--accelerator: expected bvh or none, found "BHV"; did you mean "bvh"?')
+    check_refused([*render, "--accelerator", "BHV"],
+                  '--accelerator: expected bvh or none, found "BHV"; did you mean "bvh"?')
     check_refused(["grade", "/no", "--stage", "difuse"],
-                  '--stage: expected a name that --help lists, found "difuse"; did you mean "diffuse"?', "raytracer grade")
+                  '--stage: expected a name that --help lists, found "difuse"; did you mean "diffuse"?',
+                  "raytracer grade")
     check_refused([*render, "--colour"], "unknown option --colour (see --help)")
     check_refused([*render, "--sample", 4], "unknown option --sample; did you mean --samples?")
     check_refused(["--recursion", 4], "unknown option --recursion; did you mean --max-recursion?")
@@ -136,10 +142,12 @@ def check_other_refusals():
     check_refused([*render, "--samples"], "--samples: expected a whole number from 1 to 65536, found nothing")
     check_refused([*render, "--crop", "--stats"], "--crop: expected a text, found nothing")
     check_refused([*render, "--quiet=yes"], '--quiet: expected no value, found "yes"')
-    check_refused([*render, "--samples", "1", "--samples", "x"], '--samples: expected a whole number from 1 to 65536, found "x"')
+    check_refused([*render, "--samples", "1", "--samples", "x"],
+                  '--samples: expected a whole number from 1 to 65536, found "x"')
     for target in ("--target-error", "--target-time"):
         for other in ("--samples", "--adaptive", "--max-recursion", "--cutoff"):
-            check_refused([*render, target, "1", other, "1"], f"{target} and {other} exclude each other: give one of them")
+            check_refused([*render, target, "1", other, "1"],
+                          f"{target} and {other} exclude each other: give one of them")
 
 
 ORDER = "SCENE IMAGE_OUT LONG_EDGE_PIXELS"
@@ -158,7 +166,8 @@ def check_order():
     check_refused(["600", "a.json", "a.png"], f"is a.json the scene? The order is {ORDER}")
     check_refused(["a.json", "600", "a.png"], f"is a.png the picture? The order is {ORDER}")
     check_refused(["a.png", "a.json"], f"is a.png the picture? The order is {ORDER}")
-    check_refused(["explain", "1", "2", "a.json", "600"], "is a.json the scene? The order is SCENE X Y LONG_EDGE_PIXELS",
+    check_refused(["explain", "1", "2", "a.json", "600"],
+                  "is a.json the scene? The order is SCENE X Y LONG_EDGE_PIXELS",
                   "raytracer explain")
 
 
@@ -167,39 +176,52 @@ def check_commands():
     check_refused(["render", "a.json"], 'unknown command "render"; write raytracer ' + ORDER)
     check_refused(["help"], 'unknown command "help"; write raytracer --help')
     check_refused(["frobnicate"],
-                  "unknown command \"frobnicate\"; there are assemble, compare, explain, grade, tradeoff, or a scene's name first")
+                  "unknown command \"frobnicate\"; there are assemble, compare, explain, grade, tradeoff, or "
+                  "a scene's name first")
     check_refused(["/frobnicate"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
 
 
 def check_without_effect():
     render = list(ARGUMENTS["render"].values())
     for value, options in (("raycast", ["--only", "--opaque", "--max-recursion", "--cutoff"]),
-                           ("normals", ["--only", "--opaque", "--max-recursion", "--cutoff", "--texture-filter"])):
+                           ("normals",
+                            ["--only", "--opaque", "--max-recursion", "--cutoff", "--texture-filter"])):
         for option in options:
-            text = {"--only": ["diffuse"], "--texture-filter": ["bilinear"], "--opaque": []}.get(option, ["1"])
-            check_refused([*render, "--pass", value, option, *text], f"{option} has no effect with --pass {value}")
-    check_refused([*render, "--max-recursion", 0, "--cutoff", 1], "--cutoff has no effect with --max-recursion 0")
+            text = {"--only": ["diffuse"], "--texture-filter": ["bilinear"],
+                    "--opaque": []}.get(option, ["1"])
+            check_refused([*render, "--pass", value, option, *text],
+                          f"{option} has no effect with --pass {value}")
+    check_refused([*render, "--max-recursion", 0, "--cutoff", 1],
+                  "--cutoff has no effect with --max-recursion 0")
     check_refused([*render, "--samples", 1, "--adaptive", 0.1], "--adaptive has no effect with --samples 1")
-    check_refused(["grade", "/no", "--timeout", 1], "--timeout has no effect without --program", "raytracer grade")
+    check_refused(["grade", "/no", "--timeout", 1], "--timeout has no effect without --program",
+                  "raytracer grade")
     for option in ("--pass", "--samples", "--adaptive", "--crop"):
         check_refused(["explain", "/no.json", 0, 0, 8, option, 1],
-                      f"there is no {option}: explain follows the one ray through the pixel's centre", "raytracer explain")
+                      f"there is no {option}: explain follows the one ray through the pixel's centre",
+                      "raytracer explain")
 
 
 def check_only():
     """Blanks around a term's name are taken; the last of a repeated option wins."""
     render = list(ARGUMENTS["render"].values())
-    for first, second in (("--skip-existing", "--stats"), ("--frames=1..2", "--target-time=1"), ("--watch", "--skip-existing")):
-        check_refused([*render, first, second], f"{first.split('=')[0]} and {second.split('=')[0]} exclude each other: give one of them")
+    for first, second in (("--skip-existing", "--stats"), ("--frames=1..2", "--target-time=1"),
+                          ("--watch", "--skip-existing")):
+        names = " and ".join(word.split("=")[0] for word in (first, second))
+        check_refused([*render, first, second], f"{names} exclude each other: give one of them")
     for terms in ("shadows", "reflections,textures"):
-        check_refused([*render, "--only", terms], f"--only {terms}: there is no light without ambient, diffuse or specular")
+        check_refused([*render, "--only", terms],
+                      f"--only {terms}: there is no light without ambient, diffuse or specular")
     check_refused([*render, "--only", ""], '--only: expected a text, found ""')
-    check_refused([*render, "--only", "diffuse,"], '--only: no term ""; there are ambient, diffuse, specular, shadows, '
+    check_refused([*render, "--only", "diffuse,"],
+                  '--only: no term ""; there are ambient, diffuse, specular, shadows, '
                                                   "reflections, refraction and textures")
-    check_refused([*render, "--only", "difuse, specular"], '--only: no term "difuse"; did you mean "diffuse"?')
+    check_refused([*render, "--only", "difuse, specular"],
+                  '--only: no term "difuse"; did you mean "diffuse"?')
     with tempfile.TemporaryDirectory() as folder:
         pictures = []
-        for terms in (["diffuse,specular"], [" diffuse , specular"], ["ambient", "--only", "specular,diffuse"]):
+        for terms in (["diffuse,specular"], [" diffuse , specular"],
+                      ["ambient", "--only", "specular,diffuse"]):
             out = pathlib.Path(folder, "out.png")
             check(f"--only {terms}", 0, run(SCENE, out, 8, "--quiet", "--only", *terms).returncode)
             pictures.append(out.read_bytes())
@@ -212,7 +234,8 @@ def check_version():
         check("--version", (0, ""), (done.returncode, done.stderr))
         check("--version", True, bool(re.fullmatch(
             r"raytracer \d+\.\d+ \((commit [0-9a-f]{10}|no commit known)\)\n"
-            r"instruction sets: scalar[a-z0-9, ]*; used: \w+\nprecisions: float, double, extended\n", done.stdout)))
+            r"instruction sets: scalar[a-z0-9, ]*; used: \w+\nprecisions: float, double, extended\n",
+            done.stdout)))
 
 
 def check_instruction_set():
@@ -222,10 +245,12 @@ def check_instruction_set():
     for arguments in (["--version"], [SCENE, "/tmp/no.png", "8"], ["compare", "/no.png", "/no.png"]):
         done = run(*arguments, RAYTRACER_SIMD="avx99")
         check(f"RAYTRACER_SIMD=avx99, {arguments}",
-              (2, "", f'raytracer: RAYTRACER_SIMD: expected {has}, which this processor has, found "avx99"\n'),
+              (2, "",
+               f'raytracer: RAYTRACER_SIMD: expected {has}, which this processor has, found "avx99"\n'),
               (done.returncode, done.stdout, done.stderr))
     for name in sets:
-        check(f"RAYTRACER_SIMD={name}", True, f"; used: {name}\n" in run("--version", RAYTRACER_SIMD=name).stdout)
+        check(f"RAYTRACER_SIMD={name}", True,
+              f"; used: {name}\n" in run("--version", RAYTRACER_SIMD=name).stdout)
 
 
 def check_shown():
@@ -234,7 +259,8 @@ def check_shown():
     expected = "--texture-filter: expected nearest or bilinear, found"
     check_refused([*render, "9" * 400], f'{expected} "{"9" * 60}"...')
     check_refused([*render, "\x1b[31m\x9b\n\x7f"], f'{expected} "\\u001b[31m\\u009b\\n\\u007f"')
-    check_refused([*render, "nearest", b"--\x1b[2J\xff\xc2\x9b"], "unknown option --\\x1b[2J\\xff\\xc2\\x9b (see --help)")
+    check_refused([*render, "nearest", b"--\x1b[2J\xff\xc2\x9b"],
+                  "unknown option --\\x1b[2J\\xff\\xc2\\x9b (see --help)")
     check("a file's name", (2, "/no\\x0a\\x1b.json: cannot read: No such file or directory\n"),
           (lambda done: (done.returncode, done.stderr))(run("explain", "/no\n\x1b.json", 0, 0, 8)))
     long = run(SCENE, "/tmp/no.png", 8, "--crop", "1," * 400).stderr
@@ -259,7 +285,8 @@ def check_decimal():
 def check_many():
     """tradeoff takes any number of scenes, and loads all before it measures one."""
     done = run("tradeoff", SCENE, SCENE, "/no.json", "--quiet")
-    check("a third scene that is not there", (2, "", True), (done.returncode, done.stdout, done.stderr.startswith("/no.json: ")))
+    check("a third scene that is not there", (2, "", True),
+          (done.returncode, done.stdout, done.stderr.startswith("/no.json: ")))
 
 
 def main():

@@ -1,6 +1,8 @@
-"""What is installed beside the program: the man page, three shells' completions and the schema, each tried in its program.
+"""What is installed beside the program: the man page, three shells' completions and the schema, each tried in
+its program.
 
-Usage: documents_check.py RAYTRACER, from the source folder. What a shell that is not there would say is skipped.
+Usage: documents_check.py RAYTRACER, from the source folder. What a shell that is not there would say is
+skipped.
 """
 import pathlib
 import re
@@ -33,11 +35,14 @@ def shown(*command):
 def check_bash(folder):
     script = pathlib.Path(folder, "raytracer.bash")
     script.write_text(output("--print-completion", "bash"), encoding="utf-8")
-    for words, expected in ((["--pa"], "--pass --part"), (["a.json", "o.png", "8", "--pass", "no"], "normals"), (["com"], "compare"),
+    for words, expected in ((["--pa"], "--pass --part"),
+                            (["a.json", "o.png", "8", "--pass", "no"], "normals"), (["com"], "compare"),
                             (["compare", "--di"], "--diff"), (["grade", "--stage", "amb"],
-                            "ambient ambient_diffuse_specular ambient_diffuse_specular_shadows"), (["--samples", "4"], "")):
+                            "ambient ambient_diffuse_specular ambient_diffuse_specular_shadows"),
+                            (["--samples", "4"], "")):
         quoted = " ".join(f"'{word}'" for word in ["raytracer", *words])
-        found = shown("bash", "-c", f"source {script}; COMP_WORDS=({quoted}); COMP_CWORD={len(words)}; _raytracer; echo ${{COMPREPLY[*]}}")
+        found = shown("bash", "-c", f"source {script}; COMP_WORDS=({quoted}); COMP_CWORD={len(words)}; "
+                                    f"_raytracer; echo ${{COMPREPLY[*]}}")
         check(f"bash: {words}", expected, found.strip())
 
 
@@ -53,27 +58,34 @@ def check_fish(folder):
     script.write_text(output("--print-completion", "fish"), encoding="utf-8")
     if not is_here("fish"):
         return
-    for line, expected in (("raytracer a.json o.png 8 --pass no", "normals"), ("raytracer compare --di", "--diff")):
+    for line, expected in (("raytracer a.json o.png 8 --pass no", "normals"),
+                           ("raytracer compare --di", "--diff")):
         found = shown("fish", "--no-config", "-c", f"source {script}; complete -C '{line}'")
         check(f"fish: {line}", expected, found.split("\t")[0].strip())
 
 
 def check_manual(folder):
     manual = output("--print-manual")
-    check("man: all commands", True, all(f'.SH "raytracer {name}"' in manual for name in ("compare", "explain", "grade", "tradeoff")))
+    check("man: all commands", True,
+          all(f'.SH "raytracer {name}"' in manual for name in ("compare", "explain", "grade", "tradeoff")))
     options = set(re.findall(r"^  (--[a-z-]+)", output("--help"), re.M)) - {"--help", "--version"}
-    check("man: options", [], [option for option in sorted(options) if "\\fB" + option.replace("-", "\\-") not in manual])
+    check("man: options", [],
+          [option for option in sorted(options) if "\\fB" + option.replace("-", "\\-") not in manual])
     if is_here("groff"):
         page = pathlib.Path(folder, "raytracer.1")
         page.write_text(manual, encoding="utf-8")
-        page_shown = shown("groff", "-man", "-Tutf8", "-ww", "-Kutf8", "-rLL=80n", "-P-c", "-P-b", "-P-u", str(page))
+        page_shown = shown("groff", "-man", "-Tutf8", "-ww", "-Kutf8", "-rLL=80n", "-P-c", "-P-b", "-P-u",
+                           str(page))
         check("man: lines over 80 columns", [], [line for line in page_shown.splitlines() if len(line) > 80])
 
 
 def main():
-    check("schema", pathlib.Path("scenes/scene.schema.json").read_text(encoding="utf-8"), output("--print-schema"))
-    done = subprocess.run([RAYTRACER, "--print-completion", "tcsh"], capture_output=True, text=True, check=False)
-    check("tcsh", (2, 'raytracer: --print-completion: expected bash, zsh or fish, found "tcsh"\n'), (done.returncode, done.stderr))
+    check("schema", pathlib.Path("scenes/scene.schema.json").read_text(encoding="utf-8"),
+          output("--print-schema"))
+    done = subprocess.run([RAYTRACER, "--print-completion", "tcsh"], capture_output=True, text=True,
+                          check=False)
+    check("tcsh", (2, 'raytracer: --print-completion: expected bash, zsh or fish, found "tcsh"\n'),
+          (done.returncode, done.stderr))
     with tempfile.TemporaryDirectory() as folder:
         for checked in (check_bash, check_zsh, check_fish, check_manual):
             checked(folder)

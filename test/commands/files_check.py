@@ -1,7 +1,8 @@
-"""Files that the program writes: whole, at the right place, with nothing beside; or one line and exit status 2.
+"""Files that the program writes: whole, at the right place, with nothing beside; or one line and exit status
+2.
 
-Usage: files_check.py RAYTRACER [root], from the source folder. `root`: what needs another user, mounts or process numbers
-of its own (exit status 77, CTest: skipped, where that cannot be done).
+Usage: files_check.py RAYTRACER [root], from the source folder. `root`: what needs another user, mounts or
+process numbers of its own (exit status 77, CTest: skipped, where that cannot be done).
 """
 import os
 import pathlib
@@ -27,7 +28,8 @@ def refused(what, line, done):
 
 def run(*arguments, before=(), **options):
     """(status, stdout, stderr) of the program; a run that does not end fails the test."""
-    done = subprocess.run([*before, RAYTRACER, *map(str, arguments)], capture_output=True, timeout=100, **options)
+    done = subprocess.run([*before, RAYTRACER, *map(str, arguments)], capture_output=True, timeout=100,
+                          **options)
     return done.returncode, done.stdout, done.stderr.decode()
 
 
@@ -50,12 +52,15 @@ def check_links(folder):
     (folder / "sub/next.png").symlink_to("x.png")
     for size in (10, 20):  # dangling, then not
         check(f"a chain of links, {size} px", (0, b"", ""), render(folder / "link.png", size))
-        check("the links stay", [True, True], [(folder / link).is_symlink() for link in ("link.png", "sub/next.png")])
+        check("the links stay", [True, True],
+              [(folder / link).is_symlink() for link in ("link.png", "sub/next.png")])
         check("the picture is behind them", size, width(folder / "sub/x.png"))
     (folder / "loop.png").symlink_to("loop.png")
-    refused("a loop", f"{folder}/loop.png: cannot write: Too many levels of symbolic links", render(folder / "loop.png"))
+    refused("a loop", f"{folder}/loop.png: cannot write: Too many levels of symbolic links",
+            render(folder / "loop.png"))
     (folder / "lost.png").symlink_to("no/x.png")
-    refused("into no folder", f"{folder}/lost.png: cannot write: No such file or directory", render(folder / "lost.png"))
+    refused("into no folder", f"{folder}/lost.png: cannot write: No such file or directory",
+            render(folder / "lost.png"))
     check("nothing else", ["link.png", "loop.png", "lost.png", "sub"], names(folder))
     check("nor behind the links", ["next.png", "x.png"], names(folder / "sub"))
 
@@ -73,7 +78,8 @@ def check_replaced(folder):
     old = os.umask(0o077)
     render(folder / "new.png")
     os.umask(old)
-    check("a new file has the mode that the umask leaves", 0o600, stat.S_IMODE((folder / "new.png").stat().st_mode))
+    check("a new file has the mode that the umask leaves", 0o600,
+          stat.S_IMODE((folder / "new.png").stat().st_mode))
 
 
 def check_in_place(folder):
@@ -84,9 +90,11 @@ def check_in_place(folder):
         inode = os.fstat(file.fileno()).st_ino
         check("/proc/self/fd", (0, b"", ""), render(folder / "fd.png", pass_fds=[file.fileno()]))
         check("/proc/self/fd: the same file, cut", (inode, 10, True),
-              ((folder / "open").stat().st_ino, width(folder / "open"), (folder / "open").stat().st_size < 1000))
+              ((folder / "open").stat().st_ino, width(folder / "open"),
+               (folder / "open").stat().st_size < 1000))
     (folder / "full.png").symlink_to("/dev/full")
-    refused("/dev/full", f"{folder}/full.png: cannot write: No space left on device", render(folder / "full.png"))
+    refused("/dev/full", f"{folder}/full.png: cannot write: No space left on device",
+            render(folder / "full.png"))
     check("/dev/full is there", True, stat.S_ISCHR(os.stat("/dev/full").st_mode))
     os.mkfifo(folder / "pipe.png")
     with subprocess.Popen(["cat", folder / "pipe.png"], stdout=subprocess.PIPE) as reader:
@@ -100,7 +108,8 @@ def check_names(folder):
         check(f"{name}: its format", True, (folder / name).read_bytes().startswith(head))
     check("compare knows .Pfm", 0, run("compare", folder / "a.Pfm", folder / "a.Pfm")[0])
     for name in ("a.gif", "png", ""):
-        refused(f"name {name!r}", f"{folder / name}: expected a name that ends in .png or .pfm", render(folder / name))
+        refused(f"name {name!r}", f"{folder / name}: expected a name that ends in .png or .pfm",
+                render(folder / name))
     long = folder / ("n" * 300 + ".png")
     refused("a long name", f"{long}: cannot write: File name too long", render(long))
 
@@ -109,12 +118,15 @@ def check_before_rendering(folder):
     """Each would take hours if the scene was rendered first."""
     hours = ("--samples", 256, "--max-recursion", 1000)
     (folder / "d.png").mkdir()
-    refused("a folder", f"{folder}/d.png: cannot write: Is a directory", render(folder / "d.png", 65536, *hours))
-    refused("no folder", f"{folder}/no/x.png: cannot write: No such file or directory", render(folder / "no/x.png", 65536, *hours))
+    refused("a folder", f"{folder}/d.png: cannot write: Is a directory",
+            render(folder / "d.png", 65536, *hours))
+    refused("no folder", f"{folder}/no/x.png: cannot write: No such file or directory",
+            render(folder / "no/x.png", 65536, *hours))
     check("a file that is no folder", 0, render(folder / "x.png")[0])
     check("nothing else", ["d.png", "x.png"], names(folder))
     for command in (("grade", "test", "--report"), ("compare", SCENE, SCENE, "--diff")):
-        refused(command[0], f"{folder}/no/r.png: cannot write: No such file or directory", run(*command, folder / "no/r.png"))
+        refused(command[0], f"{folder}/no/r.png: cannot write: No such file or directory",
+                run(*command, folder / "no/r.png"))
     refused("--diff -", "-: expected a name that ends in .png", run("compare", SCENE, SCENE, "--diff", "-"))
     (folder / "out").mkdir()
     (folder / "out/tradeoff.svg").mkdir()
@@ -130,7 +142,8 @@ def check_standard_output(folder):
     render(picture)
     status, out, error = render("-")
     check("- is a PNG on standard output", (0, picture.read_bytes(), ""), (status, out, error))
-    refused("- and --stats", "raytracer: the picture - and --stats both go to standard output", render("-", 10, "--stats"))
+    refused("- and --stats", "raytracer: the picture - and --stats both go to standard output",
+            render("-", 10, "--stats"))
     master, terminal = pty.openpty()
     done = subprocess.run([RAYTRACER, SCENE, "-", "10"], stdout=terminal, stderr=subprocess.PIPE, timeout=100)
     line = "the picture - is no text for a terminal: write - > out.png"
@@ -156,27 +169,32 @@ def check_write_errors(folder):
     picture = folder / "s.png"
     render(picture)
     commands = {
-        "help": ["--help"], "compare": ["compare", picture, picture], "compare --json": ["compare", picture, picture, "--json"],
+        "help": ["--help"], "compare": ["compare", picture, picture],
+        "compare --json": ["compare", picture, picture, "--json"],
         "explain": ["explain", SCENE, 5, 5, 10], "grade": ["grade", folder],
         "stats": [SCENE, folder / "o.png", 10, "--quiet", "--stats"],
         "picture": [SCENE, "-", 10, "--quiet"],
-        "tradeoff": ["tradeoff", SCENE, "--quiet", "--size", 16, "--samples", 2, "--repeats", 1, "--out", folder / "t"],
+        "tradeoff": ["tradeoff", SCENE, "--quiet", "--size", 16, "--samples", 2, "--repeats", 1, "--out",
+                     folder / "t"],
     }
     for name, arguments in commands.items():
-        for where, why in (("> /dev/full", "No space left on device"), (">&-", "Bad file descriptor"), ("", "Broken pipe")):
+        for where, why in (("> /dev/full", "No space left on device"), (">&-", "Bad file descriptor"),
+                           ("", "Broken pipe")):
             read, write = os.pipe()
             os.close(read)  # nobody reads: with "", a write fails
-            done = subprocess.run(["sh", "-c", f'"$@" {where}', "sh", RAYTRACER, *map(str, arguments)], stdout=write,
-                                  stderr=subprocess.PIPE, timeout=100)
+            done = subprocess.run(["sh", "-c", f'"$@" {where}', "sh", RAYTRACER, *map(str, arguments)],
+                                  stdout=write, stderr=subprocess.PIPE, timeout=100)
             os.close(write)
-            check(f"{name} {where}", (2, f"standard output: {why}\n"), (done.returncode, done.stderr.decode()))
+            check(f"{name} {where}", (2, f"standard output: {why}\n"),
+                  (done.returncode, done.stderr.decode()))
     check("tradeoff leaves nothing", [], names(folder / "t"))
     closed = ["sh", "-c", '"$@" 2>&- <&- >&-', "sh", RAYTRACER, SCENE, folder / "closed.png", "10", "--stats"]
     check("no stream is open", (2, 10), (subprocess.run(closed).returncode, width(folder / "closed.png")))
 
 
 def check_signals(folder):
-    """Where a signal ends the program at any moment, a file is as before or, if it came after the rename, whole."""
+    """Where a signal ends the program at any moment, a file is as before or, if it came after the rename,
+    whole."""
     subprocess.run([RAYTRACER, SCENE, folder / "old.pfm", "1200", "--quiet"], check=True)
     whole = (folder / "old.pfm").read_bytes()
     (folder / "old.pfm").write_bytes(before := b"old")
@@ -194,10 +212,13 @@ def check_signals(folder):
                 (folder / "old.pfm").write_bytes(before)
             check(f"after signal {number}", ["old.pfm"], names(folder))
             check(f"the old file after signal {number}", before, (folder / "old.pfm").read_bytes())
-    done = subprocess.run(["sh", "-c", 'ulimit -f 0; "$@"', "sh", RAYTRACER, SCENE, folder / "new.png", "10", "--quiet"],
+    done = subprocess.run(["sh", "-c", 'ulimit -f 0; "$@"', "sh", RAYTRACER, SCENE, folder / "new.png", "10",
+                           "--quiet"],
                           capture_output=True)
-    check("ulimit -f 0", (2, f"{folder}/new.png: cannot write: File too large\n".encode()), (done.returncode, done.stderr))
-    program = subprocess.Popen(["nohup", RAYTRACER, SCENE, folder / "new.png", "600", "--quiet"], stderr=subprocess.DEVNULL)
+    check("ulimit -f 0", (2, f"{folder}/new.png: cannot write: File too large\n".encode()),
+          (done.returncode, done.stderr))
+    program = subprocess.Popen(["nohup", RAYTRACER, SCENE, folder / "new.png", "600", "--quiet"],
+                               stderr=subprocess.DEVNULL)
     program.send_signal(signal.SIGCONT)
     check("nohup", 0, program.wait(60))
     check("nothing else", ["new.png", "old.pfm"], names(folder))
@@ -221,11 +242,13 @@ def check_other_users(folder):
         check(f"{name}: in place", name == "shared.png" or status == 2, now.st_ino == inode)
     for folder_mode in (0o755, 0o1777):  # not writable; sticky, as /tmp
         folder.chmod(folder_mode)
-        check(f"in a folder of mode {folder_mode:o}", (0, b"", ""), render(folder / "shared.png", 20, before=NOBODY))
+        check(f"in a folder of mode {folder_mode:o}", (0, b"", ""),
+              render(folder / "shared.png", 20, before=NOBODY))
         check("as root, over another's", (0, b"", ""), render(folder / "mine.png"))
         check("whose it stays", 65534, (folder / "mine.png").stat().st_uid)
     folder.chmod(0o755)
-    refused("a new file there", f"{folder}/x.png: cannot write: Permission denied", render(folder / "x.png", before=NOBODY))
+    refused("a new file there", f"{folder}/x.png: cannot write: Permission denied",
+            render(folder / "x.png", before=NOBODY))
     check("nothing else", ["mine.png", "read_only.png", "shared.png"], names(folder))
 
 
@@ -241,7 +264,8 @@ def check_locked_folder(folder):
     (folder / "locker").chmod(0o755)
     status, out, error = run("grade", folder / "exam", "--program", folder / "locker", before=NOBODY,
                              env=os.environ | {"TMPDIR": str(folder / "tmp")})
-    check("a program that locks its folder", (1, True, ""), (status, b"  a: wrote no picture\n" in out, error))
+    check("a program that locks its folder", (1, True, ""),
+          (status, b"  a: wrote no picture\n" in out, error))
     check("its folder", [], names(folder / "tmp"))
 
 
@@ -253,15 +277,18 @@ def check_mounts(folder):
     check("a file that is mounted", (0, b"", ""), render(folder / "mounted.png", before=bind))
     check("is written", (10, None), (width(folder / "source.png"), width(folder / "mounted.png")))
     (folder / "small").mkdir()
-    script = 'f=$1; shift; mount -t tmpfs -o size=64k none $f; echo old > $f/x.pfm; "$@"; echo $? $(ls -A $f) $(cat $f/x.pfm)'
+    script = ('f=$1; shift; mount -t tmpfs -o size=64k none $f; echo old > $f/x.pfm; "$@"; '
+              'echo $? $(ls -A $f) $(cat $f/x.pfm)')
     small = ["unshare", "-m", "sh", "-c", script, "sh", folder / "small"]
     status, out, error = render(folder / "small/x.pfm", 200, before=small)
-    check("a full disk", (b"2 x.pfm old\n", f"{folder}/small/x.pfm: cannot write: No space left on device\n"), (out, error))
+    check("a full disk", (b"2 x.pfm old\n", f"{folder}/small/x.pfm: cannot write: No space left on device\n"),
+          (out, error))
 
 
 def check_first_process(folder):
     """A container's first process outlives a signal's default action."""
-    command = ["unshare", "--pid", "--fork", RAYTRACER, SCENE, folder / "x.pfm", "8000", "--samples", "64", "--quiet"]
+    command = ["unshare", "--pid", "--fork", RAYTRACER, SCENE, folder / "x.pfm", "8000", "--samples", "64",
+               "--quiet"]
     outer = subprocess.Popen(command)
     children = pathlib.Path(f"/proc/{outer.pid}/task/{outer.pid}/children")
     while not names(folder):
@@ -278,13 +305,14 @@ def check_same_numbers(folder):
         writers = [subprocess.Popen([*apart, folder / f"{size}.pfm", str(size)]) for size in (700, 701)]
         check("both end well", [0, 0], [writer.wait(60) for writer in writers])
         for size in (700, 701):
-            check("each has its own picture", b"PF\n%d %d\n" % (size, size), (folder / f"{size}.pfm").read_bytes()[:11])
+            check("each has its own picture", b"PF\n%d %d\n" % (size, size),
+                  (folder / f"{size}.pfm").read_bytes()[:11])
     check("nothing else", ["700.pfm", "701.pfm"], names(folder))
 
 
 def main():
-    checks = [check_links, check_replaced, check_in_place, check_names, check_before_rendering, check_standard_output,
-              check_slow_reader, check_write_errors, check_signals]
+    checks = [check_links, check_replaced, check_in_place, check_names, check_before_rendering,
+              check_standard_output, check_slow_reader, check_write_errors, check_signals]
     if sys.argv[2:] == ["root"]:
         able = ["unshare", "-m", "--pid", "--fork", *NOBODY, RAYTRACER, "--help"]
         others_reach = all(parent.stat().st_mode & 1 for parent in pathlib.Path(RAYTRACER).parents)

@@ -1,7 +1,7 @@
 """What is too large, endless or no file is refused at once, in one line that names the limit; exit status 2.
 
-Usage: limits_check.py RAYTRACER [root], from the source folder. `root`: limits that a test can set only where it may mount
-files (exit status 77, CTest: skipped, where it may not).
+Usage: limits_check.py RAYTRACER [root], from the source folder. `root`: limits that a test can set only where
+it may mount files (exit status 77, CTest: skipped, where it may not).
 """
 import json
 import os
@@ -31,7 +31,8 @@ def addresses(kibibytes):
 
 
 def scene_of(folder, name, **parts):
-    scene = json.loads(LEAST.read_text()) | {"materials": [{"name": "m"}], "transforms": [{"name": "t"}]} | parts
+    scene = json.loads(LEAST.read_text()) | {"materials": [{"name": "m"}],
+                                             "transforms": [{"name": "t"}]} | parts
     (folder / name).write_text(json.dumps(scene))
     return folder / name
 
@@ -43,7 +44,8 @@ def with_texture(folder, path):
 
 
 def with_mesh(folder, path):
-    return scene_of(folder, "mesh.json", shapes=[{"type": "mesh", "path": path, "transform": "t", "material": "m"}])
+    return scene_of(folder, "mesh.json",
+                    shapes=[{"type": "mesh", "path": path, "transform": "t", "material": "m"}])
 
 
 def png_of_size(width, height, rows=None):
@@ -67,16 +69,20 @@ def check_pictures(folder):
     out = folder / "out.png"
     check("a PNG", too_large(out) + LEFT, LEAST, out, 5700, "--quiet", script=addresses(200000))
     pfm = folder / "out.pfm"
-    check("a PFM", re.escape(f"{pfm}: not enough memory for 65536 × 128 pixels (101 MB): ") + LEFT, LEAST, pfm, 65536,
+    check("a PFM", re.escape(f"{pfm}: not enough memory for 65536 × 128 pixels (101 MB): ") + LEFT, LEAST,
+          pfm, 65536,
           "--quiet", script=addresses(80000))
-    check("a part of it", "", LEAST, out, 5700, "--quiet", "--crop", "0,0,9,9", script=addresses(200000), status=0)
+    check("a part of it", "", LEAST, out, 5700, "--quiet", "--crop", "0,0,9,9", script=addresses(200000),
+          status=0)
 
 
 def check_bands(folder):
     """A picture of over 2^25 pixels takes the memory of a band of it: with all pixels, it would be 300 MB."""
-    wide = scene_of(folder, "wide.json", camera=json.loads(LEAST.read_text())["camera"] | {"film_left": -127, "film_right": 127})
+    wide = scene_of(folder, "wide.json",
+                    camera=json.loads(LEAST.read_text())["camera"] | {"film_left": -127, "film_right": 127})
     out = folder / "wide.png"
-    check("a picture in bands", "", wide, out, 65536, "--quiet", "--threads", 1, script=addresses(200000), status=0)
+    check("a picture in bands", "", wide, out, 65536, "--quiet", "--threads", 1, script=addresses(200000),
+          status=0)
 
 
 def check_files(folder):
@@ -87,7 +93,8 @@ def check_files(folder):
     place = f'{texture}:1:374: /textures/x: expected a picture in "{folder}/large.png": '
     check("a texture", re.escape(place + text) + LEFT, texture, out, 8, script=addresses(400000))
     (folder / "bomb.png").write_bytes(png_of_size(1000, 10, 60000))
-    check("a PNG that inflates to more", re.escape(f"{folder}/bomb.png: broken PNG picture: it has more data than pixels\n"),
+    check("a PNG that inflates to more",
+          re.escape(f"{folder}/bomb.png: broken PNG picture: it has more data than pixels\n"),
           "compare", folder / "bomb.png", folder / "bomb.png", script=addresses(100000))
     (folder / "large.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 500000)
     mesh = with_mesh(folder, "large.obj")
@@ -96,10 +103,12 @@ def check_files(folder):
     check("a mesh", re.escape(place + text) + LEFT, mesh, out, 8, script=addresses(40000))
     check_irregular(folder)
     for command in ([], ["compare"]):
-        check(f"{command} /dev/zero", "/dev/zero: cannot read: it is a device\n", *command, "/dev/zero", out, *([] if command else [8]))
+        check(f"{command} /dev/zero", "/dev/zero: cannot read: it is a device\n", *command, "/dev/zero", out,
+              *([] if command else [8]))
         sparse = folder / "sparse.json"
         os.truncate(os.open(sparse, os.O_CREAT | os.O_WRONLY), 1 << 40)
-        check(f"{command} a sparse file", re.escape(f"{sparse}: not enough memory for what is in it (1.1 TB): ") + LEFT,
+        check(f"{command} a sparse file",
+              re.escape(f"{sparse}: not enough memory for what is in it (1.1 TB): ") + LEFT,
               *command, sparse, out, *([] if command else [8]), script=addresses(300000))
 
 
@@ -108,7 +117,8 @@ def check_irregular(folder):
     os.mkfifo(folder / "pipe")
     for path in ("pipe", "/dev/zero", "/dev/full"):
         texture, mesh = with_texture(folder, path), with_mesh(folder, path)
-        for place in (f"{texture}:1:374: /textures/x: expected a picture", f"{mesh}:1:272: /shapes/0/path: expected an OBJ mesh"):
+        for place in (f"{texture}:1:374: /textures/x: expected a picture",
+                      f"{mesh}:1:272: /shapes/0/path: expected an OBJ mesh"):
             check(path, re.escape(f'{place} in "{folder / path}": cannot read: it is no regular file\n'),
                   place.split(":")[0], folder / "out.png", 8)
 
@@ -118,11 +128,12 @@ def check_json(folder):
     deep.write_text('{"note":' + "[" * 255 + "]" * 255 + "," + rest)
     check("255 lists", "", deep, folder / "out.png", 8, "--quiet", status=0)
     deep.write_text('{"note":' + "[" * 256 + "]" * 256 + "," + rest)
-    check("256 lists", re.escape(f"{deep}:1:264: expected at most 256 lists and objects inside of each other\n") + " {4}[^\n]*\n *\\^\n",
-          deep, folder / "out.png", 8, "--quiet")
+    check("256 lists",
+          re.escape(f"{deep}:1:264: expected at most 256 lists and objects inside of each other\n") +
+          " {4}[^\n]*\n *\\^\n", deep, folder / "out.png", 8, "--quiet")
     (folder / "large.json").write_text('{"note": [' + "0," * 10000000 + "0]}")
-    check("a large scene", r"raytracer: not enough memory: ulimit -v leaves [\d.]+ [kM]B\n", folder / "large.json",
-          folder / "out.png", 8, script=addresses(120000))
+    check("a large scene", r"raytracer: not enough memory: ulimit -v leaves [\d.]+ [kM]B\n",
+          folder / "large.json", folder / "out.png", 8, script=addresses(120000))
 
 
 def check_mounted(folder):
@@ -136,7 +147,8 @@ def check_mounted(folder):
 
     check_limit("available memory", "the machine has left 205 MB", f"mount --bind {meminfo} /proc/meminfo")
     groups = "mount -t tmpfs none /sys/fs/cgroup; cd /sys/fs/cgroup; mkdir -p a/b memory/a"
-    for line, place in (("0::/a/b", "a/memory.max"), ("0::/", "memory.max"), ("5:cpu,memory:/a", "memory/memory.limit_in_bytes")):
+    for line, place in (("0::/a/b", "a/memory.max"), ("0::/", "memory.max"),
+                        ("5:cpu,memory:/a", "memory/memory.limit_in_bytes")):
         own.write_text(line + "\n")
         check_limit(f"the control group {line}", r"the control group's limit leaves 19\d MB",
                     f"{groups}; echo 200000000 > {place}; mount --bind {own} /proc/$$/cgroup")
@@ -145,7 +157,8 @@ def check_mounted(folder):
 def main():
     checks = [check_pictures, check_bands, check_files, check_json]
     if sys.argv[2:] == ["root"]:
-        if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "none", "/mnt"], capture_output=True).returncode:
+        if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "none", "/mnt"],
+                          capture_output=True).returncode:
             print("skipped: nothing can be mounted")
             return 77
         checks = [check_mounted]

@@ -1,4 +1,5 @@
-"""Mistakes of a newcomer: each answer names the mistake and the remedy, whole, in at most three lines of 100 columns.
+"""Mistakes of a newcomer: each answer names the mistake and the remedy, whole, in at most three lines of 100
+columns.
 
 Usage: mistakes_check.py RAYTRACER, from the source folder.
 """
@@ -36,21 +37,27 @@ ORDER = "the order is SCENE IMAGE_OUT LONG_EDGE_PIXELS"
 # What is typed, and what is answered: an error.
 COMMANDS = [
     ("", f"raytracer: SCENE is missing; {ORDER} (see --help)"),
-    ("render scene.json out.png 8", 'raytracer: unknown command "render"; write raytracer SCENE IMAGE_OUT LONG_EDGE_PIXELS'),
+    ("render scene.json out.png 8",
+     'raytracer: unknown command "render"; write raytracer SCENE IMAGE_OUT LONG_EDGE_PIXELS'),
     ("comapre a.png b.png", 'raytracer: unknown command "comapre"; did you mean "compare"?'),
-    ("out.png scene.json 8", "raytracer: is out.png the picture? The order is SCENE IMAGE_OUT LONG_EDGE_PIXELS"),
+    ("out.png scene.json 8",
+     "raytracer: is out.png the picture? The order is SCENE IMAGE_OUT LONG_EDGE_PIXELS"),
     ("scene.json 8", f"raytracer: IMAGE_OUT is missing; {ORDER} (see --help)"),
     ("scene.json out.png", f"raytracer: LONG_EDGE_PIXELS is missing; {ORDER} (see --help)"),
     ("scene.json out.png 8 6", f'raytracer: unexpected argument "6"; {ORDER}'),
-    ("scene.json out.png 8x6", 'raytracer: LONG_EDGE_PIXELS: expected a whole number from 1 to 65536, found "8x6"'),
+    ("scene.json out.png 8x6",
+     'raytracer: LONG_EDGE_PIXELS: expected a whole number from 1 to 65536, found "8x6"'),
     ("scene.json -o out.png 8", f"raytracer: unknown option -o; {ORDER}"),
     ("scene.json out.png 8 --sample 4", "raytracer: unknown option --sample; did you mean --samples?"),
-    ("scene.json out.png 8 --recursion 4", "raytracer: unknown option --recursion; did you mean --max-recursion?"),
-    ("scene.json out.png 8 --samples", "raytracer: --samples: expected a whole number from 1 to 65536, found nothing"),
+    ("scene.json out.png 8 --recursion 4",
+     "raytracer: unknown option --recursion; did you mean --max-recursion?"),
+    ("scene.json out.png 8 --samples",
+     "raytracer: --samples: expected a whole number from 1 to 65536, found nothing"),
     ("scene.json out.png 8 --only difuse", 'raytracer: --only: no term "difuse"; did you mean "diffuse"?'),
     ("scene.json out.png 8 --pass normal",
      'raytracer: --pass: expected color, raycast or normals, found "normal"; did you mean "normals"?'),
-    ("scene.json out.png 8 --pass normals --only diffuse", "raytracer: --only has no effect with --pass normals"),
+    ("scene.json out.png 8 --pass normals --only diffuse",
+     "raytracer: --only has no effect with --pass normals"),
     ("scene.json out.png 8 --target-error 1 --samples 4",
      "raytracer: --target-error and --samples exclude each other: give one of them"),
     ("scene.json out.png 8 --crop 0,0,9,9",
@@ -60,11 +67,14 @@ COMMANDS = [
     ("explain scene.json 8 8 8", "raytracer explain: expected a pixel of the 8 x 8 picture, columns 0 to 7 and rows 0 to 7, found 8, 8"),
     ("sceen.json out.png 8", 'sceen.json: cannot read: No such file or directory; there is "scene.json"'),
     ("scene out.png 8", 'scene: cannot read: No such file or directory; there is "scene.json"'),
-    ("other.json out.png 8", 'other.json: cannot read: No such file or directory; there is "more/other.json"'),
-    ("compare out.png refrence.png", 'refrence.png: cannot read: No such file or directory; there is "reference.png"'),
+    ("other.json out.png 8",
+     'other.json: cannot read: No such file or directory; there is "more/other.json"'),
+    ("compare out.png refrence.png",
+     'refrence.png: cannot read: No such file or directory; there is "reference.png"'),
 ]
 
-# What is changed in the scene, the place, what is answered, and for a mistake of syntax the column of the mark.
+# What is changed in the scene, the place, what is answered, and for a mistake of syntax the column of the
+# mark.
 SCENES = [
     ('"floor" }\n    ]', '"floor" },\n    ]', "15:70", 'a comma too many before "]"'),
     ('"focal_length": 1,', '"focal_length": 1', "3:49", "a comma is missing here"),
@@ -77,24 +87,31 @@ SCENES = [
     ("40", "NaN", "8:73", 'expected a finite number, found "NaN"'),
     ('"sphere"', "sphere", "14:19", 'expected a value, found "sphere"; text stands in double quotes'),
     ('"shininess"', "shininess", "8:60", 'a key stands in double quotes: write "shininess"'),
-    ("textures/wood.png", "C:\\wood.png", "6:30", "a backslash in a text is written twice; in a path, write /"),
+    ("textures/wood.png", "C:\\wood.png", "6:30",
+     "a backslash in a text is written twice; in a path, write /"),
     ("[3, 5, 4]", "[3, 5, 4", "11:41", '"]" is missing at the end of the list of line 11'),
 ]
 MEANINGS = [
-    ('"material": "red"', '"material": "rde"', "14:62", '/shapes/0/material: no material named "rde"; did you mean "red"?'),
-    ('"sphere"', '"ball"', "14:19", '/shapes/0/type: expected "sphere", "plane", "cylinder", "cone", "cube" or "mesh", found "ball"'),
-    ("focal_length", "focal_lenght", "3:32", '/camera: expected the key "focal_length", found "focal_lenght"'),
+    ('"material": "red"', '"material": "rde"', "14:62",
+     '/shapes/0/material: no material named "rde"; did you mean "red"?'),
+    ('"sphere"', '"ball"', "14:19",
+     '/shapes/0/type: expected "sphere", "plane", "cylinder", "cone", "cube" or "mesh", found "ball"'),
+    ("focal_length", "focal_lenght", "3:32",
+     '/camera: expected the key "focal_length", found "focal_lenght"'),
     ("[0, 0, 4]", "[0, 0]", "3:58", "/camera/eye: expected 3 numbers, found an array of 2"),
     ("[0.8, 0.1, 0.1]", '"red"', "8:43", '/materials/0/color_diffuse: expected 3 numbers, found "red"'),
     ("textures/wood.png", "wood.png", "6:27",
      '/textures/wood: no file "wood.png" (relative to the scene file); there is "textures/wood.png"'),
     ("textures/wood.png", "Textures\\\\wood.png", "6:27",
-     '/textures/wood: no file "Textures\\\\wood.png" (relative to the scene file); there is "textures/wood.png"'),
+     '/textures/wood: no file "Textures\\\\wood.png" (relative to the scene file); there is '
+     '"textures/wood.png"'),
 ]
 # The same for what is rendered with a warning; with --strict it is an error.
 WARNINGS = [
-    ('"shininess"', '"shinyness"', "8:60", '/materials/0: unknown key "shinyness"; did you mean "shininess"?'),
-    ('"color_diffuse"', '"diffuse"', "8:26", '/materials/0: unknown key "diffuse"; did you mean "color_diffuse"?'),
+    ('"shininess"', '"shinyness"', "8:60",
+     '/materials/0: unknown key "shinyness"; did you mean "shininess"?'),
+    ('"color_diffuse"', '"diffuse"', "8:26",
+     '/materials/0: unknown key "diffuse"; did you mean "color_diffuse"?'),
     ("[0.8, 0.1, 0.1]", "[200, 20, 20]", "8:43",
      "/materials/0/color_diffuse: colors go from 0 to 1, not to 255: divide 200 20 20 by 255"),
     ('"color": [1, 1, 1]', '"color": [255, 255, 255]', "11:51",
@@ -112,7 +129,8 @@ def answered(folder, words):
     done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder, check=False)
     lines = done.stderr.splitlines()
     for line in lines:
-        if len(lines) > 3 or len(line) > 100 + len("scene.json:11:11: Textures\\\\wood.png textures/wood.png"):
+        names = len("scene.json:11:11: Textures\\\\wood.png textures/wood.png")
+        if len(lines) > 3 or len(line) > 100 + names:
             failures.append(f"{words}: too much to read: {done.stderr}")
     check(f"{words}: a picture", done.returncode == 0, out.exists())
     return done.returncode, done.stdout, lines
@@ -136,7 +154,8 @@ def check_all(folder):
     for line, answer in COMMANDS:
         if line.startswith("compare"):
             shutil.copy("test/bad/files/check.png", folder / "out.png")
-            done = subprocess.run([RAYTRACER, *line.split()], capture_output=True, text=True, cwd=folder, check=False)
+            done = subprocess.run([RAYTRACER, *line.split()], capture_output=True, text=True, cwd=folder,
+                                  check=False)
             check(line, (2, answer + "\n"), (done.returncode, done.stderr))
             continue
         check(line, (2, "", [answer]), answered(folder, line.split()))
@@ -161,7 +180,8 @@ def check_several(folder):
     status, _, lines = answered(folder, [*RENDER, "--strict"])
     check("two faults", (2, 2), (status, len(lines)))
     (folder / "scene.json").write_text(SCENE, encoding="utf-8")
-    done = subprocess.run([RAYTRACER, "scene.json", "out.png", "60000", "--samples", "60000", "--crop", "0,0,1,1", "--strict"],
+    done = subprocess.run([RAYTRACER, "scene.json", "out.png", "60000", "--samples", "60000", "--crop",
+                           "0,0,1,1", "--strict"],
                           capture_output=True, text=True, cwd=folder, check=False)
     check("cost, of one pixel", (0, ""), (done.returncode, done.stderr))
 
@@ -173,8 +193,9 @@ def check_cost(folder):
     with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, cwd=folder) as process:
         line = process.stderr.readline()
         process.kill()
-    check("cost", True, bool(re.fullmatch("warning: scene.json: 8000 × 8000 pixels of 20000 samples take about "
-                                          "[0-9.]+ (h|days); --adaptive 0.02 takes less\n", line)) or line)
+    check("cost", True,
+          bool(re.fullmatch("warning: scene.json: 8000 × 8000 pixels of 20000 samples take about "
+                            "[0-9.]+ (h|days); --adaptive 0.02 takes less\n", line)) or line)
 
 
 with tempfile.TemporaryDirectory() as temporary:

@@ -1,7 +1,8 @@
-"""Parts of a picture: put together they have the bytes of one run; what does not fit is named, and leaves no picture.
+"""Parts of a picture: put together they have the bytes of one run; what does not fit is named, and leaves no
+picture.
 
-Usage: parts_check.py RAYTRACER [all], from the source folder. `all`: every option in 1, 2, 7, 16 and 64 parts; takes
-a minute.
+Usage: parts_check.py RAYTRACER [all], from the source folder. `all`: every option in 1, 2, 7, 16 and 64
+parts; takes a minute.
 """
 import pathlib
 import re
@@ -16,7 +17,8 @@ SCENE = "scenes/refraction.json"
 
 def render_parts(out, count, *arguments, scene=SCENE, size=97):
     for number in range(1, count + 1):
-        check(f"part {number} of {count} {arguments}", (0, ""), run(scene, out, size, "--quiet", "--part", f"{number}/{count}", *arguments))
+        check(f"part {number} of {count} {arguments}", (0, ""),
+              run(scene, out, size, "--quiet", "--part", f"{number}/{count}", *arguments))
     return [f"{out}.part-{number}-of-{count}" for number in range(1, count + 1)]
 
 
@@ -25,14 +27,18 @@ def check_same(folder, ending, count, *arguments, scene=SCENE, size=97, status=0
     check(f"one run {arguments}", status, run(scene, whole, size, "--quiet", *arguments)[0])
     parts = render_parts(out, count, *arguments, scene=scene, size=size)
     check(f"{count} parts {arguments}", (status, ""), run("assemble", *reversed(parts), out, "--quiet"))
-    check(f"{count} parts {arguments}: the bytes", True, out.exists() and whole.read_bytes() == out.read_bytes())
+    check(f"{count} parts {arguments}: the bytes", True,
+          out.exists() and whole.read_bytes() == out.read_bytes())
     for path in (whole, out, *map(pathlib.Path, parts)):
         path.unlink(missing_ok=True)
 
 
-KNOBS = (["--samples", 5], ["--adaptive", 0.05], ["--cutoff", 0.1], ["--precision", "float"], ["--precision", "extended"],
-         ["--crop", "31,7,96,40"], ["--max-recursion", 6], ["--only", "ambient,diffuse"], ["--pass", "normals"],
-         ["--texture-filter", "bilinear"], ["--opaque"], ["--target-error", 0.02], ["--threads", 3], ["--accelerator", "none"])
+KNOBS = (["--samples", 5], ["--adaptive", 0.05], ["--cutoff", 0.1], ["--precision", "float"],
+         ["--precision", "extended"],
+         ["--crop", "31,7,96,40"], ["--max-recursion", 6], ["--only", "ambient,diffuse"],
+         ["--pass", "normals"],
+         ["--texture-filter", "bilinear"], ["--opaque"], ["--target-error", 0.02], ["--threads", 3],
+         ["--accelerator", "none"])
 
 
 def check_knobs(folder):
@@ -68,9 +74,11 @@ def changed(path, old, new, folder):
 def check_faults(folder):
     a, b, c = render_parts(folder / "a.png", 3)
     check_fault(folder, "one is missing", [a, c], "part 2 of 3 is missing")
-    check_fault(folder, "twice", [a, b, c, b], "FOLDER/a.png.part-2-of-3: part 2 of 3 again, as FOLDER/a.png.part-2-of-3")
+    check_fault(folder, "twice", [a, b, c, b],
+                "FOLDER/a.png.part-2-of-3: part 2 of 3 again, as FOLDER/a.png.part-2-of-3")
     many = render_parts(folder / "m.png", 9)
-    check_fault(folder, "many are missing", [many[i] for i in (1, 5, 6)], "parts 1, 3 to 5 and 8 to 9 of 9 are missing")
+    check_fault(folder, "many are missing", [many[i] for i in (1, 5, 6)],
+                "parts 1, 3 to 5 and 8 to 9 of 9 are missing")
     whole = pathlib.Path(a).read_bytes()
     broken = folder / "broken.part"
     for what, data, line in (
@@ -79,17 +87,24 @@ def check_faults(folder):
             ("cut in its head", whole[:40], "broken part of a picture: it is cut short"),
             ("cut to nothing", b"", 'not a part of a picture: it does not begin with "raytracer part 1"'),
             ("longer", whole + b"\0", "broken part of a picture: it goes on behind its end"),
-            ("a bit of a pixel", whole[:-50] + bytes([whole[-50] ^ 1]) + whole[-49:], "broken part of a picture: its checksum is wrong"),
-            ("a bit of its head", whole.replace(b"max-recursion 3", b"max-recursion 7"), "broken part of a picture: its checksum is wrong"),
-            ("no JSON", whole.replace(b'"version"', b'"version '), "broken part of a picture: its head cannot be read"),
+            ("a bit of a pixel", whole[:-50] + bytes([whole[-50] ^ 1]) + whole[-49:],
+             "broken part of a picture: its checksum is wrong"),
+            ("a bit of its head", whole.replace(b"max-recursion 3", b"max-recursion 7"),
+             "broken part of a picture: its checksum is wrong"),
+            ("no JSON", whole.replace(b'"version"', b'"version '),
+             "broken part of a picture: its head cannot be read"),
             ("a picture", pathlib.Path("test/expected/mesh.png").read_bytes(),
              'not a part of a picture: it does not begin with "raytracer part 1"')):
         broken.write_bytes(data)
         check_fault(folder, what, [broken, b, c], f"FOLDER/broken.part: {line}", "part 1 of 3 is missing")
-    check_fault(folder, "a head of other bytes that says the same", [changed(a, b'"part": [', b'"part":    [', folder), b, c],
-                "FOLDER/changed.part: broken part of a picture: its head is not as raytracer writes it", "part 1 of 3 is missing")
-    check_fault(folder, "no file", ["/no/x.part", b, c], "/no/x.part: cannot read: No such file or directory", "part 1 of 3 is missing")
-    check_fault(folder, "a folder", [folder, b, c], "FOLDER: cannot read: it is no regular file", "part 1 of 3 is missing")
+    check_fault(folder, "a head of other bytes that says the same",
+                [changed(a, b'"part": [', b'"part":    [', folder), b, c],
+                "FOLDER/changed.part: broken part of a picture: its head is not as raytracer writes it",
+                "part 1 of 3 is missing")
+    check_fault(folder, "no file", ["/no/x.part", b, c], "/no/x.part: cannot read: No such file or directory",
+                "part 1 of 3 is missing")
+    check_fault(folder, "a folder", [folder, b, c], "FOLDER: cannot read: it is no regular file",
+                "part 1 of 3 is missing")
     check_others(folder, a, b, c)
 
 
@@ -98,25 +113,34 @@ def check_others(folder, a, b, c):
     does_not_fit = "does not fit to FOLDER/a.png.part-2-of-3: it is"
     version = re.search(rb'"version": "([^"]*)"', pathlib.Path(a).read_bytes()).group(1)
     check_fault(folder, "another version", [changed(a, version, b"0.1", folder), b, c],
-                f"FOLDER/changed.part: {does_not_fit} of version 0.1 of raytracer, not {version.decode()}", "part 1 of 3 is missing")
-    usual = ("--max-recursion 3 --samples 1 --adaptive 0 --cutoff 0 --texture-filter nearest --precision double "
-             "--pass color")
+                f"FOLDER/changed.part: {does_not_fit} of version 0.1 of raytracer, not {version.decode()}",
+                "part 1 of 3 is missing")
+    usual = ("--max-recursion 3 --samples 1 --adaptive 0 --cutoff 0 --texture-filter nearest --precision "
+             "double --pass color")
     for what, line, options in (
             ("another size", "of a picture of 98 x 98 pixels, not 97 x 97", {"size": 98}),
             ("another crop", "of --crop 0,0,97,70, not 0,0,97,97", {"more": ("--crop", "0,0,97,70")}),
             ("another scene", "of another scene", {"scene": "scenes/spheres_cylinder.json"}),
-            ("other options", f"of a picture with {usual.replace('samples 1', 'samples 2')}, not with {usual}", {"more": ("--samples", 2)}),
+            ("other options",
+             f"of a picture with {usual.replace('samples 1', 'samples 2')}, not with {usual}",
+             {"more": ("--samples", 2)}),
             ("another value", f"of a picture with {usual} --set /lights/0/position=[1,2,3], not with {usual}",
              {"more": ("--set", "/lights/0/position=[1,2,3]")})):
         other = render_parts(folder / "o.png", 3, *options.pop("more", ()), **options)
-        check_fault(folder, what, [other[0], b, c], f"FOLDER/o.png.part-1-of-3: {does_not_fit} {line}", "part 1 of 3 is missing")
+        check_fault(folder, what, [other[0], b, c], f"FOLDER/o.png.part-1-of-3: {does_not_fit} {line}",
+                    "part 1 of 3 is missing")
     other = render_parts(folder / "o.png", 4)
-    check_fault(folder, "another count", [other[0], b, c], f"FOLDER/o.png.part-1-of-4: {does_not_fit} part 1 of 4, not of 3", "part 1 of 3 is missing")
+    check_fault(folder, "another count", [other[0], b, c],
+                f"FOLDER/o.png.part-1-of-4: {does_not_fit} part 1 of 4, not of 3", "part 1 of 3 is missing")
     other = render_parts(folder / "o.pfm", 3)
-    check_fault(folder, "another format", [other[0], b, c], f"FOLDER/o.pfm.part-1-of-3: {does_not_fit} of a .pfm, not of a .png",
+    check_fault(folder, "another format", [other[0], b, c],
+                f"FOLDER/o.pfm.part-1-of-3: {does_not_fit} of a .pfm, not of a .png",
                 "part 1 of 3 is missing")
-    check_fault(folder, "a wrong name", [a, b, c], "FOLDER/out.pfm: expected a name that ends in .png: the parts were rendered for that", out="out.pfm")
-    check_fault(folder, "no name of a picture", [a, b, c], "FOLDER/out.gif: expected a name that ends in .png or .pfm", out="out.gif")
+    check_fault(folder, "a wrong name", [a, b, c],
+                "FOLDER/out.pfm: expected a name that ends in .png: the parts were rendered for that",
+                out="out.pfm")
+    check_fault(folder, "no name of a picture", [a, b, c],
+                "FOLDER/out.gif: expected a name that ends in .png or .pfm", out="out.gif")
 
 
 def check_scene_files(folder):
@@ -124,28 +148,34 @@ def check_scene_files(folder):
     mesh = folder / "m.obj"
     mesh.write_text("v 0 0 -3\nv 1 0 -3\nv 0 1 -3\nf 1 2 3\n")
     scene = folder / "scene.json"
-    scene.write_text(pathlib.Path("test/good/least.json").read_text().replace('"materials": []', '"materials": [{"name": "m"}]')
+    scene.write_text(pathlib.Path("test/good/least.json").read_text().replace('"materials": []',
+                                                                              '"materials": [{"name": "m"}]')
                      .replace('"transforms": []', '"transforms": [{"name": "t"}]')
-                     .replace('"shapes": []', '"shapes": [{"type": "mesh", "path": "m.obj", "material": "m", "transform": "t"}]'))
+                     .replace('"shapes": []', '"shapes": [{"type": "mesh", "path": "m.obj", "material": "m", '
+                                              '"transform": "t"}]'))
     assert "m.obj" in scene.read_text()
     out = folder / "s.png"
     check("a part with the mesh", 0, run(scene, out, 40, "--part", "1/2")[0])
     mesh.write_text("v 0 0 -3\nv 1 0 -3\nv 0 2 -3\nf 1 2 3\n")
     check("a part with another mesh", 0, run(scene, out, 40, "--part", "2/2")[0])
     check_fault(folder, "another mesh", [f"{out}.part-1-of-2", f"{out}.part-2-of-2"],
-                "FOLDER/s.png.part-2-of-2: does not fit to FOLDER/s.png.part-1-of-2: it is of another scene", "part 2 of 2 is missing")
+                "FOLDER/s.png.part-2-of-2: does not fit to FOLDER/s.png.part-1-of-2: it is of another scene",
+                "part 2 of 2 is missing")
 
 
 def check_refusals(folder):
     expected = "raytracer: --part: expected K/N, two whole numbers with 1 <= K <= N <= 1048576, found "
     for text in ("0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2", "1/1048577"):
         check(f"--part {text}", (2, f'{expected}"{text}"\n'), run(SCENE, folder / "x.png", 8, "--part", text))
-    check("--part and -", (2, "raytracer: the picture - goes to standard output, and --part to a file\n"), run(SCENE, "-", 8, "--part", "1/2"))
-    check("--part and --target-time", (2, "raytracer: --part and --target-time exclude each other: give one of them\n"),
+    check("--part and -", (2, "raytracer: the picture - goes to standard output, and --part to a file\n"),
+          run(SCENE, "-", 8, "--part", "1/2"))
+    check("--part and --target-time",
+          (2, "raytracer: --part and --target-time exclude each other: give one of them\n"),
           run(SCENE, folder / "x.png", 8, "--part", "1/2", "--target-time", 1))
     # At once: the search for this error would take too long for the test.
     check("--part of a scene from a pipe", (2, "/dev/stdin: cannot read: it is no regular file\n"),
-          run("/dev/stdin", folder / "x.png", 600, "--part", "1/2", "--target-error", 1e-9, given=pathlib.Path("scenes/cone_cube.json").read_bytes()))
+          run("/dev/stdin", folder / "x.png", 600, "--part", "1/2", "--target-error", 1e-9,
+              given=pathlib.Path("scenes/cone_cube.json").read_bytes()))
     check("nothing is left", False, any(path.name.startswith("x.png") for path in folder.iterdir()))
 
 

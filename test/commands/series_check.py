@@ -26,50 +26,67 @@ def check_set(folder):
     edited = folder / "edited.json"
     edited.write_text(with_value(SCENE, "lights", 0, "position", value=[1, 5, 2.5]))
     check("an edited scene", (0, ""), run(edited, folder / "a.png", 40, "--quiet"))
-    check("--set", (0, ""), run(SCENE, folder / "b.png", 40, "--quiet", "--set", "/lights/0/position=[1,5,2]", "--set", "/lights/0/position/2=2.5"))
+    check("--set", (0, ""),
+          run(SCENE, folder / "b.png", 40, "--quiet", "--set", "/lights/0/position=[1,5,2]", "--set",
+              "/lights/0/position/2=2.5"))
     check("--set: the bytes", True, (folder / "a.png").read_bytes() == (folder / "b.png").read_bytes())
     scene = json.loads(SCENE.read_text())
     light = scene["lights"].pop()
     color = scene["materials"][0].pop("color_diffuse")
     edited.write_text(json.dumps(scene))
-    check("--set of what is left out", (0, ""), run(edited, folder / "b.png", 40, "--quiet", "--set", f"/lights/-={json.dumps(light)}",
-                                                    "--set", f"/materials/0/color_diffuse={json.dumps(color)}"))
+    check("--set of what is left out", (0, ""),
+          run(edited, folder / "b.png", 40, "--quiet", "--set", f"/lights/-={json.dumps(light)}",
+              "--set", f"/materials/0/color_diffuse={json.dumps(color)}"))
     check("the scene", (0, ""), run(SCENE, folder / "a.png", 40, "--quiet"))
-    check("--set of what is left out: the bytes", True, (folder / "a.png").read_bytes() == (folder / "b.png").read_bytes())
-    check("--set of what is not there", (2, f'{SCENE}: /camera, by --set: unknown key "eyes"; did you mean "eye"?\n'),
+    check("--set of what is left out: the bytes", True,
+          (folder / "a.png").read_bytes() == (folder / "b.png").read_bytes())
+    check("--set of what is not there",
+          (2, f'{SCENE}: /camera, by --set: unknown key "eyes"; did you mean "eye"?\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eyes=[1,2,3]"))
-    check("--set to what does not fit", (2, f'{SCENE}: /camera/eye, by --set: expected 3 numbers, found "here"\n'),
+    check("--set to what does not fit",
+          (2, f'{SCENE}: /camera/eye, by --set: expected 3 numbers, found "here"\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye=here"))
     check("--set without a value", (2, 'raytracer: --set: expected /pointer=value, found "/camera/eye"\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye"))
     check("a range without frames", (2, "raytracer: --set /camera/eye/0={0..1}: a range needs --frames\n"),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye/0={0..1}"))
-    check("a remark on what is set", (0, f"warning: {SCENE}: /lights/0/color, by --set: colors go from 0 to 1, not to 255: divide 255 0 0 by 255\n"),
+    check("a remark on what is set", (0, f"warning: {SCENE}: /lights/0/color, by --set: colors go from 0 to "
+                                         "1, not to 255: divide 255 0 0 by 255\n"),
           run(SCENE, folder / "a.png", 8, "--set", "/lights/0/color=[255,0,0]"))
-    check("three dots are none", (2, f'{SCENE}: /camera/eye/0, by --set: expected a number, found "{{0...3}}"\n'),
+    check("three dots are none",
+          (2, f'{SCENE}: /camera/eye/0, by --set: expected a number, found "{{0...3}}"\n'),
           run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set", "/camera/eye/0={0...3}"))
     for ends in ("1..1e999", "-1e308..1e308"):
-        check(f"a range {ends}", (2, f"raytracer: --set /camera/focal_length={{{ends}}}: the ends of a range, and the way between them, are finite\n"),
-              run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set", f"/camera/focal_length={{{ends}}}"))
+        check(f"a range {ends}", (2, f"raytracer: --set /camera/focal_length={{{ends}}}: the ends of a "
+                                     "range, and the way between them, are finite\n"),
+              run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set",
+                  f"/camera/focal_length={{{ends}}}"))
     check("explain, too", 0, run("explain", SCENE, 5, 5, 40, "--set", "/lights/0/position=[1,5,2]")[0])
     check("nothing is left", ["a.png", "b.png", "edited.json"], sorted(os.listdir(folder)))
 
 
 def check_frames(folder):
-    check("--frames", (0, ""), run(SCENE, folder / "f-%03d.png", 30, "--quiet", "--frames", "8..11", "--set", "/lights/0/position=[{-2..2},5,{1e0..1}]"))
+    check("--frames", (0, ""),
+          run(SCENE, folder / "f-%03d.png", 30, "--quiet", "--frames", "8..11", "--set",
+              "/lights/0/position=[{-2..2},5,{1e0..1}]"))
     check("the frames", [f"f-{frame:03}.png" for frame in range(8, 12)], sorted(os.listdir(folder)))
     for frame, x in ((8, -2), (9, -1), (10, 0), (11, 1)):
-        check(f"frame {frame} alone", (0, ""), run(SCENE, folder / "a.png", 30, "--quiet", "--set", f"/lights/0/position=[{x},5,1]"))
-        check(f"frame {frame}: the bytes", True, (folder / "a.png").read_bytes() == (folder / f"f-{frame:03}.png").read_bytes())
+        check(f"frame {frame} alone", (0, ""),
+              run(SCENE, folder / "a.png", 30, "--quiet", "--set", f"/lights/0/position=[{x},5,1]"))
+        check(f"frame {frame}: the bytes", True,
+              (folder / "a.png").read_bytes() == (folder / f"f-{frame:03}.png").read_bytes())
     parts = [f"{folder}/f-9.pfm.part-{number}-of-2" for number in (1, 2)]
     for number in (1, 2):
-        check("a part of a frame", (0, ""), run(SCENE, folder / "f-%d.pfm", 30, "--quiet", "--frames", "9..9", "--part", f"{number}/2"))
+        check("a part of a frame", (0, ""),
+              run(SCENE, folder / "f-%d.pfm", 30, "--quiet", "--frames", "9..9", "--part", f"{number}/2"))
     check("parts of a frame", (0, ""), run("assemble", *parts, folder / "f-9.pfm", "--quiet"))
     expected = "raytracer: --frames: expected A..B, two whole numbers with 0 <= A <= B <= 999999, found "
     for text in ("1", "2..1", "-1..2", "a..b", "1..2..3", "1..1000000", "..2", "1.."):
-        check(f"--frames {text}", (2, f'{expected}"{text}"\n'), run(SCENE, folder / "f-%d.png", 30, "--frames", text))
+        check(f"--frames {text}", (2, f'{expected}"{text}"\n'),
+              run(SCENE, folder / "f-%d.png", 30, "--frames", text))
     for name in ("f.png", "f-%s.png", "f-%d-%d.png", "f-%4d.png", "f-%"):
-        check(name, (2, f"{folder / name}: expected a name with one %04d, for the frame's number\n"), run(SCENE, folder / name, 30, "--frames", "1..2"))
+        check(name, (2, f"{folder / name}: expected a name with one %04d, for the frame's number\n"),
+              run(SCENE, folder / name, 30, "--frames", "1..2"))
 
 
 def check_skipped(folder):
@@ -83,10 +100,13 @@ def check_skipped(folder):
     for path in (texture, scene):
         os.utime(path, ns=(0, 10**18))
     for name, more in (("a.png", []), ("a.pfm", []), ("a.png.part-2-of-3", ["--part", "2/3"])):
-        check_kept(folder, scene, texture, folder / name, [scene, folder / name.removesuffix(".part-2-of-3"), 20, "--skip-existing", *more])
+        check_kept(folder, scene, texture, folder / name,
+                   [scene, folder / name.removesuffix(".part-2-of-3"), 20, "--skip-existing", *more])
     os.utime(texture, ns=(0, 10**18))
-    check("skipped is said", (0, f"{folder}/a.pfm: skipped, it is there\n"), run(scene, folder / "a.pfm", 20, "--skip-existing"))
-    check("--skip-existing and -", (2, "raytracer: --skip-existing has no effect with the picture -\n"), run(scene, "-", 20, "--skip-existing"))
+    check("skipped is said", (0, f"{folder}/a.pfm: skipped, it is there\n"),
+          run(scene, folder / "a.pfm", 20, "--skip-existing"))
+    check("--skip-existing and -", (2, "raytracer: --skip-existing has no effect with the picture -\n"),
+          run(scene, "-", 20, "--skip-existing"))
 
 
 def check_kept(folder, scene, texture, out, line):

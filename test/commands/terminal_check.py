@@ -1,4 +1,5 @@
-"""What the program says on a terminal: wrapped to its width, a line on success, a bar that fits; nothing more when quiet.
+"""What the program says on a terminal: wrapped to its width, a line on success, a bar that fits; nothing more
+when quiet.
 
 Usage: terminal_check.py RAYTRACER, from the source folder.
 """
@@ -47,8 +48,10 @@ def check_done(folder):
     out = pathlib.Path(folder, "out.png")
     said = on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient")
     check("success", True, bool(re.fullmatch(re.escape(str(out)) + r": 8 × 8, 0\.\d+ s\n", said)))
-    check("success, quiet", "", on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient", "--quiet"))
-    done = subprocess.run([RAYTRACER, "test/good/least.json", out, "8", "--only", "ambient"], capture_output=True, check=False)
+    check("success, quiet", "",
+          on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient", "--quiet"))
+    done = subprocess.run([RAYTRACER, "test/good/least.json", out, "8", "--only", "ambient"],
+                          capture_output=True, check=False)
     check("success, no terminal", (0, b"", b""), (done.returncode, done.stdout, done.stderr))
 
 
@@ -56,19 +59,22 @@ def check_wrapped(folder):
     scene = pathlib.Path(folder, "scene.json")
     scene.write_text(json.dumps(LEAST | {"camera": LEAST["camera"] | {"up": [0, 2, 0]}}), encoding="utf-8")
     words = ("explain", scene, 4, 4, 8)
-    expected = (f"warning: {scene}:1:12: /camera: look and up are taken as given, and these distort the picture: expected lengths "
-                "1 and 1 at 90 degrees, found lengths 1 and 2 at 90 degrees")
+    expected = (f"warning: {scene}:1:12: /camera: look and up are taken as given, and these distort the "
+                "picture: expected lengths 1 and 1 at 90 degrees, found lengths 1 and 2 at 90 degrees")
     for columns in (40, 80, 100, 200):
         lines = on_terminal(columns, *words).splitlines()
         check(f"{columns} columns", expected, " ".join(line.strip() for line in lines))
-        check(f"{columns} columns: width", [], [line for line in lines if len(line) > min(columns, 100) and str(scene) not in line])
+        check(f"{columns} columns: width", [],
+              [line for line in lines if len(line) > min(columns, 100) and str(scene) not in line])
         check(f"{columns} columns: continued", {"    "}, {line[:4] for line in lines[1:]})
-    lines = subprocess.run([RAYTRACER, *map(str, words)], capture_output=True, text=True, check=False).stderr.splitlines()
+    lines = subprocess.run([RAYTRACER, *map(str, words)], capture_output=True, text=True,
+                           check=False).stderr.splitlines()
     check("no terminal", [expected], lines)
 
 
 def check_bar(folder):
-    words = ("scenes/refraction.json", pathlib.Path(folder, "out.png"), 2000, "--samples", 1000, "--threads", 1)
+    words = ("scenes/refraction.json", pathlib.Path(folder, "out.png"), 2000, "--samples", 1000, "--threads",
+             1)
     for columns, widths in ((40, "18,20"), (100, "40")):
         bars = re.findall(r"\r\033\[K([^\r\033]+)", on_terminal(columns, *words, until=rb"left"))
         wrong = [bar for bar in bars if len(bar) >= columns or not re.fullmatch(

@@ -1,4 +1,5 @@
-"""--watch: the picture follows the scene and the files that it names; an error waits for the change that mends it.
+"""--watch: the picture follows the scene and the files that it names; an error waits for the change that
+mends it.
 
 Usage: watch_check.py RAYTRACER, from the source folder.
 """
@@ -55,7 +56,8 @@ def watch(folder):
         save(scene, json.dumps(SCENE))
         expect("the first picture again", lambda: out.read_bytes() == first)
         (folder / "check.png").write_bytes(b"broken")
-        expect("a broken texture", lambda: "/textures/check: expected a picture" in said.read_text(encoding="utf-8"))
+        expect("a broken texture",
+               lambda: "/textures/check: expected a picture" in said.read_text(encoding="utf-8"))
         out.unlink()
         shutil.copy("test/bad/files/check.png", folder / "check.png")
         expect("a texture that is mended", lambda: out.exists() and out.read_bytes() == first)
@@ -64,8 +66,10 @@ def watch(folder):
     finally:
         process.terminate()
         process.wait()
-    refused = subprocess.run([RAYTRACER, scene, "-", "8", "--watch"], capture_output=True, text=True, check=False)
-    if (refused.returncode, refused.stderr) != (2, "raytracer: --watch has no effect with the picture -: write to a file\n"):
+    refused = subprocess.run([RAYTRACER, scene, "-", "8", "--watch"], capture_output=True, text=True,
+                             check=False)
+    if (refused.returncode,
+        refused.stderr) != (2, "raytracer: --watch has no effect with the picture -: write to a file\n"):
         failures.append(f"-: {refused.stderr}")
 
 

@@ -1,4 +1,5 @@
-"""The commands' part in advice and explanations: --strict's exit status and absent picture, and JSON that is JSON.
+"""The commands' part in advice and explanations: --strict's exit status and absent picture, and JSON that is
+JSON.
 
 Usage: teach_check.py RAYTRACER, from the source folder.
 """
@@ -20,7 +21,8 @@ def check(what, expected, found):
 
 
 def run(folder, *arguments):
-    done = subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, text=True, timeout=120, cwd=folder)
+    done = subprocess.run([RAYTRACER, *map(str, arguments)], capture_output=True, text=True, timeout=120,
+                          cwd=folder)
     warnings = [line for line in done.stderr.replace("\r", "\n").split("\n") if "scene.json" in line]
     return done.returncode, warnings, done.stdout
 
@@ -30,7 +32,8 @@ def scene_with(folder, **parts):
 
 
 def check_advice(folder, what, line):
-    """Said in a render and in an explanation; not with --quiet; with --strict the one error, and no picture."""
+    """Said in a render and in an explanation; not with --quiet; with --strict the one error, and no
+    picture."""
     out = pathlib.Path(folder, "out.png")
     check(what + ": status", 0, run(folder, "scene.json", out, 8)[0])
     check(what + ": picture", True, out.exists())
@@ -39,9 +42,11 @@ def check_advice(folder, what, line):
     check(what + ": --quiet", (0, []), run(folder, "scene.json", out, 8, "--quiet")[:2])
     out.unlink()
     for arguments in (["--strict"], ["--strict", "--quiet"]):
-        done = subprocess.run([RAYTRACER, *arguments, "scene.json", out, "8"], capture_output=True, text=True, cwd=folder)
+        done = subprocess.run([RAYTRACER, *arguments, "scene.json", out, "8"], capture_output=True, text=True,
+                              cwd=folder)
         check(what + ": strict status", 2, done.returncode)
-        check(what + ": strict line", "scene.json" + line, done.stderr.replace("\r", "\n").strip().split("\n")[-1].strip())
+        check(what + ": strict line", "scene.json" + line,
+              done.stderr.replace("\r", "\n").strip().split("\n")[-1].strip())
         check(what + ": strict picture", False, out.exists())
 
 
@@ -56,21 +61,25 @@ def check_all_advice(folder):
     out.unlink()
 
     dust = {"name": "dust", "translate": [0, 0, 5], "scale": [1e-310] * 3}
-    scene_with(folder, **good | {"transforms": [transform, dust], "shapes": [sphere, sphere | {"transform": "dust"}]})
-    check_advice(folder, "range", ": the scene's numbers lie too far apart for --precision double: computed in extended")
-    check("range: extended", (0, []), run(folder, "scene.json", out, 8, "--precision", "extended", "--strict")[:2])
+    scene_with(folder,
+               **good | {"transforms": [transform, dust], "shapes": [sphere, sphere | {"transform": "dust"}]})
+    check_advice(folder, "range",
+                 ": the scene's numbers lie too far apart for --precision double: computed in extended")
+    check("range: extended", (0, []),
+          run(folder, "scene.json", out, 8, "--precision", "extended", "--strict")[:2])
     out.unlink()
 
     scene_with(folder, **good | {"camera": SCENE["camera"] | {"up": [0, 2, 0]}})
-    line = (":1:12: /camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 at 90 degrees, "
-            "found lengths 1 and 2 at 90 degrees")
+    line = (":1:12: /camera: look and up are taken as given, and these distort the picture: expected lengths "
+            "1 and 1 at 90 degrees, found lengths 1 and 2 at 90 degrees")
     check_advice(folder, "camera", line)
     check("explained", (0, ["warning: scene.json" + line]), run(folder, "explain", "scene.json", 4, 4, 8)[:2])
-    check("explained strictly", (2, ["scene.json" + line]), run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
+    check("explained strictly", (2, ["scene.json" + line]),
+          run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
 
     scene_with(folder, **good | {"materials": [{}]} | {"lights": [light | {"position": [0, 0, -9]}]})
-    check_advice(folder, "black", ": the picture is all black: the lights are behind all surfaces that are seen; and there is no "
-                                  "ambient light on it")
+    check_advice(folder, "black", ": the picture is all black: the lights are behind all surfaces that are "
+                                  "seen; and there is no ambient light on it")
     for partial in (["--only", "ambient"], ["--crop", "0,0,1,1"], ["--pass", "raycast"]):
         check(f"black with {partial}", (0, []), run(folder, "scene.json", out, 8, "--strict", *partial)[:2])
     out.unlink()
@@ -89,41 +98,52 @@ def check_doubling(folder):
     out = pathlib.Path(folder, "out.png")
     crop = ["--crop", "0,0,1,1"]
     status, warnings, _ = run(folder, "scene.json", out, 8, "--max-recursion", 13, *crop)
-    found = re.fullmatch(r"warning: scene.json: --max-recursion 13 takes about (\S+) reflected and refracted rays a sample: they "
-                         r"double with each bounce where a material is both; a lower one takes fewer, or a --cutoff where "
+    found = re.fullmatch(r"warning: scene.json: --max-recursion 13 takes about (\S+) reflected and refracted "
+                         r"rays a sample: they "
+                         r"double with each bounce where a material is both; a lower one takes fewer, or a "
+                         r"--cutoff where "
                          r"color_reflect and color_refract are less than 1", "\n".join(warnings))
-    rays = json.loads(run(folder, "scene.json", out, 8, "--max-recursion", 13, *crop, "--stats", "--quiet")[2])["rays"]
+    rays = json.loads(run(folder, "scene.json", out, 8, "--max-recursion", 13, *crop, "--stats",
+                          "--quiet")[2])["rays"]
     check("doubling: status", 0, status)
-    check("doubling: the estimate", True, found and 0.5 < float(found[1]) / (rays["reflection"] + rays["refraction"]) < 2)
+    check("doubling: the estimate", True,
+          found and 0.5 < float(found[1]) / (rays["reflection"] + rays["refraction"]) < 2)
     check("doubling: few", (0, []), run(folder, "scene.json", out, 8, "--max-recursion", 9, *crop)[:2])
-    check("doubling: --quiet", (0, []), run(folder, "scene.json", out, 8, "--max-recursion", 13, *crop, "--quiet")[:2])
-    check("doubling: --cutoff", (0, []), run(folder, "scene.json", out, 8, "--max-recursion", 1000, *crop, "--cutoff", 0.2)[:2])
+    check("doubling: --quiet", (0, []),
+          run(folder, "scene.json", out, 8, "--max-recursion", 13, *crop, "--quiet")[:2])
+    check("doubling: --cutoff", (0, []),
+          run(folder, "scene.json", out, 8, "--max-recursion", 1000, *crop, "--cutoff", 0.2)[:2])
 
 
 def check_pictures(folder):
     """A picture of the scene: its verdict, its worst pixel, and the exit status."""
     scene = pathlib.Path("scenes/spheres_cylinder.json").resolve()
     out = pathlib.Path(folder, "mine.png")
-    run(folder, scene, out, 60, "--only", "ambient,diffuse,specular,reflections,refraction,textures", "--quiet")
+    run(folder, scene, out, 60, "--only", "ambient,diffuse,specular,reflections,refraction,textures",
+        "--quiet")
     status, _, text = run(folder, "explain", scene, "--picture", "mine.png", "--depth", 0)
     lines = text.split("\n")
     check("no shadows: status", 1, status)
-    check("no shadows: verdict", "mine.png equals the picture without shadows (0 of 3600 pixels differ; 558 differ from the right "
+    check("no shadows: verdict",
+          "mine.png equals the picture without shadows (0 of 3600 pixels differ; 558 differ from the right "
           "one)", lines[0])
-    check("no shadows: hint", "  Is a ray cast from the surface to the light, and S_L 0 where it hits?", lines[1])
+    check("no shadows: hint", "  Is a ray cast from the surface to the light, and S_L 0 where it hits?",
+          lines[1])
     found = re.fullmatch(r"pixel \((\d+), (\d+)\): \((.*)\) in mine.png, \((.*)\) is right", lines[2])
     check("no shadows: pixel", True, found is not None)
     check("no shadows: term", "without any shadow it would be as in mine.png", lines[3])
     check("no shadows: depth", 1, text.count(" ray, max_recursion"))
     answer = json.loads(run(folder, "explain", scene, "--picture", "mine.png", "--json")[2])
     check("as JSON", ["without shadows"], [mistake["what"] for mistake in answer["mistakes"]])
-    check("as JSON: bytes", [found[3], found[4]], [", ".join(map(str, answer[key])) for key in ("theirs", "bytes")])
+    check("as JSON: bytes", [found[3], found[4]],
+          [", ".join(map(str, answer[key])) for key in ("theirs", "bytes")])
     run(folder, scene, out, 60, "--quiet")
     check("right", (0, "mine.png equals the right picture"), (lambda done: (done[0], done[2].split("\n")[0]))(
         run(folder, "explain", scene, "--picture", "mine.png", "--quiet")))
     run(folder, scene, out, 60, "--crop", "0,0,60,50", "--quiet")
     wrong = subprocess.run([RAYTRACER, "explain", scene, "--picture", out], capture_output=True, text=True)
-    check("size", (2, f"{out}: expected a picture of the scene, 60 x 60, found 60 x 50\n"), (wrong.returncode, wrong.stderr))
+    check("size", (2, f"{out}: expected a picture of the scene, 60 x 60, found 60 x 50\n"),
+          (wrong.returncode, wrong.stderr))
 
 
 def check_explanations():
@@ -139,9 +159,11 @@ def check_explanations():
     for refused in (["--pass", "normals"], ["--samples", "2"]):
         check(f"explain {refused}", 2, run(".", "explain", "scenes/texture.json", 1, 1, 40, *refused)[0])
     for arguments in ([1, 1], ["--picture", "a.png", 1, 1]):
-        done = subprocess.run([RAYTRACER, "explain", "scenes/texture.json", *map(str, arguments)], capture_output=True, text=True)
-        check(f"explain {arguments}", (2, "raytracer explain: LONG_EDGE_PIXELS is missing; the order is SCENE X Y "
-                                       "LONG_EDGE_PIXELS (see --help)\n"), (done.returncode, done.stderr))
+        done = subprocess.run([RAYTRACER, "explain", "scenes/texture.json", *map(str, arguments)],
+                              capture_output=True, text=True)
+        check(f"explain {arguments}",
+              (2, "raytracer explain: LONG_EDGE_PIXELS is missing; the order is SCENE X Y "
+               "LONG_EDGE_PIXELS (see --help)\n"), (done.returncode, done.stderr))
     check("explain outside", 2, run(".", "explain", "scenes/texture.json", 40, 1, 40)[0])
 
 

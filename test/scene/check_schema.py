@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """check_schema.py RAYTRACER [N]: scenes/scene.schema.json and `raytracer --strict` give the same verdict.
 
-Run from the source folder. On all of scenes/, test/good/ and test/bad/, and on every small damage, or every N-th, to a
-scene that has all keys. In test/bad/, schema/ is what both must reject; semantic/ what only the loader can (names, files, inverses,
-duplicate keys); syntax/ is no JSON. Skipped (77) without Python's jsonschema.
+Run from the source folder. On all of scenes/, test/good/ and test/bad/, and on every small damage, or every
+N-th, to a scene that has all keys. In test/bad/, schema/ is what both must reject; semantic/ what only the
+loader can (names, files, inverses, duplicate keys); syntax/ is no JSON. Skipped (77) without Python's
+jsonschema.
 """
 import copy
 import itertools
@@ -26,22 +27,26 @@ VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
 # How the loader begins what a schema cannot know.
 SEMANTIC = ("no material named", "no transform named", "no texture named", "expected a name that no other",
             "expected a transform that has an inverse", "expected a number other than film_",
-            "expected another direction than look's", "expected an OBJ mesh in", "expected a picture in", "no file ",
+            "expected another direction than look's", "expected an OBJ mesh in", "expected a picture in",
+            "no file ",
             "expected each key once", "expected a finite number")
 
 # How advice on a scene begins that is in order otherwise, and none of the schema's business.
-ADVICE = ("look and up are taken as given", "it is not seen, but it may cast a shadow", "the light is inside of",
+ADVICE = ("look and up are taken as given", "it is not seen, but it may cast a shadow",
+          "the light is inside of",
           "the picture is all black", "film_left is above film_right", "film_bottom is above film_top",
           "no material has this diffuse_texture", "it is not shown without")
 
 # The advice that is due to good scenes: what is said of them is meant, or is what they are for.
 UNUSED = ":10:51: /textures/never used, so never decoded: no material has this diffuse_texture\n"
 DUE = {
-    "camera_test2.json": ":4:15: /camera: look and up are taken as given, and these distort the picture: expected lengths 1 "
+    "camera_test2.json":
+    ":4:15: /camera: look and up are taken as given, and these distort the picture: expected lengths 1 "
                          "and 1 at 90 degrees, found lengths 1 and 1.25 at 90 degrees\n",
     "byte_order_mark.json": UNUSED,
     "defaults.json": UNUSED,
-    "mirrored_film.json": ":4:22: /camera/film_left: the picture is mirrored: film_left is above film_right; swap them\n",
+    "mirrored_film.json":
+    ":4:22: /camera/film_left: the picture is mirrored: film_left is above film_right; swap them\n",
     "least.json": ": the picture is all black: the scene has no shapes\n",
 }
 
@@ -63,7 +68,8 @@ def complaint(raytracer, scene, pixels=1):
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder, "x.png")
         done = subprocess.run(
-            [raytracer, "--strict", "--quiet", "--threads", "1", str(scene), str(out), str(pixels)], capture_output=True)
+            [raytracer, "--strict", "--quiet", "--threads", "1", str(scene), str(out), str(pixels)],
+            capture_output=True)
         error = done.stderr.decode()
         if done.returncode not in (0, 2) or (done.returncode == 0) != out.exists() or error.count("\n") > 25:
             problems.append(f"{scene}: exit status {done.returncode}, stderr: {error}")
@@ -84,11 +90,13 @@ def check_good(raytracer, scene):
     expect(scene, "the schema accepts", True, VALIDATOR.is_valid(parse(scene)))
     due = DUE.get(scene.name)
     enough = 16  # pixels: a single one of a good picture may well be black
-    expect(scene, "advice", str(scene) + due if due else None, first_line(complaint(raytracer, scene, enough)))
+    expect(scene, "advice", str(scene) + due if due else None,
+           first_line(complaint(raytracer, scene, enough)))
 
 
 def check_bad(raytracer, scene):
-    expect(scene, "the loader", scene.with_suffix(".txt").read_text(encoding="utf-8"), first_line(complaint(raytracer, scene)))
+    expect(scene, "the loader", scene.with_suffix(".txt").read_text(encoding="utf-8"),
+           first_line(complaint(raytracer, scene)))
     if scene.parent.name != "syntax":
         expect(scene, "the schema accepts", scene.parent.name == "semantic", VALIDATOR.is_valid(parse(scene)))
         return
@@ -108,9 +116,11 @@ def places(value, path=()):
 
 
 def damages(scene):
-    """The scene with each value in turn left out, doubled, or replaced by one of another kind or at a limit."""
+    """The scene with each value in turn left out, doubled, or replaced by one of another kind or at a
+    limit."""
     for path in places(scene):
-        for change in ("leave out", "double", None, True, False, 0, -1, 1, 0.5, "x", "", [], {}, [0, 0, 0], [1, 1, 1]):
+        for change in ("leave out", "double", None, True, False, 0, -1, 1, 0.5, "x", "", [], {}, [0, 0, 0],
+                       [1, 1, 1]):
             damaged = copy.deepcopy(scene)
             if not path:
                 yield change if not isinstance(change, str) else [change]
@@ -130,21 +140,24 @@ def damages(scene):
 
 
 def check_damages(raytracer, scene, step):
-    """Both verdicts on each of them; the loader's, if it is not about form, must come where the schema has none."""
+    """Both verdicts on each of them; the loader's, if it is not about form, must come where the schema has
+    none."""
     with tempfile.TemporaryDirectory(dir=scene.parent) as folder:
         path = pathlib.Path(folder, "damaged.json")
         for damaged in itertools.islice(damages(parse(scene)), 0, None, step):
             text = json.dumps(damaged).replace('"../', '"../../')  # it lies one folder deeper
             path.write_text(text, encoding="utf-8")
             error = complaint(raytracer, path)
-            accepted = all(any(words in line for words in SEMANTIC + ADVICE) for line in (error or "").splitlines())
+            accepted = all(any(words in line for words in SEMANTIC + ADVICE)
+                           for line in (error or "").splitlines())
             if accepted != VALIDATOR.is_valid(json.loads(text)):
                 problems.append(f"the schema has another verdict than {error!r} on {text}")
 
 
 def main():
     raytracer = sys.argv[1]
-    scenes = sorted(path for path in pathlib.Path("scenes").glob("*.json") if path.name != "scene.schema.json")
+    scenes = sorted(path for path in pathlib.Path("scenes").glob("*.json")
+                    if path.name != "scene.schema.json")
     for scene in scenes:
         expect(scene, "$schema", "scene.schema.json", parse(scene).get("$schema"))
     good = scenes + sorted(pathlib.Path("test/good").glob("*.json"))
@@ -153,7 +166,8 @@ def main():
         check_good(raytracer, scene)
     for scene in bad:
         check_bad(raytracer, scene)
-    check_damages(raytracer, pathlib.Path("test/good/every_key.json"), int(sys.argv[2]) if len(sys.argv) > 2 else 1)
+    check_damages(raytracer, pathlib.Path("test/good/every_key.json"),
+                  int(sys.argv[2]) if len(sys.argv) > 2 else 1)
     print("\n".join(problems[:50]) or f"{len(good)} good and {len(bad)} bad scenes: the same verdict")
     return 1 if problems else 0
 

@@ -3,12 +3,14 @@
 
     extremes_check.py RAYTRACER [--count 160] [--seed 1] [--keep FOLDER]
 
-Two kinds take turns. Of the first, numbers of a scene become 0, -0, subnormal, or 1e+-100 to 1e+-308, and so may the
-options: the picture must be finite. Where double and extended see the same thing (an extended picture of numbers that
-differ in their last bits is the same, so what it shows is no matter of rounding), theirs must be the same. In any
-precision it must be the same to the bit with any instruction set, and where no tree discards anything.
-Of the second, a scene is written in other units by powers of two, which change no picture: of its meshes, its camera,
-its world, its planes and axes, to the ends of the range of double. Its picture must have the very bytes in each precision.
+Two kinds take turns. Of the first, numbers of a scene become 0, -0, subnormal, or 1e+-100 to 1e+-308, and so
+may the options: the picture must be finite. Where double and extended see the same thing (an extended picture
+of numbers that differ in their last bits is the same, so what it shows is no matter of rounding), theirs must
+be the same. In any precision it must be the same to the bit with any instruction set, and where no tree
+discards anything.
+Of the second, a scene is written in other units by powers of two, which change no picture: of its meshes, its
+camera, its world, its planes and axes, to the ends of the range of double. Its picture must have the very
+bytes in each precision.
 """
 import argparse
 import array
@@ -23,7 +25,8 @@ import sys
 import tempfile
 
 TOP = pathlib.Path(__file__).resolve().parent.parent.parent
-SCENES = ["cone_cube", "spheres_cylinder", "refraction", "refraction_inside", "nested_glass", "orthographic_test1",
+SCENES = ["cone_cube", "spheres_cylinder", "refraction", "refraction_inside", "nested_glass",
+          "orthographic_test1",
           "orthographic_test2", "camera_test1", "camera_test2", "extreme_scale", "texture", "mirror_corridor",
           "checker_horizon", "stress_test"]
 OCTAHEDRON = ([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]],
@@ -34,10 +37,12 @@ NUDGE = 1e-13  # of a number: some hundred of its last bits
 
 
 def numbers_of(node, path=()):
-    """The places of the numbers, as paths. Not of those that must be 1 or 0: a matrix's last row, a point's fourth."""
+    """The places of the numbers, as paths. Not of those that must be 1 or 0: a matrix's last row, a point's
+    fourth."""
     if isinstance(node, (dict, list)):
         for key, child in node.items() if isinstance(node, dict) else enumerate(node):
-            if key != 3 or not isinstance(node, list) or path[-1] in ("shapes", "materials", "lights", "transforms"):
+            if key != 3 or not isinstance(node, list) or path[-1] in ("shapes", "materials", "lights",
+                                                                      "transforms"):
                 yield from numbers_of(child, (*path, key))
     elif isinstance(node, (int, float)) and not isinstance(node, bool):
         yield path
@@ -63,7 +68,8 @@ def extreme(dice):
     if kind < 0.2:
         return sign * dice.choice([5e-324, dice.random() * 2e-308])
     if kind < 0.85:
-        return sign * min((1 + 8 * dice.random()) * 10.0 ** (dice.choice([1, -1]) * dice.randint(100, 308)), 1.7e308)
+        return sign * min((1 + 8 * dice.random()) * 10.0 ** (dice.choice([1, -1]) * dice.randint(100, 308)),
+                          1.7e308)
     return sign * 10.0 ** dice.randint(-99, 99)
 
 
@@ -99,14 +105,17 @@ def options_of(dice, scene):
     if dice.random() < 0.2:
         options += ["--pass", dice.choice(["raycast", "normals"])]
     if dice.random() < 0.2:
-        options += ["--only", ",".join(dice.sample(["ambient", "diffuse", "specular", "shadows", "reflections", "refraction"], 3))]
+        options += ["--only",
+                    ",".join(dice.sample(["ambient", "diffuse", "specular", "shadows", "reflections",
+                                          "refraction"], 3))]
     if dice.random() < 0.1:
         options += ["--opaque"]
     if dice.random() < 0.8:
         options += ["--quiet"]
     kind = dice.random()
     if kind < 0.2:
-        options += ["--samples", str(dice.randint(2, 4)), "--adaptive", repr(abs(extreme(dice)) if dice.random() < 0.5 else 0.1)]
+        options += ["--samples", str(dice.randint(2, 4)), "--adaptive",
+                    repr(abs(extreme(dice)) if dice.random() < 0.5 else 0.1)]
     elif kind < 0.3:
         options += ["--cutoff", repr(abs(extreme(dice)) if dice.random() < 0.5 else 0.01)]
     elif kind < 0.35 and "--max-recursion" not in options:
@@ -131,8 +140,8 @@ class Folder:
         if simd:
             environment["RAYTRACER_SIMD"] = simd
         try:
-            done = subprocess.run([self.raytracer, *arguments], cwd=self.path, env=environment, timeout=SECONDS,
-                                  capture_output=True, text=True)
+            done = subprocess.run([self.raytracer, *arguments], cwd=self.path, env=environment,
+                                  timeout=SECONDS, capture_output=True, text=True)
         except subprocess.TimeoutExpired:
             raise Failure(f"still runs after {SECONDS} s") from None
         if done.returncode not in (0, 1, 2):
@@ -152,7 +161,8 @@ class Folder:
         head = data.split(b"\n", 3)
         numbers = array.array("f", head[3])
         if not all(map(math.isfinite, numbers)):
-            raise Failure(f"{sum(not math.isfinite(x) for x in numbers)} of {len(numbers)} numbers are not finite")
+            raise Failure(
+                f"{sum(not math.isfinite(x) for x in numbers)} of {len(numbers)} numbers are not finite")
         return numbers
 
 
@@ -160,15 +170,18 @@ def share_differing(a, b):
     """Of pixels, as a PNG shows them."""
     def clamped(x):
         return min(max(x, 0), 1)
-    pixels = [any(abs(clamped(a[i + c]) - clamped(b[i + c])) > DIFFERENT for c in range(3)) for i in range(0, len(a), 3)]
+    pixels = [any(abs(clamped(a[i + c]) - clamped(b[i + c])) > DIFFERENT for c in range(3))
+              for i in range(0, len(a), 3)]
     return sum(pixels) / len(pixels)
 
 
 def explain(folder, dice):
     """explain's numbers are finite, too: JSON has no others."""
-    done = folder.run(["explain", "scene.json", str(dice.randrange(EDGE)), "0", str(EDGE), "--json", "--quiet"])
+    done = folder.run(["explain", "scene.json", str(dice.randrange(EDGE)), "0", str(EDGE), "--json",
+                       "--quiet"])
     if done.returncode == 0:
-        json.loads(done.stdout, parse_constant=lambda name: (_ for _ in ()).throw(Failure(f"explain says {name}")))
+        json.loads(done.stdout,
+                   parse_constant=lambda name: (_ for _ in ()).throw(Failure(f"explain says {name}")))
 
 
 def nudged(dice, scene):
@@ -203,11 +216,13 @@ def check_extreme(dice, folder):
     if "--target-error" in options or way == "finite":
         return "finite"
     if way != "precision":
-        other = folder.picture([*options, "--accelerator", "none"] if way == "tree" else options, None if way == "tree" else way)
+        other = folder.picture([*options, "--accelerator", "none"] if way == "tree" else options,
+                               None if way == "tree" else way)
         if other != picture:
             raise Failure(f"by {way} {share_differing(picture, other):.0%} of the pixels differ")
         return f"the same by {way}"
-    return compare(dice, folder, scene, points, [o for o in options if o not in ("float", "extended", "--precision")])
+    return compare(dice, folder, scene, points,
+                   [o for o in options if o not in ("float", "extended", "--precision")])
 
 
 def compare(dice, folder, scene, points, options):
@@ -226,7 +241,9 @@ def compare(dice, folder, scene, points, options):
 def scale_all(node, keys, exponent):
     for key in keys:
         if key in node:
-            node[key] = [math.ldexp(x, exponent) for x in node[key]] if isinstance(node[key], list) else math.ldexp(node[key], exponent)
+            node[key] = [math.ldexp(x, exponent)
+                         for x in node[key]] if isinstance(node[key],
+                                                           list) else math.ldexp(node[key], exponent)
 
 
 def scale_shape(transform, exponent):
@@ -274,19 +291,21 @@ def check_units(dice, folder):
         outer = min(max(power(400), inner - 900), inner + 900)  # of the scale, which a matrix takes back
         scale_shape(transform, world + outer)
         matrix = transform.get("matrix", [[float(i == j) for i in range(4)] for j in range(4)])
-        transform["matrix"] = [[math.ldexp(x, inner - outer) for x in column[:3]] + [0] for column in matrix[:3]] + [
+        transform["matrix"] = [[math.ldexp(x, inner - outer) for x in column[:3]] + [0]
+                               for column in matrix[:3]] + [
             [math.ldexp(x, -outer) for x in matrix[3][:3]] + [1]]
     folder.save(scene, points)
     folder.settings += f"; mesh 2^{mesh}, film 2^{film}, frame 2^{frame}, world 2^{world}"
     other = folder.picture([*precision, "--quiet"])
     if plain != other:
-        differing = "refused" if other is None else f"{share_differing(plain, other):.0%} of the pixels differ"
-        raise Failure(f"in other units: {differing}")
+        raise Failure("in other units: " + ("refused" if other is None else
+                                            f"{share_differing(plain, other):.0%} of the pixels differ"))
     return "the same in other units"
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("raytracer", type=pathlib.Path)
     parser.add_argument("--count", type=int, default=160)
     parser.add_argument("--seed", type=int, default=1)
@@ -308,7 +327,8 @@ def main():
                     kept.mkdir(parents=True, exist_ok=True)
                     for file in folder.path.iterdir():
                         (kept / file.name).write_bytes(file.read_bytes())
-    print(f"{failures} of {arguments.count} scenes failed; " + ", ".join(f"{n} {what}" for what, n in sorted(tally.items())))
+    print(f"{failures} of {arguments.count} scenes failed; " +
+          ", ".join(f"{n} {what}" for what, n in sorted(tally.items())))
     return 1 if failures else 0
 
 

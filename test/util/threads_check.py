@@ -17,24 +17,28 @@ def mirrors():
     """Two that face each other: a ray is reflected as often as it may."""
     plane = {"type": "plane", "material": "mirror"}
     return {
-        "camera": {"type": "perspective", "focal_length": 1, "eye": [0, 0, 4], "look": [0, 0, -1], "up": [0, 1, 0],
+        "camera": {"type": "perspective", "focal_length": 1, "eye": [0, 0, 4], "look": [0, 0, -1],
+                   "up": [0, 1, 0],
                    "film_left": -0.5, "film_right": 0.5, "film_bottom": -0.5, "film_top": 0.5},
-        "materials": [{"name": "mirror", "color_ambient": [0.1] * 3, "color_diffuse": [0.1] * 3, "reflective": True,
-                       "color_reflect": [0.999] * 3}],
+        "materials":
+        [{"name": "mirror", "color_ambient": [0.1] * 3, "color_diffuse": [0.1] * 3, "reflective": True,
+          "color_reflect": [0.999] * 3}],
         "lights": [{"position": [0, 0, 10], "color": [0, 0, 0], "color_ambient": [1, 1, 1]}],
         "transforms": [{"name": "a", "translate": [0, 0, -1]}, {"name": "b", "translate": [0, 0, 5]}],
         "shapes": [plane | {"transform": "a"}, plane | {"transform": "b"}]}
 
 
 def run(folder, recursion, threads, stack, processes=None, command=("s.json", "o.pfm", "8")):
-    """How the program ends with this limit on the main thread's stack and on processes (which root has not)."""
+    """How the program ends with this limit on the main thread's stack and on processes (which root has
+    not)."""
     def limit():
         resource.setrlimit(resource.RLIMIT_STACK, (stack, resource.getrlimit(resource.RLIMIT_STACK)[1]))
         if processes:
             resource.setrlimit(resource.RLIMIT_NPROC, (processes, processes))
             os.setgid(NOBODY)
             os.setuid(NOBODY)
-    return subprocess.run([RAYTRACER, *command, "--quiet", "--max-recursion", str(recursion), "--threads", str(threads)],
+    return subprocess.run([RAYTRACER, *command, "--quiet", "--max-recursion", str(recursion), "--threads",
+                           str(threads)],
                           cwd=folder, preexec_fn=limit, capture_output=True, text=True, timeout=60)
 
 
@@ -51,18 +55,21 @@ def check_stack(folder):
             assert picture(folder, 1000, threads, stack) == plain, (stack, threads)
     for stack in (resource.RLIM_INFINITY, MEBIBYTE // 2):
         done = run(folder, 1000, 2, stack, command=("explain", "s.json", "3", "4", "8", "--json"))
-        assert done.returncode == 0 and done.stdout.count('"reflection"') > 900, (stack, done.returncode, done.stderr)
+        assert done.returncode == 0 and done.stdout.count('"reflection"') > 900, (stack, done.returncode,
+                                                                                  done.stderr)
 
 
 def check_threads(folder):
     if os.geteuid() != 0 or not all(parent.stat().st_mode & 1 for parent in RAYTRACER.parents):
-        return print("limits on processes: skipped, root alone can become a user that has them, and who can reach the program")
+        return print("limits on processes: skipped, root alone can become a user that has them, and who can "
+                     "reach the program")
     plain = picture(folder, 3, 1, 8 * MEBIBYTE)
     assert picture(folder, 3, 4, 8 * MEBIBYTE, 1) == plain
     assert picture(folder, 1000, 4, resource.RLIM_INFINITY, 1) == picture(folder, 1000, 4, 8 * MEBIBYTE)
     done = run(folder, 1000, 4, 4 * MEBIBYTE, 1)
     assert (done.returncode, done.stderr) == (2, (
-        "--max-recursion 1000 needs 63 MiB of stack, and no thread can be made; the main thread's 3 MiB allow 32\n")), done
+        "--max-recursion 1000 needs 63 MiB of stack, and no thread can be made; the main thread's 3 MiB "
+        "allow 32\n")), done
     assert picture(folder, 32, 4, 4 * MEBIBYTE, 1) == picture(folder, 32, 1, 8 * MEBIBYTE)
 
 
