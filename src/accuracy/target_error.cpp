@@ -28,7 +28,8 @@ constexpr double pilotPart = 0.3;
 // errors are 0.1 to 1.1 of it, and where it is larger, those of single pixels are too, which pilot samples
 // may miss.
 constexpr double finer = 1 / 1.09;
-constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 170 MB
+constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
+constexpr std::size_t mostRequested = 1 << 20;  // samples that are taken at once: 50 MB
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {
@@ -44,8 +45,13 @@ double areaOf(const ImageSize& size) { return static_cast<double>(size.width) * 
 
 class Search {
   public:
-    Search(const Renderer& renderer, const RenderOptions& options, double target)
-        : renderer_(renderer), options_(options), target_(target), area_(areaOf(options.size)) {
+    Search(const Renderer& renderer, const RenderOptions& options, double target,
+           const SearchListener& listener)
+        : renderer_(renderer),
+          options_(options),
+          target_(target),
+          listener_(listener),
+          area_(areaOf(options.size)) {
         // A smaller picture has more error: more of its pixels are edges.
         while (areaOf(options_.size) > mostFirst)
             options_.size = {std::max(1, options_.size.width / 2), std::max(1, options_.size.height / 2)};
@@ -159,16 +165,19 @@ class Search {
 
     // Takes the pilot pixels to their end.
     void takeSamples(double adaptive) {
-        do
+        for (bool isEnd = false; !isEnd;) {
+            isEnd = true;
             for (PilotPixel& pixel : pilots_) {
                 int samples = pixel.own.samples();
                 if (pixel.own.error(pixel.contrast) > adaptive) samples = nextLevel(samples, mostSamples);
+                isEnd = isEnd && pixel.own.samples() == samples;
                 request(pixel.place, options_.sequence, pixel.own, samples);
                 for (const std::uint32_t i : {0, 1})
                     request(pixel.place, pixel.others + i, pixel.truth[i],
                             std::max(samples, nextLevel(1, mostSamples)));
             }
-        while (take());
+            take();
+        }
     }
 
     void request(const PixelPlace& place, std::uint32_t number, PixelEstimate& estimate, int samples) {
@@ -176,17 +185,18 @@ class Search {
         for (int i = estimate.samples(); i < samples; ++i) {
             points_.push_back(glm::dvec2(place.x, place.y) + sequence[static_cast<std::uint32_t>(i)]);
             takers_.push_back(&estimate);
+            if (points_.size() == mostRequested) take();
         }
     }
 
-    // What was requested. False if that was nothing.
-    bool take() {
+    // What was requested.
+    void take() {
         std::vector<glm::dvec3> colors(points_.size());
         choice_.counts += renderer_.renderPoints(options_, points_, colors);
         for (std::size_t i = 0; i < colors.size(); ++i) takers_[i]->add(colors[i]);
         points_.clear();
         takers_.clear();
-        return !colors.empty();
+        if (listener_) listener_(choice_.counts.primary);
     }
 
     // Of the picture, without bias, and its standard error.
@@ -207,7 +217,9 @@ class Search {
 
     const Renderer& renderer_;
     RenderOptions options_;
-    double target_, area_;
+    double target_;
+    const SearchListener& listener_;
+    double area_;
     DepthChoice depth_;
     TargetChoice choice_;
     std::vector<std::pair<float, std::uint32_t>> pixels_;  // all: contrast and index, in this order
@@ -221,9 +233,10 @@ class Search {
 
 }  // namespace
 
-TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target) {
+TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target,
+                           const SearchListener& listener) {
     for (int mostDepth = mostRecursion;;) {
-        Search search(renderer, options, target);
+        Search search(renderer, options, target, listener);
         try {
             return search.choose(mostDepth);
         } catch (const TooManyRays&) {

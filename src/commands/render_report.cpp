@@ -2,6 +2,7 @@
 
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/json/json_writer.h"
+#include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 
@@ -45,8 +46,8 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
 void tellLimited(const RenderCounts& counts, const RenderOptions& options, double pixels) {
     const auto limited = static_cast<double>(counts.limited);
     if (limited <= 0.001 * pixels) return;
-    tell(formatted("--adaptive %s: --samples %d stopped %.3g %% of the pixels before",
-                   shortNumber(options.adaptive).c_str(), options.samples, 100 * limited / pixels));
+    tell(formatted("--samples %d stopped %.3g %% of the pixels before their error was --adaptive %s",
+                   options.samples, 100 * limited / pixels, shortNumber(options.adaptive).c_str()));
 }
 
 void tellDone(const std::string& out, const PixelRectangle& crop, const Timings& timings) {
@@ -58,14 +59,29 @@ void tellDone(const std::string& out, const PixelRectangle& crop, const Timings&
                    shortNumber(seconds).c_str()));
 }
 
+namespace {
+
+std::string errorInWords(double ofSamples, double ofDepth) {
+    return "the error is about " + shortNumber(ofSamples) + " for want of samples and " +
+           shortNumber(ofDepth) + " for want of depth";
+}
+
+}  // namespace
+
 TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
-    TargetChoice choice = chooseSetting(renderer, options, target);
+    const std::string head = "--target-error " + shortNumber(target) + ": ";
+    std::optional<TerminalLine> line;
+    if (!quiet) line.emplace();
+    TargetChoice choice = chooseSetting(renderer, options, target, [&](std::uint64_t samples) {
+        if (line)
+            line->show(head + formatted("searching, %.3g million samples so far",
+                                        static_cast<double>(samples) / 1e6));
+    });
+    line.reset();
     options = withSetting(options, choice.setting);
     if (quiet) return choice;
-    const std::string head = "--target-error " + shortNumber(target) + ": ";
     tell(head + commandLine(choice.setting));
-    tell(head + "the error is about " + shortNumber(choice.sampleError) + " between samples and " +
-         shortNumber(choice.depthError) + " of the depth" +
+    tell(head + errorInWords(choice.sampleError, choice.depthError) +
          (choice.reached     ? ""
           : choice.isLimited ? ": perhaps not reached, since the rays beyond are too many to follow"
                              : ": not reached"));
@@ -79,9 +95,8 @@ TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options
     if (command.empty()) return choice;
     Setting told = choice.setting;
     told.bilinear = false;  // the command says it already
-    tell("--target-time: about " + shortNumber(choice.seconds) + " s more; the error is about " +
-         shortNumber(choice.sampleError) + " between samples and " + shortNumber(choice.depthError) +
-         " of the depth");
+    tell("--target-time: the picture takes about " + shortNumber(choice.seconds) + " s; " +
+         errorInWords(choice.sampleError, choice.depthError));
     tell("--target-time: the same picture again:");
     tellUnbroken(command + " " + commandLine(told));
     return choice;

@@ -62,6 +62,19 @@ std::string inPixels(const PixelRectangle& crop) {
     return text;
 }
 
+// The options of the one, "--name value", that the other has not.
+std::string onlyIn(const PartHead& head, const PartHead& other) {
+    constexpr std::string_view next = " --";
+    std::string text;
+    for (std::size_t begin = 0, end = 0; end < head.options.size(); begin = end + 1) {
+        end = std::min(head.options.find(next, begin), head.options.size());
+        const std::string option = head.options.substr(begin, end - begin);
+        const bool isInBoth = (other.options + next.data()).find(option + next.data()) != std::string::npos;
+        if (!isInBoth) text += (text.empty() ? "" : " ") + option;
+    }
+    return text;
+}
+
 // What the one is of that the other is not, in words; of equal heads, nothing.
 std::string difference(const PartHead& found, const PartHead& expected) {
     if (found.version != expected.version)
@@ -73,8 +86,11 @@ std::string difference(const PartHead& found, const PartHead& expected) {
         return "of --crop " + inPixels(found.crop) + ", not " + inPixels(expected.crop);
     if (found.isFloat != expected.isFloat)
         return found.isFloat ? "of a .pfm, not of a .png" : "of a .png, not of a .pfm";
-    if (found.options != expected.options)
-        return "of a picture with " + found.options + ", not with " + expected.options;
+    if (found.options != expected.options) {
+        const std::string has = onlyIn(found, expected), lacks = onlyIn(expected, found);
+        if (has.empty()) return "of a picture without " + lacks;
+        return "of a picture with " + has + (lacks.empty() ? "" : ", not with " + lacks);
+    }
     if (found.part.count != expected.part.count)
         return "part " + inWords(found.part) + ", not of " + std::to_string(expected.part.count);
     return "";

@@ -37,9 +37,8 @@ def check_target(folder, scene, size, target, others=""):
     """What --target-error says that it chooses is what it renders, also under --crop."""
     picture, done = render(scene, folder / "target.png", size, f"--target-error {target} {others}")
     assert done.returncode == 0, done
-    setting = re.match(r"--target-error \S+: (--.*)\n"
-                       r"--target-error \S+: the error is about \S+ between samples and \S+ of the depth\n$",
-                       done.stderr)
+    setting = re.match(r"--target-error \S+: (--.*)\n--target-error \S+: the error is about \S+ for want of "
+                       r"samples and \S+ for want of depth\n$", done.stderr)
     assert setting, done.stderr
     same, done = render(scene, folder / "same.png", size, f"{setting[1]} {others}")
     assert done.returncode == 0 and picture == same, done
@@ -71,7 +70,7 @@ def check_limit(folder):
     assert alone == limited and done.stderr == "", done
     done = run("scenes/texture.json", folder / "o.png", 40, "--adaptive", 0.01, "--samples", 8, "--stats")
     stopped = json.loads(done.stdout)["limited_pixels"]
-    told = f"--adaptive 0.01: --samples 8 stopped {100 * stopped / 40 ** 2:.3g} % of the pixels before\n"
+    told = f"--samples 8 stopped {100 * stopped / 40 ** 2:.3g} % of the pixels before their error was --adaptive 0.01\n"
     assert stopped > 100 and done.stderr.endswith(told), done
 
 

@@ -82,6 +82,13 @@ def check_bar(folder):
         check(f"bar in {columns} columns", (True, []), (bool(bars), wrong))
 
 
+def check_search(folder):
+    words = ("scenes/texture.json", pathlib.Path(folder, "out.png"), 200, "--target-error", 1e-6, "--threads", 1)
+    lines = re.findall(r"\r\033\[K([^\r\033]+)", on_terminal(100, *words, until=rb"so far"))
+    expected = r"--target-error 1e-06: searching, \d\S* million samples so far"
+    check("the search", (True, []), (bool(lines), [line for line in lines if not re.fullmatch(expected, line)]))
+
+
 def check_dumb(folder):
     words = ("scenes/refraction.json", pathlib.Path(folder, "out.png"), 300, "--samples", 60, "--threads", 1)
     said = on_terminal(80, *words, TERM="dumb")
@@ -89,6 +96,6 @@ def check_dumb(folder):
 
 
 with tempfile.TemporaryDirectory() as temporary:
-    for checked in (check_done, check_wrapped, check_bar, check_dumb):
+    for checked in (check_done, check_wrapped, check_bar, check_search, check_dumb):
         checked(temporary)
 sys.exit(conclude("the terminal shows what it should"))

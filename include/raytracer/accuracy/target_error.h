@@ -1,6 +1,9 @@
 // Chooses a setting that reaches a target error, from pilot samples of the scene itself.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/tracer/renderer.h"
 
@@ -15,9 +18,13 @@ struct TargetChoice {
     FirstSamples first;  // of the picture, if the pilot samples include them: for Renderer::render
 };
 
+// Is told, now and then, how many samples the search has taken.
+using SearchListener = std::function<void(std::uint64_t samples)>;
+
 // `target` is an RMSE, of 1, in linear light after clamping, before rounding to bytes, against samples and
 // depth without end. The choice is for the whole picture, whatever the crop; it does not depend on threads or
 // machine.
-TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target);
+TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target,
+                           const SearchListener& listener = {});
 
 }  // namespace raytracer
