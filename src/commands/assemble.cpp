@@ -41,6 +41,7 @@ void writeAll(const PartFiles& parts, PictureWriter<Image>& writer, bool quiet) 
 int assembleParts(const std::vector<std::string>& paths, const std::string& out, int threads, bool quiet) {
     const bool isPfm = endsIn(out, ".pfm");
     if (!isPfm && !endsIn(out, ".png")) throw Error({out}, "expected a name that ends in .png or .pfm");
+    refuseInput(out, paths);
     OutputFile file(out);
     const PartFiles parts(paths, threads);
     for (const std::string& fault : parts.faults()) tell(fault);

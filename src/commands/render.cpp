@@ -160,6 +160,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     Timings timings;
     Stopwatch watch;
     SceneDescription description = arguments.load(&files);
+    refuseInput(wanted.file(), files);
     timings.load = watch.lap();
     RenderOptions options = arguments.prepare(description);
     if (wanted.skipExisting && !wanted.isPart() && isNewPicture(wanted.out, options.crop, files))

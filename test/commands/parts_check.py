@@ -4,8 +4,10 @@ picture.
 Usage: parts_check.py RAYTRACER [all], from the source folder. `all`: every option in 1, 2, 7, 16 and 64
 parts; takes a minute.
 """
+import os
 import pathlib
 import re
+import shutil
 import sys
 import tempfile
 import zlib
@@ -159,6 +161,23 @@ def check_scene_files(folder):
                 "part 2 of 2 is missing")
 
 
+def check_outputs(folder):
+    """No picture takes the place of what it is made of."""
+    shutil.copytree("scenes/textures", folder / "textures")
+    texture = folder / "textures/checker.png"
+    scene = folder / "s.json"
+    scene.write_text(pathlib.Path(SCENE).read_text())
+    os.link(texture, folder / "link.png")
+    for out in (texture, folder / "link.png", folder / "textures/../textures/checker.png"):
+        check(f"a picture over its texture, {out}",
+              (2, f"{out} is read, too: give another name for what is written\n"), run(scene, out, 8))
+    check("the texture", pathlib.Path("scenes/textures/checker.png").read_bytes(), texture.read_bytes())
+    (part,) = render_parts(folder / "p.png", 1, scene=scene, size=8)
+    pathlib.Path(part).rename(folder / "part.png")
+    check("a picture over its part", (2, f"{folder}/part.png is read, too: give another name for what is written\n"),
+          run("assemble", folder / "part.png", folder / "part.png"))
+
+
 def check_refusals(folder):
     expected = "raytracer: --part: expected K/N, two whole numbers with 1 <= K <= N <= 1048576, found "
     for text in ("0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2", "1/1048577"):
@@ -176,7 +195,7 @@ def check_refusals(folder):
 
 
 def main():
-    for test in (check_knobs, check_faults, check_scene_files, check_refusals):
+    for test in (check_knobs, check_faults, check_scene_files, check_outputs, check_refusals):
         with tempfile.TemporaryDirectory() as folder:
             test(pathlib.Path(folder))
     return conclude("parts make the pictures of one run; what does not fit is named")
