@@ -121,7 +121,8 @@ def check_others(folder, a, b, c):
             ("another size", "of a picture of 98 x 98 pixels, not 97 x 97", {"size": 98}),
             ("another crop", "of --crop 0,0,97,70, not 0,0,97,97", {"more": ("--crop", "0,0,97,70")}),
             ("another scene", "of another scene", {"scene": "scenes/spheres_cylinder.json"}),
-            ("other options", "of a picture with --samples 2, not with --samples 1", {"more": ("--samples", 2)}),
+            ("other options", "of a picture with --samples 2, not with --samples 1",
+             {"more": ("--samples", 2)}),
             ("another value", "of a picture with --set /lights/0/position=[1,2,3]",
              {"more": ("--set", "/lights/0/position=[1,2,3]")})):
         other = render_parts(folder / "o.png", 3, *options.pop("more", ()), **options)
@@ -174,7 +175,8 @@ def check_outputs(folder):
     check("the texture", pathlib.Path("scenes/textures/checker.png").read_bytes(), texture.read_bytes())
     (part,) = render_parts(folder / "p.png", 1, scene=scene, size=8)
     pathlib.Path(part).rename(folder / "part.png")
-    check("a picture over its part", (2, f"{folder}/part.png is read, too: give another name for what is written\n"),
+    check("a picture over its part",
+          (2, f"{folder}/part.png is read, too: give another name for what is written\n"),
           run("assemble", folder / "part.png", folder / "part.png"))
 
 
