@@ -27,6 +27,7 @@ namespace {
 
 constexpr const char* renderFooter = R"(The other commands:
   raytracer assemble|compare|grade|explain|tradeoff --help
+  raytracer --print-schema     # the JSON schema of scenes, for editors
 
 The picture is written whole or not at all: as a new file, with the mode and the
 owner of the file that it replaces. A symbolic link is followed. A hard link is

@@ -66,15 +66,15 @@ std::string replacedBlanks(std::string names) {
     return names;
 }
 
-// Of all commands, that without a name last.
+// Of all commands, that without a name first.
 void printAll(std::vector<std::string> words) {
     const auto call = [&](std::string name, int (*command)(int, char**)) {
         std::vector<char*> argv{name.data()};
         for (std::string& word : words) argv.push_back(word.data());
         command(static_cast<int>(argv.size()), argv.data());
     };
-    for (const Command& command : commandTable) call(std::string(command.name), command.run);
     call("raytracer", render);
+    for (const Command& command : commandTable) call(std::string(command.name), command.run);
 }
 
 std::string commandNames() {

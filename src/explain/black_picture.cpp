@@ -65,7 +65,8 @@ class HitFinder final : public PixelSink {
 struct Tally {
     std::size_t behind = 0, shadowed = 0, black = 0;
     std::set<std::size_t> shadowedBy;
-    double brightest = 0;  // of the pixels
+    double brightest = 0;               // of the pixels
+    std::optional<std::size_t> around;  // the one shape whose inner side all pixels see
 
     void add(const LightExplanation& light) {
         if (!(light.N_L > 0)) {
@@ -96,10 +97,10 @@ std::string mixed(const Tally& tally) {
     const auto add = [&](std::size_t count, const char* cause) {
         if (count > 0) causes += (causes.empty() ? "" : ", ") + std::to_string(count) + " times " + cause;
     };
-    add(tally.behind, "the light is behind the surface");
-    add(tally.shadowed, "it is in shadow");
-    add(tally.black, "its color or the material is black");
-    return "no light reaches what is seen (of the points examined, " + causes + ")";
+    add(tally.behind, "behind the surface");
+    add(tally.shadowed, "in shadow");
+    add(tally.black, "its color or the material's is black");
+    return "no light reaches what is seen (" + causes + ")";
 }
 
 std::string unlit(const Tally& tally, const SceneDescription& scene) {
@@ -113,8 +114,18 @@ std::string unlit(const Tally& tally, const SceneDescription& scene) {
     return mixed(tally);
 }
 
+std::string withoutAmbient(const SceneDescription& scene) {
+    const bool noLight = std::ranges::all_of(
+        scene.lights, [](const LightDescription& light) { return isBlack(light.color_ambient); });
+    return noLight ? "; and the color_ambient of every light is black"
+                   : "; and the color_ambient of what is seen is black";
+}
+
 std::string reason(const Tally& tally, const SceneDescription& scene) {
-    if (tally.brightest <= 0) return unlit(tally, scene) + "; and there is no ambient light on it";
+    if (tally.around)
+        return "the eye is inside of /shapes/" + std::to_string(*tally.around) + ", a " +
+               typeName(scene.shapes[*tally.around].type);
+    if (tally.brightest <= 0) return unlit(tally, scene) + withoutAmbient(scene);
     return formatted("it is too dark to be seen: the largest channel that was found is %.3g of 1",
                      tally.brightest);
 }
@@ -148,6 +159,9 @@ std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, co
     Tally tally;
     for (const PixelPlace& pixel : pixels) {
         const RayExplanation explanation = renderer.explain(centres, pixel.x, pixel.y);
+        if (&pixel == &pixels.front() && scene.shapes[explanation.shape].type != ShapeType::Plane)
+            tally.around = explanation.shape;
+        if (explanation.entering || explanation.shape != tally.around) tally.around.reset();
         tally.add(explanation);
         tally.brightest = std::max(tally.brightest, brightest(explanation.color));
     }

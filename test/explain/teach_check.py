@@ -79,7 +79,7 @@ def check_all_advice(folder):
 
     scene_with(folder, **good | {"materials": [{}]} | {"lights": [light | {"position": [0, 0, -9]}]})
     check_advice(folder, "black", ": the picture is all black: the lights are behind all surfaces that are "
-                                  "seen; and there is no ambient light on it")
+                                  "seen; and the color_ambient of what is seen is black")
     for partial in (["--only", "ambient"], ["--crop", "0,0,1,1"], ["--pass", "raycast"]):
         check(f"black with {partial}", (0, []), run(folder, "scene.json", out, 8, "--strict", *partial)[:2])
     out.unlink()

@@ -282,7 +282,8 @@ TEST_CASE("why a picture is all black") {
     TestScene scene;
     const Precision precision = GENERATE(Precision::Float, Precision::Double, Precision::Extended);
     const auto reason = [&] { return blackReason(scene, precision); };
-    const std::string begin = "the picture is all black: ", end = "; and there is no ambient light on it";
+    const std::string begin = "the picture is all black: ",
+                      end = "; and the color_ambient of what is seen is black";
     SECTION("no shapes") { CHECK(reason() == begin + "the scene has no shapes"); }
     SECTION("no lights") {
         scene.add(Type::Sphere, {0, 0, -3}).lights.clear();
@@ -322,14 +323,23 @@ TEST_CASE("why a picture is all black") {
         CHECK(reason() ==
               begin + "it is too dark to be seen: the largest channel that was found is 0.001 of 1");
     }
+    SECTION("lights without an ambient color") {
+        scene.add(Type::Plane, {0, 0, -3}).light({0, 0, -10}).lights[0].color_ambient = glm::dvec3(0);
+        CHECK(reason() == begin +
+                              "the lights are behind all surfaces that are seen; and the color_ambient of "
+                              "every light is black");
+    }
+    SECTION("inside of an opaque shape") {
+        scene.add(Type::Plane, {0, 0, -3}).add(Type::Cube, {0, 0, 0});
+        CHECK(reason() == begin + "the eye is inside of /shapes/1, a cube");
+    }
     SECTION("a bit of each") {
         scene.add(Type::Plane, {0, 0, -3})
             .add(Type::Plane, {0, 0, 5})
             .lights.push_back({{0, 0, -10}, glm::dvec3(1), glm::dvec3(0)});
         CHECK(reason() == begin +
-                              "no light reaches what is seen (of the points examined, 576 times the light "
-                              "is behind the surface, "
-                              "576 times it is in shadow)" +
+                              "no light reaches what is seen (576 times behind the surface, "
+                              "576 times in shadow)" +
                               end);
     }
     SECTION("what only a mirror shows counts too") {
@@ -337,9 +347,8 @@ TEST_CASE("why a picture is all black") {
         scene.materials[TestScene::mirror].color_diffuse = scene.materials[TestScene::mirror].color_specular =
             glm::dvec3(0);
         CHECK(reason() == begin +
-                              "no light reaches what is seen (of the points examined, 576 times the light "
-                              "is behind the surface, "
-                              "576 times its color or the material is black)" +
+                              "no light reaches what is seen (576 times behind the surface, "
+                              "576 times its color or the material's is black)" +
                               end);
     }
 }
