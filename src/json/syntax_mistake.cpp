@@ -88,6 +88,7 @@ class Finder {
     SyntaxMistake behindAll() const {
         if (found() == '}' || found() == ']') return {at_, "a bracket too many"};
         if (found() == ',') return {at_, "a comma too many: the scene ends before it"};
+        if (found() == ':') return {s_.begin, "\"{\" is missing before this key"};
         return {at_, "expected the end of the file, found " + shown()};
     }
 
@@ -195,6 +196,9 @@ class Finder {
         if (lower == "none") return "expected null, found " + text;
         const std::string_view unsigned_ = std::string_view(lower).substr(lower[0] == '-' || lower[0] == '+');
         if (isOneOf(unsigned_, {"nan", "inf", "infinity"})) return "expected a finite number, found " + text;
+        if (word[0] == '(') return "a list stands in [ and ], not in ( and )";
+        if (isOneOf(unsigned_, {"pi", "tau", "e"}))
+            return "JSON has no constants: write the number for " + text;
         if (word[0] == '+' && numberOf<double>(word))
             return "a number has no plus in front: write " + std::string(word.substr(1));
         if (numberOf<double>(word)) return "a point stands between digits: write " + withDigits(word);
