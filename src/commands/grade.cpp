@@ -32,8 +32,9 @@ X-STAGE.png. The stages:
   ambient_diffuse_specular_shadows, diffuse_reflections_recursions_3,
   raytracing (as X.png: everything)
 A program is graded for the last of them, unless --stage says otherwise. It runs
-with a copy of the scene and of what that names, and nothing else beside it. If
-it crashes, hangs, is too slow or writes no picture, it gets 0 for that scene.
+in a fresh folder with a copy of the scene and of what that names, and nothing
+else; a path of yours in PROGRAM is found all the same. If it crashes, hangs, is
+too slow or writes no picture, it gets 0 for that scene.
 Of each wrong picture the mistake is named, where a known one explains it.
 
 With --submissions, each folder in that folder is one: its pictures are X.png or

@@ -139,7 +139,7 @@ void requireGradable(const GradePlan& plan) {
 CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options) {
     return [=](const GradeCase& test, int longEdge, const std::string& out) {
         Rendered result;
-        runPrograms({{command, &test, longEdge, out, false}}, options, 1,
+        runPrograms({{command, &test, longEdge, out}}, options, 1,
                     [&](std::size_t, const Rendered& rendered) { result = rendered; });
         return result;
     };

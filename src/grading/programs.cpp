@@ -1,9 +1,11 @@
 #include "programs.h"
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
@@ -66,6 +68,37 @@ std::string copyScene(const std::string& scene, const std::string& folder) {
     return (to / files::path(scene).filename()).string();
 }
 
+// A word of a command, as it is written and without its quotes. One that leads to something from our folder
+// is told in full, but for a command's name, which the shell looks for elsewhere.
+std::string fromHere(const std::string& written, const std::string& path, bool isFirst) {
+    std::error_code error;
+    const bool isName = isFirst && path.find('/') == std::string::npos;
+    if (isName || path.starts_with('/') || !files::exists(path, error)) return written;
+    return inShellQuotes(files::absolute(path).string());
+}
+
+std::string commandFromHere(const std::string& command) {
+    std::string text, word, path;
+    const auto endWord = [&] {
+        const bool isFirst = text.find_first_not_of(" \t\n") == std::string::npos;
+        text += fromHere(std::exchange(word, {}), std::exchange(path, {}), isFirst);
+    };
+    char quote = 0;
+    for (const char c : command) {
+        if (!quote && std::isspace(static_cast<unsigned char>(c))) {
+            endWord();
+            text += c;
+            continue;
+        }
+        word += c;
+        const bool isQuote = quote ? c == quote : c == '"' || c == '\'';
+        if (isQuote) quote = quote ? '\0' : c;
+        else path += c;
+    }
+    endWord();
+    return text;
+}
+
 // A run in progress, in a folder that goes with it.
 struct ActiveRun {
     TemporaryFolder folder, log;
@@ -75,11 +108,11 @@ struct ActiveRun {
 ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const ProgramOptions& options) {
     const std::string scene = copyScene(files::absolute(run.test->scene).string(), active.folder.file(""));
     giveFolderTo(options.user, active.folder.file(""));
-    return {run.command,
+    return {commandFromHere(run.command),
             {scene, active.picture, std::to_string(run.longEdge)},
             active.printed,
             options.limits,
-            run.inFolder ? active.folder.file("") : "",
+            active.folder.file(""),
             options.user};
 }
 
@@ -101,6 +134,12 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
 }
 
 }  // namespace
+
+std::string inShellQuotes(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended) {

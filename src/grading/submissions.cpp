@@ -107,8 +107,8 @@ class ClassGrading {
         for (std::size_t s = 0; s < submissions_.size(); ++s)
             for (std::size_t c = 0; c < plan_.cases.size(); ++c)
                 runs.push_back({commandOf(options_.program, submissions_[s]), &plan_.cases[c],
-                                longEdgeOf(plan_.cases[c]), made_.file(std::to_string(runs.size()) + ".png"),
-                                true});
+                                longEdgeOf(plan_.cases[c]),
+                                made_.file(std::to_string(runs.size()) + ".png")});
         std::size_t done = 0;
         runPrograms(runs, options_.run, options_.jobs, [&](std::size_t i, const Rendered& rendered) {
             GradeResult& result = graded_[i / plan_.cases.size()].results[i % plan_.cases.size()];

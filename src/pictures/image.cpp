@@ -116,8 +116,11 @@ FloatImage readPfm(const std::string& path) { return decodePfm(FileBytes(path));
 std::vector<char> encodePng(const ByteImage& image, const std::string& path, int threads) {
     if (!fitsPng(image.width, image.height))
         throw Error({path}, "cannot write: the picture is too large for PNG");
-    stbi_write_force_png_filter = pngFilter;
-    stbi_write_png_compression_level = deflateLevel;
+    [[maybe_unused]] static const bool stbIsSet = [] {  // once: its variables are all threads'
+        stbi_write_force_png_filter = pngFilter;
+        stbi_write_png_compression_level = deflateLevel;
+        return true;
+    }();
     setDeflateThreads(threads);
     std::vector<char> png;
     const auto append = [](void* to, void* bytes, int count) {

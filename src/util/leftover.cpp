@@ -3,30 +3,48 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <utility>
 
 namespace raytracer {
 namespace {
 
-std::atomic<Leftover*> newest = nullptr;
+Leftover* newest = nullptr;
+std::atomic_flag isBusy;  // for the list of them
+
+void take() {
+    while (isBusy.test_and_set()) {
+    }
+}
+
+// Without signals, as what one calls could not take what this thread has taken.
+void changeList(const std::function<void()>& change) {
+    withoutEndingSignals([&] {
+        take();
+        change();
+        isBusy.clear();
+    });
+}
 
 }  // namespace
 
-Leftover::Leftover(void (*toClear)(const void* what), const void* what)
-    : clear_(toClear), what_(what), older_(newest) {
+Leftover::Leftover(void (*toClear)(const void* what), const void* what) : clear_(toClear), what_(what) {
     [[maybe_unused]] static const bool handled = [] {
         handleEndingSignals();
         return true;
     }();
-    newest = this;
+    changeList([this] { older_ = std::exchange(newest, this); });
 }
 
 Leftover::~Leftover() {
-    if (newest == this) newest = older_;
-    for (Leftover* newer = newest; newer; newer = newer->older_)
-        if (newer->older_ == this) newer->older_ = older_;
+    changeList([this] {
+        Leftover** link = &newest;
+        while (*link != this) link = &(*link)->older_;
+        *link = older_;
+    });
 }
 
 void Leftover::clearAll() {
+    take();
     for (const Leftover* left = newest; left; left = left->older_) left->clear();
 }
 

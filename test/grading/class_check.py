@@ -197,16 +197,22 @@ def check_class(raytracer, folder):
 
 
 def check_user(raytracer, folder):
-    """As root, a program has another user's rights, and its folder is that user's."""
+    """As root, a program has another user's rights, and its folder is that user's with all that is in it."""
     if os.geteuid() != 0:
         refused = run(raytracer, "grade", "exam", "--references", "references", "--program", "true", "--user", "nobody", cwd=folder)
         check((refused.returncode, refused.stderr) == (2, "only root may run programs as another user\n"), refused.stderr)
         return
-    program = "sh -c 'id -un; touch \"$(dirname \"$1\")/own\" && echo and writes' -"
+    program = ("sh -c 'id -un; find . -type f -exec cat {} + > /dev/null && find . -type d -exec touch {}/own \\; &&"
+               " find . -type f | wc -l' -")
+    shutil.copy("scenes/checker_horizon.json", folder / "exam")
+    shutil.copy(folder / "references/refraction.png", folder / "references/checker_horizon.png")
+    for path in (folder / "exam").rglob("*"):
+        path.chmod(0o700 if path.is_dir() else 0o600)
     done = run(raytracer, "grade", "exam", "--references", "references", "--program", program, "--user", "nobody",
                "--junit", "user.xml", cwd=folder)
-    printed = [case.find("error").text for case in xml.parse(folder / "user.xml").getroot().iter("testcase")]
-    check(done.returncode == 1 and printed == ["nobody\nand writes\n"] * len(SCENES), f"--user: {printed} {done.stderr}")
+    printed = {case.get("name"): case.find("error").text for case in xml.parse(folder / "user.xml").getroot().iter("testcase")}
+    expected = {"checker_horizon": "nobody\n5\n", "refraction": "nobody\n5\n", "spheres_cylinder": "nobody\n2\n"}
+    check(done.returncode == 1 and printed == expected, f"--user: {printed} {done.stderr}")
     refused = run(raytracer, "grade", "exam", "--program", "true", "--user", "no such", cwd=folder)
     check((refused.returncode, refused.stderr) == (2, "there is no user no such\n"), refused.stderr)
 

@@ -83,7 +83,7 @@ def make_class(folder):
     (folder / "exam" / "lonely.json").write_text("{}")
     (folder / "exam" / "scene.schema.json").write_text("{}")
     cases = "".join(f"{name}) {body or 'cp $ours $2'};;\n" for name, (body, _, _) in ENDINGS.items())
-    return write_program(folder / "student", f'[ "$3" = 60 ] || exit 9\nname=$(basename "$1" .json); ours=ours/$name.png\n'
+    return write_program(folder / "student", f'[ "$3" = 60 ] || exit 9\nname=$(basename "$1" .json); ours={folder}/ours/$name.png\n'
                                              f"case $name in\n{cases}esac\n")
 
 
@@ -110,12 +110,13 @@ def check_cli(program, folder):
     check_statuses(program, folder)
     check_interrupt(program, folder)
     check_own_failures(program, folder)
+    check_isolation(program, folder)
 
 
 def check_interrupt(program, folder):
     """A signal that ends the grading ends the program that is being graded, too, and leaves no folder."""
-    write_program(folder / "sleeper", "(while :; do :> \"$2.$$\"; done) & mkdir -p \"$2.d/e\"; echo $$ > pid; exec sleep 60\n")
-    pid, temporary = folder / "pid", folder / "tmp"
+    write_program(folder / "sleeper", "(while :; do :> \"$2.$$\"; done) & mkdir -p \"$2.d/e\"; echo $$ > \"$0.pid\"; exec sleep 60\n")
+    pid, temporary = folder / "sleeper.pid", folder / "tmp"
     temporary.mkdir()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         pid.unlink(missing_ok=True)
@@ -158,7 +159,7 @@ def check_own_failures(program, folder):
     if subprocess.run([*mount, "true"], cwd=folder, capture_output=True).returncode:
         print("a small disk: skipped, it can't be mounted")
     else:
-        failing("a small disk", "one/raytracer-\\w+: no room for a picture: No space left on device\n", "few", "--program", "true",
+        failing("a small disk", f"{folder}/one/raytracer-\\w+: no room for a picture: No space left on device\n", "few", "--program", "true",
                 before=mount, TMPDIR="one")
 
 
@@ -184,6 +185,25 @@ def check_files(folder, failing):
         failing("a texture that is not there", r'one/a.json:1:\d+: /textures/wood: no file "one/no.png" \(relative to the scene file\); .*\n',
                 "one", *arguments)
     (folder / "one/a.json").write_text("{}")
+
+
+def check_isolation(program, folder):
+    """A program runs in a folder of its own, and is found from here; the children of all its threads count."""
+    (folder / "alone").mkdir()
+    (folder / "my programs").mkdir()
+    (folder / "alone/fresh.json").write_text("{}")
+    draw_scene(10).save(folder / "alone/fresh.png")
+    write_program(folder / "my programs/lists", 'pwd | grep -q "^/.*/raytracer-[^/]*$" || exit 9\n'
+                                                'ls -A | tr "\\n" " "; cat "$2" "$1"\n')
+    (folder / "word").write_text(" and a word")
+    done = grade(program, folder, "alone", "--program", "'my programs/lists' word")
+    check("fresh: wrote no picture\n" in done.stdout and " fresh.json {} and a word\n" in done.stdout, f"in a fresh folder: {done.stdout}")
+    (folder / "threads.py").write_text(
+        "import subprocess, threading, time\n"
+        "def start():\n    for _ in range(150): subprocess.Popen(['sleep', '60'])\n    time.sleep(60)\n"
+        "thread = threading.Thread(target=start)\nthread.start()\nthread.join()\n")
+    done = grade(program, folder, "alone", "--program", f"{sys.executable} threads.py", "--wall", 20)
+    check("fresh: started too many processes\n" in done.stdout, f"children of a second thread: {done.stdout}")
 
 
 def has_ended(pid):

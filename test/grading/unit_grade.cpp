@@ -288,6 +288,29 @@ TEST_CASE("child process: how it ends") {
         CHECK(runProcess({"pwd; echo $TMPDIR", {}, log, {}, folder.file("")}).well());
         CHECK_THAT(textOf(log), Contains(folder.file("")));
     }
+    SECTION("when it kills what watches it, with all it started, and alone") {
+        const std::string pid = folder.file("pid");
+        std::vector<std::string> ended;
+        runProcesses(
+            2, 2,
+            [&](std::size_t i) {
+                const std::string command = "setsid sh -c 'echo $$ > " + pid +
+                                            "; exec sleep 60' & while [ ! -s " + pid +
+                                            " ]; do :; done; kill -KILL $PPID; sleep 60";
+                return ProcessStart{i == 0 ? command : "sleep 0.3", {}, log + std::to_string(i)};
+            },
+            [&](std::size_t i, const ProcessEnd& end) {
+                ended.push_back(std::to_string(i) + end.description());
+            });
+        CHECK(ended == std::vector<std::string>{"0crashed: Killed", "1"});
+        CHECK(::kill(std::stoi(textOf(pid)), 0) == -1);
+    }
+    SECTION("late, when it halts what watches it") {
+        const std::string pid = folder.file("pid");
+        const ProcessEnd end = run("echo $$ > " + pid + "; kill -STOP $PPID; sleep 60", 0.2);
+        CHECK(end.description() == "hung: stopped after 0.2 s");
+        CHECK(::kill(std::stoi(textOf(pid)), 0) == -1);
+    }
     SECTION("late, with all it started") {
         const ProcessEnd end =
             run("sh -c '(sleep 1; echo late > " + folder.file("late") + ") & sleep 60'", 0.2);

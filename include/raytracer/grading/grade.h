@@ -67,8 +67,9 @@ struct ProgramOptions {
     std::string user;  // empty: ours
 };
 
-// Runs `command scene.json out.png longEdge` with a copy of the scene, in whose folder is nothing but what it
-// names. What is written is a picture only where it is a regular file.
+// Runs `command scene.json out.png longEdge` in a fresh folder, which has a copy of the scene and of what
+// that names, and nothing else. What is written is a picture only where it is a regular file. A word of the
+// command that is a path from the current folder still is that path.
 CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options);
 
 // The namer of a case's scene; nothing where the scene cannot be read.

@@ -44,7 +44,8 @@ struct ProcessEnd {
 };
 
 // Its input is empty. All that it has started, in whatever session, is killed when it ends or is stopped, and
-// where this program ends. Throws Error where no process can be started.
+// where this program ends. Where it kills what watches it, it has crashed. Throws Error where no process can
+// be started.
 ProcessEnd runProcess(const ProcessStart& start);
 
 // start(i) and, once that has ended, ended(i, how), for each i below the count: `atOnce` of them side by
@@ -56,7 +57,7 @@ void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStar
 void requirePrograms();
 // Throws Error where there is no such user, or where this program may not become another.
 void requireUser(const std::string& name);
-// Makes the folder the user's.
+// Makes the folder, with all that is in it, the user's.
 void giveFolderTo(const std::string& user, const std::string& folder);
 
 }  // namespace raytracer

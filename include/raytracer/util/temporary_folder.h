@@ -16,6 +16,7 @@ class TemporaryFolder {
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
+    // The file's absolute path.
     std::string file(const std::string& name) const { return path_ + '/' + name; }
 
     // Throws Error where its disk has no room for a file of so many bytes.

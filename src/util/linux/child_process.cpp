@@ -2,21 +2,26 @@
 
 #include <fcntl.h>
 #include <pwd.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <list>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "../descriptor.h"
 #include "../leftover.h"
 #include "../posix/signals.h"
+#include "process_tree.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/text.h"
 #include "supervisor.h"
@@ -32,10 +37,11 @@ UserIds idsOf(const std::string& name) {
     return {true, user->pw_uid, user->pw_gid};
 }
 
-// Waits, too: what a signal's handler clears is cleared when it goes on.
+// Waits, too: what a signal's handler clears is cleared when it goes on. The program may have halted it.
 void stopSupervisor(const void* process) {
     const pid_t supervisor = *static_cast<const pid_t*>(process);
     ::kill(supervisor, SIGTERM);
+    ::kill(supervisor, SIGCONT);
     siginfo_t info{};
     ::waitid(P_PID, static_cast<id_t>(supervisor), &info, WEXITED | WNOWAIT);
 }
@@ -54,7 +60,22 @@ ProcessEnd endOf(const SupervisorReport& report) {
     return end;
 }
 
-// A program that runs, with its supervisor.
+// Kills what the supervisor that has ended would have killed. That is ours now, in sessions of its own, and
+// nothing else of ours is.
+void killStrays() {
+    for (;;) {
+        std::vector<pid_t> strays = childrenOf(::getpid());
+        std::erase_if(strays, [](pid_t child) { return ::getsid(child) == ::getsid(0); });
+        if (strays.empty()) return;
+        std::vector<pid_t> all = strays;
+        addDescendants(all, 1 << 16);
+        killWithGroups(all);
+        for (const pid_t stray : strays) ::waitpid(stray, nullptr, WNOHANG);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+// A program that runs, with its supervisor, which the program may kill or halt where both are one user's.
 class Running {
   public:
     explicit Running(const ProcessStart& start) {
@@ -62,6 +83,8 @@ class Running {
         int ends[2];
         if (::pipe2(ends, O_CLOEXEC) != 0) throw systemError(start.output, "cannot start a process");
         report_ = Descriptor(ends[0]);
+        wallSeconds_ = start.limits.wallSeconds;
+        ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // for killStrays
         const Descriptor toReport(ends[1]);
         const pid_t self = ::getpid();
         const SignalsWait signalsWait;
@@ -83,19 +106,42 @@ class Running {
         siginfo_t info{};
         const bool isThere =
             ::waitid(P_PID, static_cast<id_t>(supervisor_), &info, WEXITED | WNOHANG | WNOWAIT) == 0;
-        if (isThere && info.si_pid != supervisor_) return std::nullopt;
+        if (isThere && info.si_pid != supervisor_) {
+            constexpr double forItsReport = 1;  // seconds
+            if (seconds() > wallSeconds_ + forItsReport) ::kill(supervisor_, SIGKILL);
+            return std::nullopt;
+        }
         leftover_.reset();  // before another process can get its number
-        ::waitpid(supervisor_, nullptr, 0);
+        int status = 0;
+        ::waitpid(supervisor_, &status, 0);
         SupervisorReport report;
-        if (::read(report_.get(), &report, sizeof report) != sizeof report)
-            throw Error("cannot start a process: its supervisor has ended");
-        return endOf(report);
+        if (::read(report_.get(), &report, sizeof report) == sizeof report) return endOf(report);
+        return endWithoutReport(status);
     }
 
   private:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    ProcessEnd endWithoutReport(int status) const {
+        if (WIFEXITED(status)) {
+            errno = WEXITSTATUS(status);
+            throw systemError("", "cannot start a process");
+        }
+        killStrays();
+        ProcessEnd end;
+        end.signal = WTERMSIG(status);
+        end.seconds = std::min(seconds(), wallSeconds_);
+        if (end.seconds == wallSeconds_) end.stop = ProcessEnd::Stop::Hung;
+        return end;
+    }
+
     pid_t supervisor_ = 0;
     Descriptor report_;
     std::optional<Leftover> leftover_;
+    double wallSeconds_ = 0;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace
@@ -141,8 +187,13 @@ void requireUser(const std::string& name) {
 void giveFolderTo(const std::string& user, const std::string& folder) {
     if (user.empty()) return;
     const UserIds ids = idsOf(user);
-    if (::chown(folder.c_str(), ids.user, ids.group) != 0)
-        throw systemError(folder, "cannot give it to " + user);
+    const auto give = [&](const std::string& path) {
+        if (::lchown(path.c_str(), ids.user, ids.group) != 0)
+            throw systemError(path, "cannot give it to " + user);
+    };
+    give(folder);
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        give(entry.path().string());
 }
 
 }  // namespace raytracer

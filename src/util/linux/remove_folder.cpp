@@ -5,7 +5,9 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <cstddef>
+#include <cerrno>
+#include <charconv>
+#include <iterator>
 
 #include "../descriptor.h"
 #include "../leftover.h"
@@ -21,9 +23,10 @@ Descriptor openFolder(int parent, const char* name) {
     return Descriptor(::openat(parent, name, flags));
 }
 
-// `entry` is what the kernel writes for getdents64.
-void removeContents(int folder) {
-    ::fchmod(folder, S_IRWXU);
+// Calls use(name) for each entry of a folder; `entry` is what the kernel writes for getdents64.
+template <typename Use>
+void forEachEntry(int folder, const Use& use) {
+    ::lseek(folder, 0, SEEK_SET);
     alignas(dirent64) char entries[1024];
     for (;;) {
         const auto size = ::syscall(SYS_getdents64, folder, entries, sizeof entries);
@@ -33,23 +36,64 @@ void removeContents(int folder) {
             at += entry->d_reclen;
             const char* const name = entry->d_name;
             const bool isOther = name[0] != '.' || (name[1] && (name[1] != '.' || name[2]));
-            if (!isOther || ::unlinkat(folder, name, 0) == 0) continue;
-            const Descriptor inner = openFolder(folder, name);
-            if (inner) removeContents(inner.get());
-            ::unlinkat(folder, name, AT_REMOVEDIR);
+            if (isOther) use(name);
         }
     }
 }
+
+bool removed(int folder, const char* name) {
+    return ::unlinkat(folder, name, 0) == 0 || ::unlinkat(folder, name, AT_REMOVEDIR) == 0;
+}
+
+// Removes what is in a folder with few descriptors, however deep it nests: what is in the folders of it that
+// are not empty is moved up, into it, under new names.
+class Removal {
+  public:
+    explicit Removal(const Descriptor& top) : top_(top.get()) { ::fchmod(top_, S_IRWXU); }
+
+    // One level. False where nothing could be removed or moved.
+    bool pass() {
+        bool hasChanged = false;
+        forEachEntry(top_, [&](const char* name) { hasChanged |= removed(top_, name) || isFlattened(name); });
+        return hasChanged;
+    }
+
+  private:
+    bool isFlattened(const char* name) {
+        const Descriptor folder = openFolder(top_, name);
+        if (!folder) return false;
+        ::fchmod(folder.get(), S_IRWXU);
+        bool hasChanged = false;
+        forEachEntry(folder.get(), [&](const char* inner) {
+            hasChanged |= removed(folder.get(), inner) || isMovedUp(folder.get(), inner);
+        });
+        return removed(top_, name) || hasChanged;
+    }
+
+    bool isMovedUp(int folder, const char* name) {
+        const Descriptor moved = openFolder(folder, name);
+        if (moved) ::fchmod(moved.get(), S_IRWXU);  // else it could not be moved
+        for (;;) {
+            char number[16] = {};
+            std::to_chars(std::begin(number), std::end(number), next_++);
+            if (::renameat(folder, name, top_, number) == 0) return true;
+            const bool isTaken = errno == ENOTEMPTY || errno == EEXIST || errno == ENOTDIR;
+            if (!isTaken) return false;
+        }
+    }
+
+    int top_;
+    unsigned next_ = 0;
+};
 
 }  // namespace
 
 void removeFolder(const void* path) {
     const auto* const name = static_cast<const char*>(path);
-    // A process that is being killed may still make a file.
-    for (int attempt = 0; attempt < 100 && ::rmdir(name) != 0 && errno != ENOENT; ++attempt) {
-        const Descriptor folder = openFolder(AT_FDCWD, name);
-        if (!folder) return;
-        removeContents(folder.get());
+    const Descriptor top = openFolder(AT_FDCWD, name);
+    if (!top) return;
+    Removal removal(top);
+    while (::rmdir(name) != 0 && errno != ENOENT && removal.pass()) {
     }
 }
 

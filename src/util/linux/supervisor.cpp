@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "../descriptor.h"
+#include "process_tree.h"
 
 namespace raytracer {
 
@@ -31,25 +32,10 @@ std::size_t readInto(const char* path, char* text, std::size_t most) {
     return static_cast<std::size_t>(std::max<ssize_t>(0, size));
 }
 
-// The processes that a thread of this process has started.
-void addChildren(pid_t process, std::vector<pid_t>& found) {
-    char path[64], text[1 << 14];
-    std::snprintf(path, sizeof path, "/proc/%d/task/%d/children", process, process);
-    readInto(path, text, sizeof text);
-    for (const char* at = text; *at;) {
-        char* end = nullptr;
-        const long number = std::strtol(at, &end, 10);
-        if (end == at) break;
-        found.push_back(static_cast<pid_t>(number));
-        at = end;
-    }
-}
-
 // Children, their children and so on: each, before it can end, is the child of one that is found, or ours.
 std::vector<pid_t> descendants(std::size_t most) {
-    std::vector<pid_t> found;
-    addChildren(::getpid(), found);
-    for (std::size_t i = 0; i < found.size() && found.size() <= most; ++i) addChildren(found[i], found);
+    std::vector<pid_t> found = childrenOf(::getpid());
+    addDescendants(found, most);
     return found;
 }
 
@@ -184,11 +170,10 @@ class Supervisor {
             report_.stop = ProcessEnd::Stop::TooManyProcesses;
     }
 
-    // Until there is none left to wait for: one that forks faster than it is found is stopped with its group.
+    // Until there is none left to wait for.
     void killAll() {
-        ::kill(-child_, SIGKILL);
         for (;;) {
-            for (const pid_t process : descendants(1 << 16)) ::kill(process, SIGKILL);
+            killWithGroups(descendants(1 << 16));
             int status = 0;
             pid_t ended = 0;
             while ((ended = ::waitpid(-1, &status, WNOHANG)) > 0)
@@ -220,7 +205,7 @@ void supervise(const ProcessStart& start, const UserIds& ids, const sigset_t& si
     if (::getppid() != parent) ::_exit(1);
     const pid_t child = ::fork();
     if (child == 0) become(start, ids, signalMask);
-    if (child < 0) ::_exit(1);
+    if (child < 0) ::_exit(errno);
     const SupervisorReport result = Supervisor(child, start.limits).watch();
     const char* const bytes = reinterpret_cast<const char*>(&result);
     ::_exit(writeAll(report, {bytes, sizeof result}) ? 0 : 1);

@@ -23,7 +23,8 @@ struct UserIds {
 };
 
 // Runs and watches the program; SIGTERM, and the end of this process's parent, stop it. In a process of its
-// own, made by fork where there is one thread.
+// own, made by fork where there is one thread. Where no program can be started it ends with errno as its exit
+// status.
 [[noreturn]] void supervise(const ProcessStart& start, const UserIds& ids, const sigset_t& signalMask,
                             pid_t parent, int report);
 

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <filesystem>
+
 #include "../descriptor.h"
 #include "../leftover.h"
 #include "../posix/signals.h"
@@ -14,7 +16,7 @@ namespace raytracer {
 TemporaryFolder::TemporaryFolder() {
     const char* const wanted = ::getenv("TMPDIR");
     const std::string parent = wanted && *wanted ? wanted : "/tmp";
-    path_ = parent + "/raytracer-XXXXXX";
+    path_ = std::filesystem::absolute(parent + "/raytracer-XXXXXX").string();
     const SignalsWait wait;
     if (!::mkdtemp(path_.data())) throw systemError(parent, "cannot make a temporary folder");
     leftover_ = std::make_unique<Leftover>(removeFolder, path_.c_str());

@@ -44,6 +44,11 @@ void handleEndingSignals() {
     }
 }
 
+void withoutEndingSignals(const std::function<void()>& work) {
+    const SignalsWait wait;
+    work();
+}
+
 SignalsWait::SignalsWait() {
     const sigset_t waiting = endingSet();
     ::pthread_sigmask(SIG_BLOCK, &waiting, &before_);

@@ -13,4 +13,6 @@ void handleEndingSignals() {
     SetConsoleCtrlHandler(clear, TRUE);
 }
 
+void withoutEndingSignals(const std::function<void()>& work) { work(); }
+
 }  // namespace raytracer
