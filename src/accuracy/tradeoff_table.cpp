@@ -5,14 +5,6 @@ namespace raytracer {
 
 namespace {
 
-// A field of RFC 4180.
-std::string csvField(std::string_view text) {
-    if (text.find_first_of("\",\r\n") == text.npos) return printable(text);
-    std::string field = "\"";
-    for (const char c : printable(text, "\r\n")) field += c == '"' ? "\"\"" : std::string(1, c);
-    return field + '"';
-}
-
 std::string csvLine(const std::string& scene, const char* question, const Trial& t) {
     const Setting& s = t.setting;
     return csvField(scene) +

@@ -10,11 +10,7 @@
 
 namespace raytracer::commands {
 
-namespace {
-
-constexpr int mostParts = 1 << 20;
-
-}  // namespace
+namespace {}  // namespace
 
 std::string pictureOptions(const RenderArguments& arguments, const RenderOptions& options) {
     std::string text;
@@ -37,8 +33,8 @@ PicturePart parsePart(const std::string& text) {
     const auto number = numberOf<int>(text.substr(0, slash));
     const auto count = numberOf<int>(slash == text.npos ? "" : text.substr(slash + 1));
     if (!number || !count || *number < 1 || *number > *count || *count > mostParts)
-        throw usageError("--part: expected K/N, two whole numbers with 1 <= K <= N <= 1048576, found " +
-                         inQuotes(text));
+        throw usageError("--part: expected K/N, two whole numbers with 1 <= K <= N <= " +
+                         std::to_string(mostParts) + ", found " + inQuotes(text));
     return {*number, *count};
 }
 

@@ -10,6 +10,7 @@
 
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/nearby_file.h"
 #include "raytracer/util/temporary_folder.h"
 
 #include "programs.h"
@@ -38,13 +39,11 @@ std::string firstWord(const std::string& name) {
     return end == name.begin() ? name : std::string(name.begin(), end);
 }
 
-std::vector<fs::path> filesIn(const std::string& folder, const char* ending) {
-    std::vector<fs::path> files;
-    std::error_code error, isGone;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().extension() == ending && entry->is_regular_file(isGone))
-            files.push_back(entry->path());
+std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& folder) {
+    std::error_code error;
+    std::vector<fs::path> files = filesIn(folder, error);
     if (error) throw Error({folder}, "cannot read the folder: " + error.message());
+    std::erase_if(files, [&](const fs::path& file) { return file.extension() != ending; });
     return files;
 }
 
@@ -122,8 +121,8 @@ const Stage& completeStage() { return *std::prev(std::end(stageTable)); }
 
 GradePlan planGrading(const std::string& scenes, const std::string& references) {
     GradePlan plan;
-    filesIn(references, ".png");  // throws if the folder cannot be read
-    for (const fs::path& scene : filesIn(scenes, ".json")) planScene(plan, scene, references);
+    filesThatEndIn(".png", references);  // throws if the folder cannot be read
+    for (const fs::path& scene : filesThatEndIn(".json", scenes)) planScene(plan, scene, references);
     std::sort(plan.cases.begin(), plan.cases.end(),
               [](const GradeCase& a, const GradeCase& b) { return a.name < b.name; });
     std::sort(plan.scenesWithoutReference.begin(), plan.scenesWithoutReference.end());

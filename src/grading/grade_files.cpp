@@ -11,34 +11,17 @@ namespace raytracer {
 
 namespace {
 
-// A field in quotes where it needs them. A spreadsheet takes what begins with these characters for a formula;
-// an apostrophe makes it text.
-std::string csvField(const std::string& value) {
-    const std::string shown = printable(value);
-    std::string text =
-        shown.empty() || std::string_view("=+-@").find(shown[0]) == std::string_view::npos ? "" : "'";
-    text += shown;
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 std::string fixed(double value, int digits) { return formatted("%.*f", digits, value); }
-
-std::string xmlAttribute(const char* name, const std::string& value) {
-    return std::string(" ") + name + "=\"" + escaped(value) + "\"";
-}
 
 std::string junitCase(const GradedSubmission& submission, const GradeResult& result,
                       const Thresholds& thresholds) {
-    std::string xml = "    <testcase" + xmlAttribute("classname", submission.name) +
-                      xmlAttribute("name", result.test.name) + xmlAttribute("time", fixed(result.seconds, 3));
+    std::string xml = "    <testcase" + attribute("classname", submission.name) +
+                      attribute("name", result.test.name) + attribute("time", fixed(result.seconds, 3));
     if (within(result, thresholds)) return xml + "/>\n";
     const char* const kind = result.comparison ? "failure" : "error";
     const std::string message =
         "score " + std::to_string(result.score()) + (remark(result).empty() ? "" : ": ") + remark(result);
-    return xml + ">\n      <" + kind + xmlAttribute("message", message) + xmlAttribute("type", kind) + ">" +
+    return xml + ">\n      <" + kind + attribute("message", message) + attribute("type", kind) + ">" +
            escaped(result.output) + "</" + kind + ">\n    </testcase>\n";
 }
 
@@ -56,9 +39,8 @@ struct JunitCounts {
     }
 
     std::string attributes() const {
-        return xmlAttribute("tests", std::to_string(tests)) +
-               xmlAttribute("failures", std::to_string(failures)) +
-               xmlAttribute("errors", std::to_string(errors)) + xmlAttribute("time", fixed(seconds, 3));
+        return attribute("tests", std::to_string(tests)) + attribute("failures", std::to_string(failures)) +
+               attribute("errors", std::to_string(errors)) + attribute("time", fixed(seconds, 3));
     }
 };
 
@@ -183,13 +165,13 @@ std::string gradesAsJunit(std::span<const GradedSubmission> graded, const Thresh
         JunitCounts own;
         own.add(submission, thresholds);
         all.add(submission, thresholds);
-        suites += "  <testsuite" + xmlAttribute("name", submission.name) + own.attributes() + ">\n";
+        suites += "  <testsuite" + attribute("name", submission.name) + own.attributes() + ">\n";
         for (const GradeResult& result : submission.results)
             suites += junitCase(submission, result, thresholds);
         suites += "  </testsuite>\n";
     }
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
-           xmlAttribute("name", "raytracer grade") + all.attributes() + ">\n" + suites + "</testsuites>\n";
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + attribute("name", "raytracer grade") +
+           all.attributes() + ">\n" + suites + "</testsuites>\n";
 }
 
 std::string gradesForGradescope(const GradedSubmission& graded, const Thresholds& thresholds, double points) {

@@ -20,10 +20,6 @@ std::string number(double value, const char* format = "%.4g") {
 
 std::string fixedScore(double value) { return formatted("%.1f", value); }
 
-std::string attribute(const char* name, const std::string& value) {
-    return std::string(" ") + name + "=\"" + escaped(value) + "\"";
-}
-
 std::string percent(double part, int whole) { return number(100 * part / whole, "%.3f") + "%"; }
 
 // A ring around the worst pixel, which is hard to see in a small picture.

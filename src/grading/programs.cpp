@@ -10,6 +10,7 @@
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/temporary_folder.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -134,12 +135,6 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
 }
 
 }  // namespace
-
-std::string inShellQuotes(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended) {

@@ -22,7 +22,4 @@ struct ProgramRun {
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended);
 
-// A word of a shell's command, whatever the text is.
-std::string inShellQuotes(const std::string& text);
-
 }  // namespace raytracer

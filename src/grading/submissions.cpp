@@ -11,6 +11,7 @@
 #include "raytracer/util/error.h"
 #include "raytracer/util/parallel.h"
 #include "raytracer/util/temporary_folder.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 

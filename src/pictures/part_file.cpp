@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view partMagic = "raytracer part 1 ";
 constexpr std::size_t sizeDigits = 8, magicSize = partMagic.size() + sizeDigits + 1;
 constexpr std::size_t longestHead = 1 << 20;
-constexpr double mostEdge = 1 << 16, mostParts = 1 << 20;
+constexpr double mostEdge = 1 << 16;
 
 std::string hexadecimal(std::size_t number) { return formatted("%08zx", number); }
 

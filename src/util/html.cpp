@@ -21,6 +21,10 @@ std::string escaped(std::string_view text) {
     return html;
 }
 
+std::string attribute(const char* name, std::string_view value) {
+    return std::string(" ") + name + "=\"" + escaped(value) + "\"";
+}
+
 std::string pageHead(std::string_view title, std::string_view style) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n<title>" + escaped(title) +
            "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n" +

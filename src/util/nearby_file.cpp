@@ -19,21 +19,10 @@ bool isFile(const fs::path& path) {
     return fs::is_regular_file(path, error);
 }
 
-// The files in a folder, and with `depth` in the folders of it. In alphabetical order, since a folder has
-// none; no more than a thousand are looked at.
-std::vector<fs::path> filesIn(const fs::path& folder, int depth) {
+std::vector<fs::path> filesNear(const fs::path& folder, int depth) {
     constexpr std::size_t most = 1000;
-    std::vector<fs::path> files;
-    std::error_code error;
-    const fs::path start = folder.empty() ? "." : folder;
-    const auto quiet = fs::directory_options::skip_permission_denied;
-    fs::recursive_directory_iterator entry(start, quiet, error), end;
-    for (std::size_t seen = 0; !error && entry != end && seen < most; entry.increment(error), ++seen) {
-        const bool isHidden = entry->path().filename().string().starts_with('.');
-        if (entry.depth() >= depth || isHidden) entry.disable_recursion_pending();
-        if (!isHidden && isFile(entry->path())) files.push_back(entry->path());
-    }
-    std::ranges::sort(files);
+    std::error_code ignored;
+    std::vector<fs::path> files = filesIn(folder.empty() ? "." : folder, ignored, depth, most);
     if (folder.empty())
         for (fs::path& file : files) file = file.lexically_relative(".");
     return files;
@@ -62,6 +51,19 @@ fs::path likeName(const fs::path& name, const std::vector<fs::path>& files) {
 
 }  // namespace
 
+std::vector<fs::path> filesIn(const fs::path& folder, std::error_code& error, int depth, std::size_t most) {
+    std::vector<fs::path> files;
+    using enum fs::directory_options;
+    fs::recursive_directory_iterator entry(folder, depth > 0 ? skip_permission_denied : none, error), end;
+    for (std::size_t seen = 0; !error && entry != end && seen < most; entry.increment(error), ++seen) {
+        const bool isHidden = entry->path().filename().string().starts_with('.');
+        if (entry.depth() >= depth || isHidden) entry.disable_recursion_pending();
+        if (!isHidden && isFile(entry->path())) files.push_back(entry->path());
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
 std::string nearbyFile(const std::string& path) {
     std::string slashes = path;
     std::ranges::replace(slashes, '\\', '/');
@@ -71,12 +73,12 @@ std::string nearbyFile(const std::string& path) {
     std::error_code error;
     const bool hasFolder = folder.empty() || fs::is_directory(folder, error);
     const fs::path above = folder.parent_path();
-    const std::vector<fs::path> here = filesIn(folder, 0);
+    const std::vector<fs::path> here = filesNear(folder, 0);
     if (fs::path found = named(name, here); !found.empty()) return found.generic_string();
     if (fs::path found = likeName(name, here); !found.empty()) return found.generic_string();
     const bool isSearched = hasFolder || above != "/";
     if (!isSearched) return {};
-    return named(name, filesIn(hasFolder ? folder : above, 2)).generic_string();
+    return named(name, filesNear(hasFolder ? folder : above, 2)).generic_string();
 }
 
 std::string hintAt(const std::string& path) {

@@ -64,6 +64,16 @@ std::string printable(std::string_view text, std::string_view kept) {
     return shown;
 }
 
+std::string csvField(std::string_view text) {
+    std::string field = printable(text);
+    if (!field.empty() && std::string_view("=+-@").find(field[0]) != std::string_view::npos)
+        field.insert(0, 1, '\'');
+    if (field.find_first_of(",\"") == field.npos) return field;
+    std::string quoted = "\"";
+    for (const char c : field) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + '"';
+}
+
 std::string jsonString(std::string_view text) {
     std::string quoted = "\"";
     while (!text.empty()) {

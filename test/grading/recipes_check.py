@@ -3,6 +3,7 @@
 Usage: recipes_check.py RAYTRACER, from the source folder. Exit status 77 (CTest: skipped) without Pillow or cmake.
 """
 import csv
+import getpass
 import json
 import os
 import re
@@ -32,20 +33,48 @@ def make_exam(raytracer, folder):
 def check_gradescope(raytracer, recipes, folder):
     submission = folder / "autograder/submission"
     submission.mkdir(parents=True)
-    check(run(["sh", "-n", recipes / "gradescope/setup.sh"], folder).returncode == 0, "setup.sh is a script")
     (folder / "autograder/results").mkdir()
     (folder / "autograder/source").mkdir()
+    made = check_build(raytracer, (recipes / "gradescope/setup.sh").read_text("utf-8"), folder / "raytracer")
+    check(not made or run([made / "raytracer", "--version"], folder).returncode == 0, "setup.sh makes a command of it")
     make_exam(raytracer, folder / "autograder/source/exam")
-    (submission / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.20)\nproject(student NONE)\n"
-                                               "file(COPY raytracing DESTINATION ${CMAKE_BINARY_DIR})\n")
-    write_program(submission / "raytracing", f'exec {raytracer} "$1" "$2" "$3" --quiet --only diffuse,specular,shadows,reflections\n')
-    done = run(["sh", recipes / "gradescope/run_autograder"], folder, AUTOGRADER=str(folder / "autograder"), AS_USER="",
-               PATH=f"{raytracer.parent}:{os.environ['PATH']}", POINTS="25")
+    student = "nobody" if os.geteuid() == 0 else ""
+    (submission / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.20)\nproject(student NONE)\nexecute_process(COMMAND id -un OUTPUT_VARIABLE who)\n"
+        f'if(NOT who STREQUAL "{student or getpass.getuser()}\\n")\n  message(FATAL_ERROR "made by ${{who}}")\nendif()\n'
+        "file(COPY raytracing renderer DESTINATION ${CMAKE_BINARY_DIR})\n")
+    shutil.copy(raytracer, submission / "renderer")  # which the student can read
+    write_program(submission / "raytracing",
+                  'exec "$(dirname "$0")/renderer" "$1" "$2" "$3" --quiet --only diffuse,specular,shadows,reflections\n')
+    done = run(["sh", recipes / "gradescope/run_autograder"], folder, AUTOGRADER=str(folder / "autograder"), STUDENT=student,
+               PATH=f"{raytracer.parent}:{os.environ['PATH']}", POINTS="25", TMPDIR="")
+    check((folder / "autograder").stat().st_mode & 0o777 == 0o700, "the references are closed to the student")
     check(done.returncode == 0, f"run_autograder: {done.returncode} {done.stdout} {done.stderr}")
     results = json.loads((folder / "autograder/results/results.json").read_text("utf-8"))
     tests = {test["name"]: test for test in results["tests"]}
     check(sorted(tests) == sorted(SCENES) and all(test["max_score"] == 25 for test in tests.values()), f"{results}")
     check(all("without ambient light" in test["output"] for test in tests.values()), f"{results}")
+
+
+def check_build(raytracer, script, folder):
+    """The lines that build raytracer, from a repository with `run` whose build has a copy of ours to make."""
+    if not shutil.which("git") or not shutil.which("ninja"):
+        return print("the build of raytracer: skipped, no git or no ninja")
+    source, bin_ = folder / "source", folder / "bin"
+    (source / "build/release").mkdir(parents=True)
+    bin_.mkdir()
+    shutil.copy("run", source)
+    (source / "build/release/build.ninja").write_text(f"rule copy\n  command = cp $in $out\nbuild raytracer: copy {raytracer}\n")
+    for command in (["init", "-q"], ["add", "."], ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "all"]):
+        run(["git", *command], source)
+    for name in ("apt-get", "sudo", "useradd"):
+        write_program(bin_ / name, "true\n")
+    for there, here in {"${{ vars.RAYTRACER_SOURCE }}": "$RAYTRACER_SOURCE", "/opt/": f"{folder}/opt/", "/usr/local/bin": bin_}.items():
+        script = script.replace(there, str(here))
+    done = run(["sh", "-e", "-c", script], folder, PATH=f"{bin_}:{os.environ['PATH']}", RAYTRACER_SOURCE=f"file://{source}")
+    made = folder / "opt/raytracer/build/release/raytracer"
+    check(done.returncode == 0 and made.exists(), f"build: {done.returncode} {done.stdout} {done.stderr}")
+    return made.exists() and bin_
 
 
 def steps_of(workflow):
@@ -67,6 +96,7 @@ def steps_of(workflow):
 
 def check_github(raytracer, recipes, folder):
     (folder / "build").mkdir(parents=True)
+    check_build(raytracer, steps_of(recipes / "github/grade.yml")["build raytracer"], folder / "raytracer")
     make_exam(raytracer, folder / "exam")
     write_program(folder / "build/raytracing", f'exec {raytracer} "$1" "$2" "$3" --quiet --max-recursion 0\n')
     steps = steps_of(recipes / "github/grade.yml")

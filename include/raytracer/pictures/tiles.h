@@ -13,8 +13,9 @@ inline constexpr int tileEdge = 32;
 
 // One of `count` parts of a picture.
 struct PicturePart {
-    int number = 1, count = 1;  // 1 <= number <= count
+    int number = 1, count = 1;  // 1 <= number <= count <= mostParts
 };
+inline constexpr int mostParts = 1 << 20;
 
 std::string inWords(const PicturePart& part);  // "3 of 7"
 

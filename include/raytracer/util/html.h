@@ -10,6 +10,9 @@ namespace raytracer {
 // Text, shown as printable (text.h) has it, as HTML or XML for between tags or for a quoted attribute.
 std::string escaped(std::string_view text);
 
+// ` NAME="VALUE"`, of HTML or XML.
+std::string attribute(const char* name, std::string_view value);
+
 // A page from its doctype to the opened body. `title` is escaped here, `style` is CSS.
 std::string pageHead(std::string_view title, std::string_view style);
 

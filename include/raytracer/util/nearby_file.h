@@ -1,9 +1,21 @@
 // "there is ...": the file that a name which leads nowhere probably means.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
+#include <limits>
 #include <string>
+#include <system_error>
+#include <vector>
 
 namespace raytracer {
+
+// The regular files in a folder, and with `depth` in the folders of it, but hidden ones, in alphabetical
+// order, since a folder has none. No more than `most` of what is there are looked at. `error`: why no more
+// can be.
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, std::error_code& error,
+                                           int depth = 0,
+                                           std::size_t most = std::numeric_limits<std::size_t>::max());
 
 // A regular file like the one that `path` should be: with slashes for backslashes, in other letters (case,
 // misspelled), with an ending that the path lacks or another one, in a folder below the path's or beside it.

@@ -30,6 +30,10 @@ std::size_t printableBytes(std::string_view text);
 // byte, but for the characters in `kept`.
 std::string printable(std::string_view text, std::string_view kept = {});
 
+// A field of CSV (RFC 4180) that shows the text, as printable has it. A spreadsheet takes a text that begins
+// with one of =+-@ for a formula; an apostrophe before it makes it text.
+std::string csvField(std::string_view text);
+
 // `text` in quotes, with escape sequences for what JSON forbids in a string, and for "<", so that the result
 // can stand in a <script>.
 std::string jsonString(std::string_view text);
