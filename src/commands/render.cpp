@@ -64,8 +64,9 @@ struct PictureArguments {
     std::optional<double> targetError, targetTime;
     std::string part;  // K/N; empty: the whole picture
     bool skipExisting = false;
-    std::string frames;  // A..B; empty: one picture
-    std::string again;   // the command line without --target-time
+    std::string frames;                  // A..B; empty: one picture
+    std::string again;                   // the command line without --target-time
+    const FileWatch* watched = nullptr;  // with --watch
 
     bool isPfm() const { return endsIn(out, ".pfm"); }
     bool isPart() const { return !part.empty(); }
@@ -84,6 +85,24 @@ OutputFile openOutput(const PictureArguments& wanted) {
     if (printsOnTerminal()) throw usageError("the picture - is no text for a terminal: write - > out.png");
     return OutputFile::standardOutput();
 }
+
+// What is rendered is of files that have changed.
+struct OutOfDate {};
+
+// Shows the progress, and throws OutOfDate.
+class WatchedProgress final : public ProgressListener {
+  public:
+    WatchedProgress(ProgressListener& shown, const FileWatch* files) : shown_(shown), files_(files) {}
+
+    void progress(double fraction) override {
+        shown_.progress(fraction);
+        if (files_ && files_->hasChanged()) throw OutOfDate();
+    }
+
+  private:
+    ProgressListener& shown_;
+    const FileWatch* files_;
+};
 
 // One picture, from its scene to its file.
 struct RenderJob {
@@ -104,7 +123,8 @@ void renderBand(PixelSink& sink, RenderJob& job, const PixelRectangle& band, Ste
     options.crop = band;
     options.part = job.part.part;
     const bool hasFirst = job.choice && !job.choice->first.colors.empty();
-    job.counts += job.renderer.render(options, sink, &progress, hasFirst ? &job.choice->first : nullptr);
+    WatchedProgress watched(progress, job.wanted.watched);
+    job.counts += job.renderer.render(options, sink, &watched, hasFirst ? &job.choice->first : nullptr);
     progress.next();
 }
 
@@ -189,14 +209,16 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
 }
 
 // Renders again whenever a file has changed; an error waits for the change that mends it.
-[[noreturn]] void watchScene(const RenderArguments& arguments, const PictureArguments& wanted) {
+[[noreturn]] void watchScene(const RenderArguments& arguments, PictureArguments wanted) {
     std::vector<std::string> files{arguments.scene};
     for (;;) {
         const auto start = FileWatch::Time::clock::now();
         FileWatch watch;
         for (const std::string& file : files) watch.add(file);
+        wanted.watched = &watch;
         try {
             renderPicture(arguments, wanted, files);
+        } catch (const OutOfDate&) {  // wait() returns at once
         } catch (const UsageError& error) {
             tell(Error({"raytracer"}, error.what()));
         } catch (const Error& error) {

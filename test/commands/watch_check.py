@@ -73,7 +73,25 @@ def watch(folder):
         failures.append(f"-: {refused.stderr}")
 
 
-with tempfile.TemporaryDirectory() as temporary:
-    watch(pathlib.Path(temporary))
+def watch_long(folder):
+    """A picture that takes minutes is given up once its scene has changed."""
+    scene, out = folder / "scene.json", folder / "out.png"
+    shutil.copytree("scenes/textures", folder / "textures")
+    shutil.copy("test/bad/files/check.png", folder / "check.png")
+    save(scene, pathlib.Path("scenes/nested_glass.json").read_text(encoding="utf-8"))
+    command = [RAYTRACER, scene, out, "2000", "--max-recursion", "16", "--threads", "1", "--quiet", "--watch"]
+    process = subprocess.Popen(command)
+    try:
+        time.sleep(1)  # it has begun
+        save(scene, json.dumps(SCENE | {"shapes": [], "materials": []}))
+        expect("the picture of the changed scene", out.exists)
+    finally:
+        process.terminate()
+        process.wait()
+
+
+for watched in (watch, watch_long):
+    with tempfile.TemporaryDirectory() as temporary:
+        watched(pathlib.Path(temporary))
 print("\n".join(f"expected {failure}" for failure in failures) if failures else "the picture follows")
 sys.exit(1 if failures else 0)

@@ -24,6 +24,9 @@ class FileWatch {
     // change.
     void wait() const;
 
+    // Whether a file is another than when it was added.
+    bool hasChanged() const { return states() != files_; }
+
     std::size_t count() const { return files_.size(); }
 
   private:
