@@ -5,7 +5,7 @@ scenes.
     bench/adaptive.py [--raytracer PROGRAM] [--size 100] [SCENE...]
 
 At the defaults' depth, in the truth too (twice the size, a quarter of the least E). The samples include those
-that tiles take again, since a pixel looks at the centres around it; the last column is what these are for
+that tiles take again, since a pixel takes the centres around it; the last column is what these are for
 --adaptive 1, which needs no others.
 """
 import argparse

@@ -1,4 +1,8 @@
 // Mistakes inside of the light model: its sums, made anew from the rays that explain records.
+//
+// A second light model and a second recursion, on purpose: the tracer knows nothing of mistakes, and its one
+// recursion would need a switch for each of these in every ray's way. Here a mistake costs sums alone, and
+// other rays only where it turns a normal; programs that make the mistake check them (bench/mistakes.py).
 #include <algorithm>
 #include <cmath>
 #include <utility>

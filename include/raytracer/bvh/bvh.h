@@ -1,6 +1,6 @@
 // A bounding volume hierarchy that culls in float: of many boxes or triangles, the few that a ray might meet.
 //
-// It may only discard, never decide: whatever it returns is looked at again in Real, and what it leaves out
+// It may only discard, never decide: whatever it returns is tested again in Real, and what it leaves out
 // must be something that Real arithmetic would not have hit either. Hence everything here is rounded
 // outwards: boxes, the ray's origin (a small box itself, see BvhRay::slack), distances. A picture is the same
 // with any tree, any instruction set or none. Independent of Real, so compiled once but for the traversal's

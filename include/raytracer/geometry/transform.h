@@ -7,7 +7,7 @@
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // A ray in object space, with the t of the ray in the world. Where the transform's scale is 1e-200 its
-// direction's square overflows: who squares it looks at that (isSafeSquare).
+// direction's square overflows: who squares it checks that (isSafeSquare).
 template <class T>
 struct ObjectRayT {
     Vec3T<T> origin{0};

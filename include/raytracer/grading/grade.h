@@ -46,7 +46,7 @@ struct GradePlan {
 GradePlan planGrading(const std::string& scenes, const std::string& references);
 
 // Throws Error where a scene names a file that is not there or broken, which no program can be blamed for.
-// What else a scene says wrong is not looked at: it may be made for other programs than ours.
+// What else is wrong with a scene is not told: it may be made for other programs than ours.
 void requireGradable(const GradePlan& plan);
 
 // The outcome of rendering a case. It does not say whether there is a picture.

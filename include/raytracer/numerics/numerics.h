@@ -1,5 +1,5 @@
-// Rounding errors and the arithmetic that is built to survive them. The only file with
-// a tolerance that a picture depends on.
+// Rounding errors and the arithmetic that is built to survive them. A tolerance that a picture depends on is
+// here, or counts its roundings by gamma where they happen; trees, which only discard, have margins too.
 //
 // Every bound here is relative: a multiple of the unit roundoff of Real and of the magnitudes that went into
 // a result. None is a length, so none prefers a unit of length.
@@ -61,8 +61,8 @@ constexpr Real gamma(int n) {
 }
 
 // Two hits whose t differ by less than this factor might be one place where two surfaces coincide, so they
-// are looked at more closely (HitQuery). Half of the digits: far above the rounding error of any t that is
-// worth its name, far below what a picture shows. It decides nothing but whether to look.
+// are checked more closely (HitQuery). Half of the digits: far above the rounding error of any t that is
+// worth its name, far below what a picture shows. It decides nothing but whether to check.
 inline constexpr Real coincidenceWindow = 1 / powerOfTwo(std::numeric_limits<Real>::digits / 2);
 
 // From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at
@@ -73,7 +73,7 @@ inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::dig
 
 // What a scene's numbers may be for Real to see it (buildScene). From the finest unit of a shape to the
 // farthest point, so that the rounding error of a coordinate in either is a normal number; lengths that are
-// squared are looked at where they are (isSafeSquare). The brightest colour, so that an eighth of the
+// squared are checked where they are (isSafeSquare). The brightest colour, so that an eighth of the
 // exponents lets eight factors meet.
 inline constexpr Real widestRange =
     powerOfTwo(std::numeric_limits<Real>::max_exponent - std::numeric_limits<Real>::digits);
