@@ -9,9 +9,6 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// So many triangles are as fast without a tree (Notes.txt).
-constexpr std::uint32_t mostListedTriangles = 8;
-
 bool repeats(const MeshData& mesh) {
     return std::ranges::any_of(mesh.texCoords, [](const glm::dvec2& uv) {
         return std::min(uv.x, uv.y) < 0 || std::max(uv.x, uv.y) > 1;
@@ -61,8 +58,7 @@ TriangleMesh::TriangleMesh(std::shared_ptr<const MeshData> data, const BuildOpti
       repeatsTexture_(repeats(*data_)) {
     if constexpr (!std::is_same_v<Real, double>)
         positions_.assign(data_->positions.begin(), data_->positions.end());
-    if (options.accelerator == Accelerator::Bvh && triangleCount() > mostListedTriangles)
-        bvh_ = Bvh::ofTriangles(*data_, options);
+    if (options.accelerator == Accelerator::Bvh) bvh_ = Bvh::ofTriangles(*data_, options);
 }
 
 Vec2 TriangleMesh::texCoord(std::uint32_t triangle, const Vec3& weights) const {
