@@ -9,7 +9,8 @@ namespace raytracer {
 namespace {
 
 constexpr int mostBins = 16;
-// Fewer than this need only half of the bins; for more, the longest axis will do (Notes.txt).
+// Fewer than this need only half of the bins; for more, the longest axis will do. 16 and 64 change the
+// instructions of mesh and stress_test by -0.4 and +0.4 % (callgrind, 300 px).
 constexpr std::uint32_t fewPrimitives = 32;
 constexpr int medianDepth = 24;  // from here on halves, so that the depth is bounded: BvhTraversal::stackSize
 
