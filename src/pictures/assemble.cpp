@@ -7,6 +7,7 @@
 
 #include "raytracer/util/error.h"
 #include "raytracer/util/parallel.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
@@ -107,9 +108,7 @@ std::string missingParts(const std::vector<std::string>& paths) {
         missing += i + 1 - first;
         ranges.push_back(std::to_string(first + 1) + (i > first ? " to " + std::to_string(i + 1) : ""));
     }
-    std::string text;
-    for (const std::string& range : ranges)
-        text += (text.empty() ? "" : &range == &ranges.back() ? " and " : ", ") + range;
+    const std::string text = listed(ranges, "and");
     const std::string of = " of " + std::to_string(paths.size());
     if (missing == 0) return "";
     return missing == 1 ? "part " + text + of + " is missing" : "parts " + text + of + " are missing";
