@@ -1,7 +1,7 @@
 """A class of forty, made here: pictures with each kind of mistake, and programs with each way to go wrong.
 
-Usage: class_check.py RAYTRACER COMPILER LIBRARY ..., from the source folder: the compiler and the libraries of
-which the students' program (students.py) is made. Exit status 77 (CTest: skipped) without Pillow.
+Usage: class_check.py RAYTRACER COMPILER LIBRARY ..., from the source folder: the compiler and the libraries
+of which the students' program (students.py) is made. Exit status 77 (CTest: skipped) without Pillow.
 """
 import csv
 import json
@@ -23,10 +23,12 @@ SIZE = 48
 # What is wrong with whom, in part. The pictures are those of students.py.
 PICTURES = {
     "right_1": [], "right_2": [],
-    **{name: [name] for name in ("no_ambient", "no_diffuse", "no_specular", "no_shadows", "no_reflections", "order_srt",
-                                 "order_tsr", "radians", "rotate_back", "flip_up_down", "flip_left_right", "film_mirrored",
-                                 "clockwise", "top_left", "swapped", "gamma", "srgb", "cut", "no_first_light")},
-    "pair_1": ["no_specular", "flip_up_down"], "pair_2": ["no_shadows", "gamma"], "pair_3": ["swapped", "no_ambient"],
+    **{name: [name]
+       for name in ("no_ambient", "no_diffuse", "no_specular", "no_shadows", "no_reflections", "order_srt",
+                    "order_tsr", "radians", "rotate_back", "flip_up_down", "flip_left_right", "film_mirrored",
+                    "clockwise", "top_left", "swapped", "gamma", "srgb", "cut", "no_first_light")},
+    "pair_1": ["no_specular", "flip_up_down"], "pair_2": ["no_shadows", "gamma"],
+    "pair_3": ["swapped", "no_ambient"],
 }
 # Of these the pictures are graded without a program, too.
 PICTURES_ALONE = ["right_1", "no_specular", "swapped", "pair_1"]
@@ -38,10 +40,12 @@ PROGRAMS = {
     "hang": ("sleep 60", "hung: stopped after 10 s"),
     "busy": ("while :; do :; done", "too slow: 0.5 s of processor time"),
     "flood": ("exec yes", "crashed: File size limit exceeded|too slow: 0.5 s of processor time"),
-    "forks": ("for i in $(seq 300); do sleep 60 & done; wait", "started too many processes|too slow: 0.5 s of processor time"),
+    "forks": ("for i in $(seq 300); do sleep 60 & done; wait",
+              "started too many processes|too slow: 0.5 s of processor time"),
     "daemon": ('{student} "$1" "$2" "$3"; setsid sh -c \'echo $$ > {pid}; exec sleep 60\' & sleep 0.2', ""),
     "elsewhere": ('{student} "$1" ./elsewhere.png "$3"', "wrote no picture"),
-    "copies": ('cp "$(dirname "$1")/$(basename "$1" .json).png" "$2" || cp references/*.png "$2"', "exit status 1, wrote no picture"),
+    "copies": ('cp "$(dirname "$1")/$(basename "$1" .json).png" "$2" || cp references/*.png "$2"',
+               "exit status 1, wrote no picture"),
     "fifo": ('mkfifo "$2"', "wrote no picture"),
     "link": ('ln -s {reference} "$2"', "wrote no picture"),
     "input": ('read line; {student} "$1" "$2" "$3"', ""),
@@ -57,7 +61,8 @@ PAGE_TEST = r"""
   window.addEventListener("error", event => errors.push(event.message));
   const wait = ms => new Promise(done => setTimeout(done, ms));
   const until = async condition => { for (let i = 0; i < 500 && !condition(); ++i) await wait(20); };
-  const rows = [...overview.querySelectorAll("tbody tr")], means = rows.map(row => +row.children[1].textContent);
+  const rows = [...overview.querySelectorAll("tbody tr")];
+  const means = rows.map(row => +row.children[1].textContent);
   const find = text => { $("find").value = text; $("find").dispatchEvent(new Event("input")); };
   const rowOf = name => rows.find(row => row.dataset.name === name);
   results.rows = rows.length === 40 && !overview.hidden && main.children.length === 0;
@@ -68,9 +73,12 @@ PAGE_TEST = r"""
   find("");
   results.findAll = rows.every(row => !row.hidden);
   rowOf("no_specular").querySelector("button").click();
-  results.opens = overview.hidden && !$("opened").hidden && visible().length === 2 && $("who").textContent === "no_specular";
-  results.named = visible().every(card => card.querySelector(".mistake").textContent.includes("without specular light"));
-  results.command = /^raytracer explain exam\/\w+\.json \d+ \d+ 48$/.test(main.querySelector("code").textContent);
+  results.opens = overview.hidden && !$("opened").hidden && visible().length === 2 &&
+      $("who").textContent === "no_specular";
+  results.named = visible().every(card =>
+      card.querySelector(".mistake").textContent.includes("without specular light"));
+  results.command = /^raytracer explain exam\/\w+\.json \d+ \d+ 48$/.test(
+      main.querySelector("code").textContent);
   const images = [...main.querySelectorAll("img")];
   for (const image of images) image.scrollIntoView();
   await until(() => images.every(image => image.complete && image.naturalWidth));
@@ -83,7 +91,8 @@ PAGE_TEST = r"""
   results.swaps = $("kind").textContent === "ours" && $("values").textContent.includes("ours");
   leave();
   $("back").click();
-  results.back = !overview.hidden && main.children.length === 0 && document.activeElement === rowOf("no_specular").querySelector("button");
+  results.back = !overview.hidden && main.children.length === 0 &&
+      document.activeElement === rowOf("no_specular").querySelector("button");
   rowOf("crash").click();
   results.crash = visible().length === 2 && main.textContent.includes("crashed: Segmentation fault") &&
     main.querySelectorAll("button[data-kind=ours]").length === 0;
@@ -140,19 +149,23 @@ def expected_words(mistakes):
 
 
 def check_pictures(raytracer, folder):
-    done = run(raytracer, "grade", "exam", "--references", "references", "--submissions", "pictures", "--max-pixels", 20,
+    done = run(raytracer, "grade", "exam", "--references", "references", "--submissions", "pictures",
+               "--max-pixels", 20,
                "--report", "class.html", "--csv", "class.csv", "--json", "class.json", "--junit", "class.xml",
                cwd=folder)
     check((done.returncode, done.stderr) == (0, ""), f"pictures: {done.returncode} {done.stderr}")
     rows = rows_of(folder / "class.csv")
     check(sorted(rows) == sorted(PICTURES_ALONE), f"a row for each submission: {sorted(rows)}")
-    check(list(rows["right_1"]) == ["submission", *sorted(SCENES), "mean", "mistake"], f"columns: {list(rows['right_1'])}")
+    check(list(rows["right_1"]) == ["submission", *sorted(SCENES), "mean", "mistake"],
+          f"columns: {list(rows['right_1'])}")
     for name in PICTURES_ALONE:
         mistakes, said = PICTURES[name], rows[name]["mistake"]
-        check(all(words in said for words in expected_words(mistakes)) and bool(said) == bool(mistakes), f"{name}: {said!r}")
+        check(all(words in said for words in expected_words(mistakes)) and bool(said) == bool(mistakes),
+              f"{name}: {said!r}")
         mean = sum(int(rows[name][scene]) for scene in SCENES) / len(SCENES)
         check(abs(mean - float(rows[name]["mean"])) < 0.06, f"{name}: mean {rows[name]['mean']}")
-        check(re.search(rf"^ *{rows[name]['mean']} +\d+/2 +{name}\b", done.stdout, re.M), f"{name}: {done.stdout}")
+        check(re.search(rf"^ *{rows[name]['mean']} +\d+/2 +{name}\b", done.stdout, re.M),
+              f"{name}: {done.stdout}")
     answer = json.loads((folder / "class.json").read_text("utf-8"))
     check({one["submission"]: one["mistake"] for one in answer["submissions"]} ==
           {name: row["mistake"] for name, row in rows.items()}, "JSON and CSV say the same")
@@ -162,13 +175,17 @@ def check_pictures(raytracer, folder):
 def check_junit(path, rows):
     """The structure that CI systems read: https://github.com/testmoapp/junitxml."""
     root = xml.parse(path).getroot()
-    check(root.tag == "testsuites" and [suite.get("name") for suite in root] == sorted(rows), "JUnit: a suite for each")
+    check(root.tag == "testsuites" and [suite.get("name") for suite in root] == sorted(rows),
+          "JUnit: a suite for each")
     for suite in (root, *root):
         cases = suite.findall(".//testcase")
-        counts = {"tests": len(cases), "failures": len(suite.findall(".//failure")), "errors": len(suite.findall(".//error"))}
-        check({key: int(suite.get(key)) for key in counts} == counts and float(suite.get("time")) >= 0, f"JUnit: {suite.attrib}")
+        counts = {"tests": len(cases), "failures": len(suite.findall(".//failure")),
+                  "errors": len(suite.findall(".//error"))}
+        check({key: int(suite.get(key)) for key in counts} == counts and float(suite.get("time")) >= 0,
+              f"JUnit: {suite.attrib}")
     for case in root.iter("testcase"):
-        check(set(case.attrib) == {"classname", "name", "time"} and all(one.get("message") for one in case), f"JUnit: {case.attrib}")
+        check(set(case.attrib) == {"classname", "name", "time"} and all(one.get("message") for one in case),
+              f"JUnit: {case.attrib}")
     wrong = {case.get("classname") for case in root.iter("testcase") if len(case)}
     check(wrong == {name for name, row in rows.items() if row["mistake"]}, "JUnit: who fails")
 
@@ -176,20 +193,24 @@ def check_junit(path, rows):
 def check_class(raytracer, folder):
     temporary = folder / "tmp"
     temporary.mkdir()
-    done = run(raytracer, "grade", "exam", "--references", "references", "--submissions", "class", "--program",
+    done = run(raytracer, "grade", "exam", "--references", "references", "--submissions", "class",
+               "--program",
                "{}/raytracer", "--jobs", 8, "--timeout", 0.5, "--wall", 10, "--max-pixels", 20, "--report",
                "forty.html", "--csv", "forty.csv", cwd=folder, env=os.environ | {"TMPDIR": str(temporary)})
     check((done.returncode, done.stderr) == (0, ""), f"programs: {done.returncode} {done.stderr}")
     rows = rows_of(folder / "forty.csv")
-    check(sorted(rows) == sorted([*PROGRAMS, *PICTURES]) and len(rows) == 40, f"a row for each of forty: {sorted(rows)}")
+    check(sorted(rows) == sorted([*PROGRAMS, *PICTURES]) and len(rows) == 40,
+          f"a row for each of forty: {sorted(rows)}")
     for name, mistakes in PICTURES.items():
         said = rows[name]["mistake"]
-        check(all(words in said for words in expected_words(mistakes)) and bool(said) == bool(mistakes), f"{name}: {said!r}")
+        check(all(words in said for words in expected_words(mistakes)) and bool(said) == bool(mistakes),
+              f"{name}: {said!r}")
     for name, (_, message) in PROGRAMS.items():
         said = re.sub(r"\b\d+\.\d+ s of", "0.5 s of", rows[name]["mistake"])
         said = said.split(" (")[0] if "|" in message else said  # whichever limit is first
         check(said in message.split("|"), f"{name}: {said!r}, not {message!r}")
-        check(float(rows[name]["mean"]) > 99 if not message else float(rows[name]["mean"]) == 0, f"{name}: {rows[name]['mean']}")
+        check(float(rows[name]["mean"]) > 99 if not message else float(rows[name]["mean"]) == 0,
+              f"{name}: {rows[name]['mean']}")
     daemon = Path(f"/proc/{(folder / 'pid').read_text().strip()}")
     check(not daemon.exists(), "nothing survives")
     check(not list(temporary.iterdir()), f"nothing is left: {list(temporary.iterdir())}")
@@ -199,19 +220,25 @@ def check_class(raytracer, folder):
 def check_user(raytracer, folder):
     """As root, a program has another user's rights, and its folder is that user's with all that is in it."""
     if os.geteuid() != 0:
-        refused = run(raytracer, "grade", "exam", "--references", "references", "--program", "true", "--user", "nobody", cwd=folder)
-        check((refused.returncode, refused.stderr) == (2, "only root may run programs as another user\n"), refused.stderr)
+        refused = run(raytracer, "grade", "exam", "--references", "references", "--program", "true", "--user",
+                      "nobody", cwd=folder)
+        check((refused.returncode, refused.stderr) == (2, "only root may run programs as another user\n"),
+              refused.stderr)
         return
-    program = ("sh -c 'id -un; find . -type f -exec cat {} + > /dev/null && find . -type d -exec touch {}/own \\; &&"
+    program = ("sh -c 'id -un; find . -type f -exec cat {} + > /dev/null && find . -type d -exec touch "
+               "{}/own \\; &&"
                " find . -type f | wc -l' -")
     shutil.copy("scenes/checker_horizon.json", folder / "exam")
     shutil.copy(folder / "references/refraction.png", folder / "references/checker_horizon.png")
     for path in (folder / "exam").rglob("*"):
         path.chmod(0o700 if path.is_dir() else 0o600)
-    done = run(raytracer, "grade", "exam", "--references", "references", "--program", program, "--user", "nobody",
+    done = run(raytracer, "grade", "exam", "--references", "references", "--program", program, "--user",
+               "nobody",
                "--junit", "user.xml", cwd=folder)
-    printed = {case.get("name"): case.find("error").text for case in xml.parse(folder / "user.xml").getroot().iter("testcase")}
-    expected = {"checker_horizon": "nobody\n5\n", "refraction": "nobody\n5\n", "spheres_cylinder": "nobody\n2\n"}
+    printed = {case.get("name"): case.find("error").text
+               for case in xml.parse(folder / "user.xml").getroot().iter("testcase")}
+    expected = {"checker_horizon": "nobody\n5\n", "refraction": "nobody\n5\n",
+                "spheres_cylinder": "nobody\n2\n"}
     check(done.returncode == 1 and printed == expected, f"--user: {printed} {done.stderr}")
     refused = run(raytracer, "grade", "exam", "--program", "true", "--user", "no such", cwd=folder)
     check((refused.returncode, refused.stderr) == (2, "there is no user no such\n"), refused.stderr)
@@ -234,26 +261,36 @@ def check_one(raytracer, folder):
     (folder / "one").mkdir()
     shutil.copytree(folder / "pictures/no_specular", folder / "one/ada")
     (folder / "one/ada/spheres_cylinder.png").unlink()
-    grade = [raytracer, "grade", "exam", "--references", "references", "--gradescope", "results.json", "--points", 20]
+    grade = [raytracer, "grade", "exam", "--references", "references", "--gradescope", "results.json",
+             "--points", 20]
     done = run(*grade, "--submissions", "one", "--min-score", 50, cwd=folder)
     check(done.returncode == 1, f"below --min-score: {done.returncode} {done.stderr}")
     results = json.loads((folder / "results.json").read_text("utf-8"))
-    top = {"score": float, "execution_time": (int, float), "output": str, "output_format": str, "visibility": str, "tests": list}
-    check(set(results) == set(top) and all(isinstance(results[key], kind) for key, kind in top.items()), f"Gradescope: {results}")
-    check(abs(results["score"] - sum(test["score"] for test in results["tests"])) < 1e-9, "Gradescope: the sum")
+    top = {"score": float, "execution_time": (int, float), "output": str, "output_format": str,
+           "visibility": str, "tests": list}
+    check(set(results) == set(top) and all(isinstance(results[key], kind) for key, kind in top.items()),
+          f"Gradescope: {results}")
+    check(abs(results["score"] - sum(test["score"] for test in results["tests"])) < 1e-9,
+          "Gradescope: the sum")
     for test in results["tests"]:
-        check(0 <= test["score"] <= test["max_score"] == 20 and test["status"] in ("passed", "failed"), f"Gradescope: {test}")
-        check(set(test) == {"name", "score", "max_score", "status", "output", "output_format", "extra_data"}, f"Gradescope: {test}")
+        check(0 <= test["score"] <= test["max_score"] == 20 and test["status"] in ("passed", "failed"),
+              f"Gradescope: {test}")
+        check(set(test) == {"name", "score", "max_score", "status", "output", "output_format", "extra_data"},
+              f"Gradescope: {test}")
     outputs = {test["name"]: test["output"] for test in results["tests"]}
-    check(outputs["spheres_cylinder"] == "no picture spheres_cylinder.png" and "without specular light" in outputs["refraction"], f"{outputs}")
+    check(outputs["spheres_cylinder"] == "no picture spheres_cylinder.png" and
+          "without specular light" in outputs["refraction"], f"{outputs}")
     refused = run(*grade, "--submissions", "pictures", cwd=folder)
-    check((refused.returncode, refused.stderr) == (2, f"raytracer grade: --gradescope: expected one submission, found {len(PICTURES_ALONE)}\n"),
+    check((refused.returncode, refused.stderr) ==
+          (2, f"raytracer grade: --gradescope: expected one submission, found {len(PICTURES_ALONE)}\n"),
           f"{refused.stderr}")
     refused = run(*grade[:-4], "--submissions", "pictures", "--program", "true", cwd=folder)
-    check((refused.returncode, refused.stderr) == (2, 'raytracer grade: --program: expected {} for the submission\'s folder, found "true"\n'),
+    check((refused.returncode, refused.stderr) ==
+          (2, 'raytracer grade: --program: expected {} for the submission\'s folder, found "true"\n'),
           f"{refused.stderr}")
     refused = run(*grade[:-4], "--submissions", "one/ada/none", cwd=folder)
-    check((refused.returncode, refused.stderr) == (2, "one/ada/none: cannot read the folder: No such file or directory\n"),
+    check((refused.returncode, refused.stderr) ==
+          (2, "one/ada/none: cannot read the folder: No such file or directory\n"),
           f"{refused.stderr}")
 
 

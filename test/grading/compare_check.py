@@ -96,7 +96,8 @@ def windows(picture, outside):
 
 
 def nearest(a, b):
-    """Per channel, the difference to the first of the nearest neighbours, the centre being looked at before the others."""
+    """Per channel, the difference to the first of the nearest neighbours, the centre being looked at before
+    the others."""
     order = [4, 0, 1, 2, 3, 5, 6, 7, 8]
     differences = np.abs(a[None] - windows(b, 10000)[order])
     chosen = differences.sum(axis=3).argmin(axis=0)
@@ -123,7 +124,8 @@ def expected(a, b):
     samples = np.abs(a.astype(float) - b.astype(float)) if floats else np.abs(bytes_a - bytes_b).astype(float)
     by_pixel = np.abs(bytes_a - bytes_b).max(axis=2)
     rmse = math.sqrt(np.mean(samples ** 2))
-    ranking = np.lexsort((np.arange(by_pixel.size), -samples.sum(axis=2).ravel(), -samples.max(axis=2).ravel()))
+    ranking = np.lexsort((np.arange(by_pixel.size), -samples.sum(axis=2).ravel(),
+                          -samples.max(axis=2).ravel()))
     worst_y, worst_x = divmod(int(ranking[0]), a.shape[1])
     return {
         "width": a.shape[1],
@@ -149,7 +151,8 @@ def same(found, wanted):
 
 
 def run(program, *arguments):
-    return subprocess.run([program, "compare", *map(str, arguments)], capture_output=True, text=True, timeout=60)
+    return subprocess.run([program, "compare", *map(str, arguments)], capture_output=True, text=True,
+                          timeout=60)
 
 
 def check_pair(program, folder, name, a, b):
@@ -162,7 +165,8 @@ def check_pair(program, folder, name, a, b):
     found = json.loads(result.stdout)
     if list(found) != list(wanted):
         yield f"{name}: keys {list(found)}"
-    yield from (f"{name}: {key}: {found.get(key)}, here {wanted[key]}" for key in wanted if not same(found.get(key), wanted[key]))
+    yield from (f"{name}: {key}: {found.get(key)}, here {wanted[key]}" for key in wanted
+                if not same(found.get(key), wanted[key]))
     difference = np.abs(to_bytes(a) - to_bytes(b))
     amplified = np.where(difference > 0, np.minimum(255, 64 + 8 * difference), 0)
     if not np.array_equal(np.asarray(Image.open(path_diff)), amplified):
@@ -180,7 +184,8 @@ def check_statuses(program, folder):
         (1, path_a, path_b, "--max-pixels", 2), (0, path_a, path_b, "--min-score", 50),
         (1, path_a, path_b, "--min-score", 100), (0, path_a, path_b, "--tolerance", 255),
         (2, path_a, folder / "missing.png"), (2, broken, path_a), (2, path_a, small), (2, path_a, folder),
-        (2, path_a, path_b, "--diff", folder / "no folder" / "diff.png"), (2, path_a), (2, path_a, path_b, "--minscore", 3),
+        (2, path_a, path_b, "--diff", folder / "no folder" / "diff.png"), (2, path_a),
+        (2, path_a, path_b, "--minscore", 3),
     ]
     for status, *arguments in cases:
         result = run(program, *arguments)

@@ -61,8 +61,10 @@ ENDINGS = {
     "hang": ("echo 'thinking'; sleep 60", "0", "hung: stopped after 1 s"),
     "nothing": ("echo 'what scene?'", "0", "wrote no picture"),
     "broken": ("echo nonsense > \"$2\"", "0", "PNG"),
-    "huge": ("printf '\\211PNG\\r\\n\\032\\n\\0\\0\\0\\rIHDR\\0\\0\\050\\0\\0\\0\\050\\0\\010\\2\\0\\0\\0' > \"$2\"", "0",
-             "the pictures' sizes differ: 10240 x 10240 and 60 x 40"),
+    "huge":
+    ("printf '\\211PNG\\r\\n\\032\\n\\0\\0\\0\\rIHDR\\0\\0\\050\\0\\0\\0\\050\\0\\010\\2\\0\\0\\0' > \"$2\"",
+     "0",
+     "the pictures' sizes differ: 10240 x 10240 and 60 x 40"),
     "pipe": ("mkfifo \"$2\"", "0", "wrote no picture"),
     "endless": ("ln -s /dev/zero \"$2\"", "0", "wrote no picture"),
     "folder": ("mkdir \"$2\"; printf '\\033[2J\\rred \\377\\302\\233'", "0", "wrote no picture"),
@@ -83,7 +85,8 @@ def make_class(folder):
     (folder / "exam" / "lonely.json").write_text("{}")
     (folder / "exam" / "scene.schema.json").write_text("{}")
     cases = "".join(f"{name}) {body or 'cp $ours $2'};;\n" for name, (body, _, _) in ENDINGS.items())
-    return write_program(folder / "student", f'[ "$3" = 60 ] || exit 9\nname=$(basename "$1" .json); ours={folder}/ours/$name.png\n'
+    return write_program(folder / "student", '[ "$3" = 60 ] || exit 9\nname=$(basename "$1" .json); '
+                                             f'ours={folder}/ours/$name.png\n'
                                              f"case $name in\n{cases}esac\n")
 
 
@@ -99,14 +102,17 @@ def check_cli(program, folder):
         check(rows[name][1] == score and message in (rows[name][3] or ""), f"{name}: {rows[name][0]!r}")
     for words in ("about to fall", "done, nearly", "thinking", "what scene?"):
         check(words in result.stdout, f"a program's last line is shown: {result.stdout}")
-    check("3 of 13 pictures as the reference, mean score 30.6" in result.stdout, f"the summary: {result.stdout[-200:]}")
-    check(result.stdout.endswith("no reference: lonely.json\n"), "scenes without reference are told, and no schema")
+    check("3 of 13 pictures as the reference, mean score 30.6" in result.stdout,
+          f"the summary: {result.stdout[-200:]}")
+    check(result.stdout.endswith("no reference: lonely.json\n"),
+          "scenes without reference are told, and no schema")
     check("schema" not in result.stdout, f"a schema is no scene: {result.stdout}")
     safe = "\x1b" not in result.stdout and "  red \\xff\\xc2\\x9b\n" in result.stdout
     check(safe, f"no command for a terminal: {result.stdout}")
     page = (folder / "report.html").read_text("utf-8")
     check("\x1b" not in page and "\\x1b[2J\\x0dred \\xff\\xc2\\x9b</pre>" in page, "nor in the report")
-    check(page.count("<article") == 13 and "crashed: Segmentation fault" in page and "about to fall" in page, "the report")
+    check(page.count("<article") == 13 and "crashed: Segmentation fault" in page and "about to fall" in page,
+          "the report")
     check_statuses(program, folder)
     check_interrupt(program, folder)
     check_own_failures(program, folder)
@@ -115,16 +121,19 @@ def check_cli(program, folder):
 
 def check_interrupt(program, folder):
     """A signal that ends the grading ends the program that is being graded, too, and leaves no folder."""
-    write_program(folder / "sleeper", "(while :; do :> \"$2.$$\"; done) & mkdir -p \"$2.d/e\"; echo $$ > \"$0.pid\"; exec sleep 60\n")
+    write_program(folder / "sleeper", "(while :; do :> \"$2.$$\"; done) & mkdir -p \"$2.d/e\"; echo $$ > "
+                                      "\"$0.pid\"; exec sleep 60\n")
     pid, temporary = folder / "sleeper.pid", folder / "tmp"
     temporary.mkdir()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         pid.unlink(missing_ok=True)
-        grader = subprocess.Popen([program, "grade", "exam", "--program", "./sleeper", "--report", "tmp/r.html"], cwd=folder,
+        grader = subprocess.Popen([program, "grade", "exam", "--program", "./sleeper", "--report",
+                                   "tmp/r.html"], cwd=folder,
                                   stdout=subprocess.DEVNULL, env=os.environ | {"TMPDIR": str(temporary)})
         while not (pid.exists() and pid.read_text().strip()):
             time.sleep(0.01)
-        check(len(list(temporary.iterdir())) == 4, "folders for the grading, for the program and for what it prints, and a place for the report")
+        check(len(list(temporary.iterdir())) == 4,
+              "folders for the grading, for the program and for what it prints, and a place for the report")
         grader.send_signal(number)
         check(grader.wait(10) == -number, f"signal {number} ends the grading")
         check(has_ended(pid.read_text().strip()), f"signal {number} ends the program")
@@ -136,31 +145,39 @@ def check_own_failures(program, folder):
     """What fails on the grader's side is no score."""
     def failing(what, line, *arguments, before=(), **environment):
         command = [*before, program, "grade", *map(str, arguments)]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=folder, env=os.environ | environment)
-        check((done.returncode, re.fullmatch(line, done.stderr) is not None, "mean score" in done.stdout) == (2, True, False),
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=folder,
+                              env=os.environ | environment)
+        check((done.returncode, re.fullmatch(line, done.stderr) is not None, "mean score" in done.stdout) ==
+              (2, True, False),
               f"{what}: {done.returncode} {done.stderr!r} {done.stdout!r}")
 
     (folder / "one").mkdir()
     shutil.copy(folder / "exam/good_one.png", folder / "one/a.png")
     (folder / "one/a.json").write_text("{}")
-    failing("no temporary folder", "/no: cannot make a temporary folder: No such file or directory\n", "one", TMPDIR="/no")
-    failing("the same for a program", "/no: cannot make a temporary folder: No such file or directory\n", "one",
+    failing("no temporary folder", "/no: cannot make a temporary folder: No such file or directory\n", "one",
+            TMPDIR="/no")
+    failing("the same for a program", "/no: cannot make a temporary folder: No such file or directory\n",
+            "one",
             "--program", "true", TMPDIR="/no")
-    failing("the disk is full", "/tmp/raytracer-\\w+: no room for a picture: File too large\n", "one", "--program", "true",
-            before=["sh", "-c", 'ulimit -f 100; exec "$@"', "sh"], TMPDIR="")
+    failing("the disk is full", "/tmp/raytracer-\\w+: no room for a picture: File too large\n", "one",
+            "--program", "true", before=["sh", "-c", 'ulimit -f 100; exec "$@"', "sh"], TMPDIR="")
     for blank in ("", "  "):
         failing("no program", f'raytracer grade: --program: expected a text, found "{blank}"\n',
                 "one", "--program", blank)
     check_files(folder, failing)
     (folder / "one/a.png").write_bytes((folder / "one/a.png").read_bytes()[:100])
-    failing("a broken reference", "one/a.png: broken PNG picture: it is cut short, or a checksum in it is wrong\n", "one", "--program",
+    failing("a broken reference",
+            "one/a.png: broken PNG picture: it is cut short, or a checksum in it is wrong\n", "one",
+            "--program",
             "true")
-    mount = ["unshare", "-m", "sh", "-c", 'mount -t tmpfs -o size=512k none one && shift && exec "$@"', "sh", ""]
+    mount = ["unshare", "-m", "sh", "-c", 'mount -t tmpfs -o size=512k none one && shift && exec "$@"', "sh",
+             ""]
     if subprocess.run([*mount, "true"], cwd=folder, capture_output=True).returncode:
         print("a small disk: skipped, it can't be mounted")
     else:
-        failing("a small disk", f"{folder}/one/raytracer-\\w+: no room for a picture: No space left on device\n", "few", "--program", "true",
-                before=mount, TMPDIR="one")
+        failing("a small disk",
+                f"{folder}/one/raytracer-\\w+: no room for a picture: No space left on device\n", "few",
+                "--program", "true", before=mount, TMPDIR="one")
 
 
 def check_files(folder, failing):
@@ -168,12 +185,14 @@ def check_files(folder, failing):
     program = ("--program", "true")
     for output in ("--csv", "--report", "--json", "--junit"):
         for read in ("one/a.json", "one/../one/a.png"):
-            failing(f"{output} over {read}", f"{read} is read, too: give another name for what is written\n", "one", *program,
-                    output, read)
-    failing("two files of one name", "one/../x is written twice: give each file its own name\n", "one", *program,
+            failing(f"{output} over {read}", f"{read} is read, too: give another name for what is written\n",
+                    "one", *program, output, read)
+    failing("two files of one name", "one/../x is written twice: give each file its own name\n", "one",
+            *program,
             "--csv", "x", "--json", "one/../x")
     check(not (folder / "x").exists(), "no file where the line is wrong")
-    failing("--size", "raytracer grade: there is no --size: a picture has its reference's size, which a program is told\n",
+    failing("--size", "raytracer grade: there is no --size: a picture has its reference's size, which a "
+                      "program is told\n",
             "one", *program, "--size", 20)
     scene = json.loads((Path(__file__).parent.parent / "good/least.json").read_text()) | {
         "textures": {"wood": "no.png"}, "transforms": [{"name": "t"}],
@@ -181,14 +200,18 @@ def check_files(folder, failing):
         "shapes": [{"type": "sphere", "transform": "t", "material": "m"}]}
     (folder / "one/a.json").write_text(json.dumps(scene))
     (folder / "pupils/ada").mkdir(parents=True)
-    for arguments in (program, ["--submissions", "pupils"], ["--submissions", "pupils", "--program", "{}/rt"]):
-        failing("a texture that is not there", r'one/a.json:1:\d+: /textures/wood: no file "one/no.png" \(relative to the scene file\); .*\n',
+    for arguments in (program, ["--submissions", "pupils"],
+                      ["--submissions", "pupils", "--program", "{}/rt"]):
+        failing("a texture that is not there",
+                r'one/a.json:1:\d+: /textures/wood: no file "one/no.png" '
+                 r'\(relative to the scene file\); .*\n',
                 "one", *arguments)
     (folder / "one/a.json").write_text("{}")
 
 
 def check_isolation(program, folder):
-    """A program runs in a folder of its own, and is found from here; the children of all its threads count."""
+    """A program runs in a folder of its own, and is found from here; the children of all its threads
+    count."""
     (folder / "alone").mkdir()
     (folder / "my programs").mkdir()
     (folder / "alone/fresh.json").write_text("{}")
@@ -197,7 +220,8 @@ def check_isolation(program, folder):
                                                 'ls -A | tr "\\n" " "; cat "$2" "$1"\n')
     (folder / "word").write_text(" and a word")
     done = grade(program, folder, "alone", "--program", "'my programs/lists' word")
-    check("fresh: wrote no picture\n" in done.stdout and " fresh.json {} and a word\n" in done.stdout, f"in a fresh folder: {done.stdout}")
+    check("fresh: wrote no picture\n" in done.stdout and " fresh.json {} and a word\n" in done.stdout,
+          f"in a fresh folder: {done.stdout}")
     (folder / "threads.py").write_text(
         "import subprocess, threading, time\n"
         "def start():\n    for _ in range(150): subprocess.Popen(['sleep', '60'])\n    time.sleep(60)\n"
@@ -219,18 +243,23 @@ def has_ended(pid):
 
 
 def check_statuses(program, folder):
-    shutil.copytree(folder / "exam", folder / "few", ignore=lambda _, names: [n for n in names if n[:3] not in ("goo", "off")])
+    shutil.copytree(folder / "exam", folder / "few",
+                    ignore=lambda _, names: [n for n in names if n[:3] not in ("goo", "off")])
     (folder / "empty").mkdir()
     student = ("--program", "./student")
     for status, *arguments in [
-        (1, "few", *student), (0, "few", *student, "--max-pixels", 4), (0, "few", *student, "--min-score", 98),
-        (1, "few", *student, "--min-score", 99), (2, "few", *student, "--size", 61), (0, "few", "--references", "ours",
-        *student), (2, "empty", *student), (2, "nowhere", *student), (2, "few", *student, "--report", "nowhere/r.html"),
+        (1, "few", *student), (0, "few", *student, "--max-pixels", 4),
+        (0, "few", *student, "--min-score", 98),
+        (1, "few", *student, "--min-score", 99), (2, "few", *student, "--size", 61),
+        (0, "few", "--references", "ours",
+        *student), (2, "empty", *student), (2, "nowhere", *student),
+        (2, "few", *student, "--report", "nowhere/r.html"),
         (2, "few", *student, "--stage", "sketch"), (2, "few", *student, "--timeout", 0), (2,),
         (0, "few", "--stage", "normals", "--program", "cp exam/off-normals.png \"$2\" #\n:"),
     ]:
         result = grade(program, folder, *arguments)
-        check(result.returncode == status, f"{arguments}: exit status {result.returncode}: {result.stderr}{result.stdout}")
+        check(result.returncode == status,
+              f"{arguments}: exit status {result.returncode}: {result.stderr}{result.stdout}")
         if status == 2:
             check(result.stderr.count("\n") == 1, f"{arguments}: {result.stderr!r}")
 

@@ -1,6 +1,8 @@
-"""The recipes, run as far as one machine can: Gradescope's script, the workflow's step that grades, the class.
+"""The recipes, run as far as one machine can: Gradescope's script, the workflow's step that grades, the
+class.
 
-Usage: recipes_check.py RAYTRACER, from the source folder. Exit status 77 (CTest: skipped) without Pillow or cmake.
+Usage: recipes_check.py RAYTRACER, from the source folder. Exit status 77 (CTest: skipped) without Pillow or
+cmake.
 """
 import csv
 import getpass
@@ -36,23 +38,28 @@ def check_gradescope(raytracer, recipes, folder):
     (folder / "autograder/results").mkdir()
     (folder / "autograder/source").mkdir()
     made = check_build(raytracer, (recipes / "gradescope/setup.sh").read_text("utf-8"), folder / "raytracer")
-    check(not made or run([made / "raytracer", "--version"], folder).returncode == 0, "setup.sh makes a command of it")
+    check(not made or run([made / "raytracer", "--version"], folder).returncode == 0,
+          "setup.sh makes a command of it")
     make_exam(raytracer, folder / "autograder/source/exam")
     student = "nobody" if os.geteuid() == 0 else ""
     (submission / "CMakeLists.txt").write_text(
-        "cmake_minimum_required(VERSION 3.20)\nproject(student NONE)\nexecute_process(COMMAND id -un OUTPUT_VARIABLE who)\n"
-        f'if(NOT who STREQUAL "{student or getpass.getuser()}\\n")\n  message(FATAL_ERROR "made by ${{who}}")\nendif()\n'
+        "cmake_minimum_required(VERSION 3.20)\nproject(student NONE)\nexecute_process(COMMAND id -un "
+        "OUTPUT_VARIABLE who)\n"
+        f'if(NOT who STREQUAL "{student or getpass.getuser()}\\n")\n  message(FATAL_ERROR "made by '
+        f'${{who}}")\nendif()\n'
         "file(COPY raytracing renderer DESTINATION ${CMAKE_BINARY_DIR})\n")
     shutil.copy(raytracer, submission / "renderer")  # which the student can read
     write_program(submission / "raytracing",
-                  'exec "$(dirname "$0")/renderer" "$1" "$2" "$3" --quiet --only diffuse,specular,shadows,reflections\n')
-    done = run(["sh", recipes / "gradescope/run_autograder"], folder, AUTOGRADER=str(folder / "autograder"), STUDENT=student,
-               PATH=f"{raytracer.parent}:{os.environ['PATH']}", POINTS="25", TMPDIR="")
+                  'exec "$(dirname "$0")/renderer" "$1" "$2" "$3" --quiet --only '
+                  'diffuse,specular,shadows,reflections\n')
+    done = run(["sh", recipes / "gradescope/run_autograder"], folder, AUTOGRADER=str(folder / "autograder"),
+               STUDENT=student, PATH=f"{raytracer.parent}:{os.environ['PATH']}", POINTS="25", TMPDIR="")
     check((folder / "autograder").stat().st_mode & 0o777 == 0o700, "the references are closed to the student")
     check(done.returncode == 0, f"run_autograder: {done.returncode} {done.stdout} {done.stderr}")
     results = json.loads((folder / "autograder/results/results.json").read_text("utf-8"))
     tests = {test["name"]: test for test in results["tests"]}
-    check(sorted(tests) == sorted(SCENES) and all(test["max_score"] == 25 for test in tests.values()), f"{results}")
+    check(sorted(tests) == sorted(SCENES) and all(test["max_score"] == 25 for test in tests.values()),
+          f"{results}")
     check(all("without ambient light" in test["output"] for test in tests.values()), f"{results}")
 
 
@@ -64,14 +71,18 @@ def check_build(raytracer, script, folder):
     (source / "build/release").mkdir(parents=True)
     bin_.mkdir()
     shutil.copy("run", source)
-    (source / "build/release/build.ninja").write_text(f"rule copy\n  command = cp $in $out\nbuild raytracer: copy {raytracer}\n")
-    for command in (["init", "-q"], ["add", "."], ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "all"]):
+    (source / "build/release/build.ninja").write_text(
+        f"rule copy\n  command = cp $in $out\nbuild raytracer: copy {raytracer}\n")
+    for command in (["init", "-q"], ["add", "."],
+                    ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "all"]):
         run(["git", *command], source)
     for name in ("apt-get", "sudo", "useradd"):
         write_program(bin_ / name, "true\n")
-    for there, here in {"${{ vars.RAYTRACER_SOURCE }}": "$RAYTRACER_SOURCE", "/opt/": f"{folder}/opt/", "/usr/local/bin": bin_}.items():
+    for there, here in {"${{ vars.RAYTRACER_SOURCE }}": "$RAYTRACER_SOURCE", "/opt/": f"{folder}/opt/",
+                        "/usr/local/bin": bin_}.items():
         script = script.replace(there, str(here))
-    done = run(["sh", "-e", "-c", script], folder, PATH=f"{bin_}:{os.environ['PATH']}", RAYTRACER_SOURCE=f"file://{source}")
+    done = run(["sh", "-e", "-c", script], folder, PATH=f"{bin_}:{os.environ['PATH']}",
+               RAYTRACER_SOURCE=f"file://{source}")
     made = folder / "opt/raytracer/build/release/raytracer"
     check(done.returncode == 0 and made.exists(), f"build: {done.returncode} {done.stdout} {done.stderr}")
     return made.exists() and bin_
@@ -100,13 +111,17 @@ def check_github(raytracer, recipes, folder):
     make_exam(raytracer, folder / "exam")
     write_program(folder / "build/raytracing", f'exec {raytracer} "$1" "$2" "$3" --quiet --max-recursion 0\n')
     steps = steps_of(recipes / "github/grade.yml")
-    check(list(steps) == ["build raytracer", "build the student's program", "grade", "summary"], f"steps: {list(steps)}")
+    check(list(steps) == ["build raytracer", "build the student's program", "grade", "summary"],
+          f"steps: {list(steps)}")
     script = steps["grade"].replace("/opt/raytracer/build/release/raytracer", str(raytracer))
     done = run(["bash", "-eo", "pipefail", "-c", script], folder)
-    check(done.returncode == 1 and "without any reflected or refracted ray" in done.stdout, f"{done.returncode} {done.stdout}")
-    check((folder / "report.html").exists() and (folder / "junit.xml").read_text("utf-8").count("<failure") == 2, "the files")
+    check(done.returncode == 1 and "without any reflected or refracted ray" in done.stdout,
+          f"{done.returncode} {done.stdout}")
+    check((folder / "report.html").exists() and
+          (folder / "junit.xml").read_text("utf-8").count("<failure") == 2, "the files")
     summary = folder / "summary.md"
-    check(run(["bash", "-e", "-c", steps["summary"]], folder, GITHUB_STEP_SUMMARY=str(summary)).returncode == 0, "the summary")
+    check(run(["bash", "-e", "-c", steps["summary"]], folder, GITHUB_STEP_SUMMARY=str(summary)).returncode ==
+          0, "the summary")
     check(summary.read_text("utf-8").startswith("```\nscore"), f"the summary: {summary.read_text('utf-8')}")
 
 
@@ -115,10 +130,11 @@ def check_class(raytracer, recipes, folder):
     make_exam(raytracer, folder / "exam")
     for name, options in {"ada": "", "bob": "--only ambient,diffuse,shadows,reflections"}.items():
         (folder / "class" / name).mkdir(parents=True)
-        write_program(folder / "class" / name / "raytracing", f'exec {raytracer} "$1" "$2" "$3" --quiet {options}\n')
+        write_program(folder / "class" / name / "raytracing",
+                      f'exec {raytracer} "$1" "$2" "$3" --quiet {options}\n')
         for scene in SCENES:
-            run([raytracer, folder / "exam" / f"{scene}.json", folder / "class" / name / f"{scene}.png", 40, "--quiet",
-                 *options.split()], folder)
+            run([raytracer, folder / "exam" / f"{scene}.json", folder / "class" / name / f"{scene}.png", 40,
+                 "--quiet", *options.split()], folder)
     for program in ([], ["raytracing"]):
         done = run(["sh", recipes / "class/grade_class.sh", "exam", "class", *program], folder,
                    PATH=f"{raytracer.parent}:{os.environ['PATH']}")

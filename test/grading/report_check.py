@@ -1,4 +1,5 @@
-"""The HTML report of `raytracer grade`, used as its readers would in headless Chromium, with 1 and with 80 scenes.
+"""The HTML report of `raytracer grade`, used as its readers would in headless Chromium, with 1 and with 80
+scenes.
 
 Usage: report_check.py RAYTRACER. Exit status 77 (CTest: skipped) without Pillow or Chromium.
 """
@@ -23,9 +24,11 @@ PAGE_TEST = r"""
   window.addEventListener("unhandledrejection", event => errors.push(String(event.reason)));
   const wait = ms => new Promise(done => setTimeout(done, ms));
   const until = async condition => { for (let i = 0; i < 500 && !condition(); ++i) await wait(20); };
-  const key = name => viewer.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true }));
+  const key = name => viewer.dispatchEvent(
+      new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true }));
   const press = (x, y, x2 = x, y2 = y) => {
-    const at = (type, px, py) => stage.dispatchEvent(new PointerEvent(type, { clientX: px, clientY: py, bubbles: true }));
+    const at = (type, px, py) => stage.dispatchEvent(
+        new PointerEvent(type, { clientX: px, clientY: py, bubbles: true }));
     at("pointerdown", x, y); at("pointermove", x2, y2); at("pointerup", x2, y2);
   };
   const set = (id, value) => {
@@ -44,9 +47,11 @@ PAGE_TEST = r"""
   results.groups = main.querySelectorAll("h2").length === GROUPS;
   results.worstFirstInEachGroup = [...main.children].every(part =>
     ascending([...part.querySelectorAll("article")].map(card => +card.dataset.score)));
-  results.worstGroupFirst = ascending([...main.children].map(part => +part.querySelector("article").dataset.score));
+  results.worstGroupFirst = ascending([...main.children].map(part =>
+      +part.querySelector("article").dataset.score));
   set("grouped", false);
-  results.ungrouped = main.querySelectorAll("h2").length === 0 && ascending(scores()) && names().length === all;
+  results.ungrouped = main.querySelectorAll("h2").length === 0 && ascending(scores()) &&
+      names().length === all;
   set("sort", "best");
   results.bestFirst = ascending(scores().reverse());
   set("sort", "name");
@@ -64,9 +69,11 @@ PAGE_TEST = r"""
   await until(() => viewer.open && stage.querySelector("img.shown"));
   results.opens = viewer.open && shown() === "reference" && $("kind").textContent === "reference";
   const [wx, wy] = worst(), middle = [stage.clientWidth / 2, stage.clientHeight / 2];
-  const centred = () => Math.abs(left + (wx + 0.5) * scale - middle[0]) < 2 && Math.abs(top_ + (wy + 0.5) * scale - middle[1]) < 2;
+  const centred = () => Math.abs(left + (wx + 0.5) * scale - middle[0]) < 2 &&
+      Math.abs(top_ + (wy + 0.5) * scale - middle[1]) < 2;
   results.worstPixel = wx === 7 && wy === 9 && centred() && scale >= 8 && !mark.hidden;
-  results.values = $("values").textContent.includes("(7, 9)") && $("values").textContent.includes("reference 10 20 30")
+  results.values = $("values").textContent.includes("(7, 9)") &&
+      $("values").textContent.includes("reference 10 20 30")
     && $("values").textContent.includes("ours 255 255 255");
   const before = place();
   press(...middle);
@@ -86,7 +93,9 @@ PAGE_TEST = r"""
   key("1"); results.one = shown() === "reference";
   key("2"); results.two = shown() === "ours";
   const close = scale;
-  key("z"); results.all_ = scale < close && left >= -1 && top_ >= -1 && left + size()[0] * scale <= stage.clientWidth + 1;
+  key("z");
+  results.all_ = scale < close && left >= -1 && top_ >= -1 &&
+      left + size()[0] * scale <= stage.clientWidth + 1;
   key("z"); results.worstAgain = scale === close && centred();
   key("+"); results.plus = scale === 2 * close && centred();
   key("-"); results.minus = scale === close && centred();
@@ -109,16 +118,21 @@ PAGE_TEST = r"""
 
 
 class Browser:
-    """Headless Chromium, spoken to over a pipe in its DevTools protocol: JSON messages that end with a zero byte."""
+    """Headless Chromium, spoken to over a pipe in its DevTools protocol: JSON messages that end with a zero
+    byte."""
 
     def __init__(self, profile):
-        command = [shutil.which("chromium"), "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+        command = [shutil.which("chromium"), "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
+                   "--no-first-run",
                    "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                   f"--user-data-dir={profile}", "--window-size=1200,900", "--remote-debugging-pipe", "about:blank"]
+                   f"--user-data-dir={profile}", "--window-size=1200,900", "--remote-debugging-pipe",
+                   "about:blank"]
         its_input, self.to_it = os.pipe()
         self.from_it, its_output = os.pipe()
-        high = [fcntl.fcntl(fd, fcntl.F_DUPFD, 10) for fd in (its_input, its_output)]  # clear of 3 and 4, where it looks
-        self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, pass_fds=(3, 4),
+        # clear of 3 and 4, where it looks
+        high = [fcntl.fcntl(fd, fcntl.F_DUPFD, 10) for fd in (its_input, its_output)]
+        self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                        pass_fds=(3, 4),
                                         preexec_fn=lambda: (os.dup2(high[0], 3), os.dup2(high[1], 4)))
         for fd in (its_input, its_output, *high):
             os.close(fd)
@@ -159,7 +173,8 @@ class Browser:
 
     def press_escape(self):
         for kind in ("keyDown", "keyUp"):
-            self.call("Input.dispatchKeyEvent", type=kind, key="Escape", code="Escape", windowsVirtualKeyCode=27)
+            self.call("Input.dispatchKeyEvent", type=kind, key="Escape", code="Escape",
+                      windowsVirtualKeyCode=27)
 
     def close(self):
         self.process.kill()
@@ -167,7 +182,8 @@ class Browser:
 
 
 def make_gallery(folder, count):
-    """`count` scenes in at most 8 groups, the k-th with more wrong pixels the larger k is; every fourth is right."""
+    """`count` scenes in at most 8 groups, the k-th with more wrong pixels the larger k is; every fourth is
+    right."""
     words = ["cone", "cube", "scene", "sphere", "plane", "mesh", "light", "glass"]
     for name in ("exam", "ours"):
         (folder / name).mkdir()
@@ -187,7 +203,8 @@ def check_page(program, folder, count):
     make_gallery(folder, count)
     result = grade(program, folder, "exam", "--program", "./student", "--report", "report.html")
     if result.returncode != 1:
-        failures.append(f"{count} scenes: exit status {result.returncode}: {result.stdout[-300:]}{result.stderr}")
+        failures.append(
+            f"{count} scenes: exit status {result.returncode}: {result.stdout[-300:]}{result.stderr}")
         return
     browser = Browser(folder / "profile")
     try:
@@ -207,7 +224,8 @@ def main():
     if not shutil.which("chromium"):
         print("skipped: no chromium")
         return 77
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:  # the browser's children write on for a while
+    # the browser's children write on for a while
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
         for count in (1, 80):
             check_page(str(Path(sys.argv[1]).resolve()), Path(name) / str(count), count)
     return conclude()
