@@ -87,21 +87,26 @@ struct Suspect {
     Comparison comparison;
 };
 
-Suspect examine(ByteImage image, const std::string& name, const SceneDescription& scene,
-                const RenderOptions& options) {
+Suspect examine(ByteImage image, const std::string& name, const SceneDescription& whole,
+                const RenderOptions& options, const Terms& terms) {
     if (image.width != options.size.width || image.height != options.size.height)
         throw Error({name}, "expected a picture of the scene, " + std::to_string(options.size.width) + " x " +
                                 std::to_string(options.size.height) + ", found " +
                                 std::to_string(image.width) + " x " + std::to_string(image.height));
-    const MistakeNamer namer(scene, options);
+    const MistakeNamer namer(whole, options, terms);
     Diagnosis diagnosis = namer.diagnose(image);
     const Comparison comparison = compareImages(image, namer.right());
     return {std::move(image), namer.right(), std::move(diagnosis), comparison};
 }
 
+bool isRight(const Diagnosis& diagnosis) { return diagnosis.wrong == 0 || diagnosis.isRounding; }
+
 std::string verdict(const Suspect& suspect) {
     const Diagnosis& found = suspect.diagnosis;
     if (found.wrong == 0) return "equals the right picture";
+    if (found.isRounding)
+        return "equals the right picture but for rounding (" + std::to_string(found.wrong) + " of " +
+               std::to_string(found.pixels) + " pixels by 1)";
     if (!found.mistakes.empty()) return found.sentence();
     return "differs from the right picture in " + std::to_string(found.wrong) + " of " +
            std::to_string(found.pixels) + " pixels, as no known mistake explains";
@@ -146,8 +151,10 @@ int explainSuspect(ExplainArguments& arguments) {
     ByteImage image = toBytes(readPicture(name));
     SceneDescription scene = render.load();
     render.longEdge = arguments.longEdge.value_or(std::max(image.width, image.height));
+    SceneDescription whole = scene;
+    if (render.opaque) makeOpaque(whole);
     const RenderOptions options = render.prepare(scene);
-    const Suspect suspect = examine(std::move(image), name, scene, options);
+    const Suspect suspect = examine(std::move(image), name, whole, options, render.terms());
     const PixelPlace pixel = arguments.x ? PixelPlace{*arguments.x, *arguments.y}
                                          : PixelPlace{suspect.comparison.worstX, suspect.comparison.worstY};
     requirePixel(options.size, pixel);
@@ -156,11 +163,11 @@ int explainSuspect(ExplainArguments& arguments) {
     if (arguments.json) {
         print(explanationJson(tree, scene,
                               [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); }));
-        return suspect.diagnosis.wrong != 0;
+        return isRight(suspect.diagnosis) ? 0 : 1;
     }
     printSuspect(suspect, name, pixel, missing);
     print(explanationSentence(tree, scene) + "\n" + explanationText(tree, scene, arguments.depth));
-    return suspect.diagnosis.wrong != 0;
+    return isRight(suspect.diagnosis) ? 0 : 1;
 }
 
 int explainPixel(ExplainArguments& arguments) {

@@ -1,6 +1,7 @@
 // raytracer grade DIR: scenes with reference pictures, rendered and compared.
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -120,12 +121,12 @@ struct GradeArguments {
     }
 };
 
-RenderOptions optionsOf(const GradeCase& test, int longEdge, SceneDescription& scene) {
+RenderArguments argumentsOf(const GradeCase& test, int longEdge) {
     RenderArguments arguments;
     arguments.longEdge = longEdge;
     arguments.pass = test.stage->pass;
     arguments.only = test.stage->only;
-    return arguments.prepare(scene);
+    return arguments;
 }
 
 // Our own renderer, in this process.
@@ -136,7 +137,7 @@ Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out)
     } catch (const Error& error) {
         return {true, error.what(), ""};
     }
-    const RenderOptions options = optionsOf(test, longEdge, scene);
+    const RenderOptions options = argumentsOf(test, longEdge).prepare(scene);
     requirePictureFits(test.scene, options.crop, false);
     ByteSink sink(options.crop);
     makeRenderer(scene, Precision::Double)->render(options, sink);
@@ -148,9 +149,11 @@ Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out)
 std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& size) {
     try {
         SceneDescription scene = loadScene(test.scene, false).description;
-        const RenderOptions options = optionsOf(test, std::max(size.width, size.height), scene);
+        const SceneDescription whole = scene;
+        const RenderArguments arguments = argumentsOf(test, std::max(size.width, size.height));
+        const RenderOptions options = arguments.prepare(scene);
         if (options.size.width != size.width || options.size.height != size.height) return nullptr;
-        return std::make_unique<MistakeNamer>(scene, options);
+        return std::make_unique<MistakeNamer>(whole, options, arguments.terms());
     } catch (const Error&) {
         return nullptr;
     }
@@ -242,6 +245,18 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
     return printSummary(results, plan, arguments.thresholds) ? 0 : 1;
 }
 
+// A program that no submission has is a slip of the command line, not of sixty students.
+void requireProgramIn(const std::vector<Submission>& submissions, const std::string& program) {
+    const std::string first = program.substr(0, program.find(' '));
+    if (!first.starts_with("{}/")) return;
+    const auto has = [&](const Submission& submission) {
+        std::error_code error;
+        return std::filesystem::exists(submission.folder + first.substr(2), error);
+    };
+    if (std::ranges::none_of(submissions, has))
+        throw usageError("--program: no submission has a file " + printable(first.substr(3)));
+}
+
 int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
     if (!arguments.program.empty() && arguments.program.find("{}") == std::string::npos)
         throw usageError("--program: expected {} for the submission's folder, found " +
@@ -250,6 +265,7 @@ int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, Gra
     if (!arguments.gradescope.empty() && submissions.size() != 1)
         throw usageError("--gradescope: expected one submission, found " +
                          std::to_string(submissions.size()));
+    if (arguments.gradescope.empty()) requireProgramIn(submissions, arguments.program);
     std::optional<PictureShelf> shelf;
     if (output.report) shelf.emplace(arguments.report);
     std::vector<GradedSubmission> graded;

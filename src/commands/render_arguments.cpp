@@ -10,6 +10,7 @@
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_edit.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/tracer/term_names.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
@@ -17,16 +18,6 @@
 namespace raytracer::commands {
 
 namespace {
-
-struct TermName {
-    const char* name;
-    bool Terms::*term;
-};
-constexpr TermName termNames[] = {
-    {"ambient", &Terms::ambient},   {"diffuse", &Terms::diffuse},         {"specular", &Terms::specular},
-    {"shadows", &Terms::shadows},   {"reflections", &Terms::reflections}, {"refraction", &Terms::refraction},
-    {"textures", &Terms::textures},
-};
 
 bool Terms::*termNamed(const std::string& name) {
     std::vector<std::string> names;
@@ -127,7 +118,7 @@ void RenderArguments::addLongEdgeTo(CommandLine& line) {
 
 Terms RenderArguments::terms() const {
     if (only.empty()) return {};
-    Terms terms{false, false, false, false, false, false, false};
+    Terms terms = noTerms;
     for (const std::string& name : split(only)) terms.*termNamed(name) = true;
     return terms;
 }
@@ -174,7 +165,7 @@ RenderOptions RenderArguments::prepare(SceneDescription& description) const {
     options.crop = crop.empty() ? PixelRectangle{0, 0, options.size.width, options.size.height}
                                 : parseCrop(crop, options.size);
     options.max_recursion = max_recursion;
-    options.pass = pass == "raycast" ? Pass::Raycast : pass == "normals" ? Pass::Normals : Pass::Color;
+    options.pass = passNamed(pass);
     options.shadows = chosen.shadows;
     options.refraction = chosen.refraction;
     options.threads = threads;

@@ -125,13 +125,13 @@ std::string explanationSentence(const RayExplanation& explanation, const SceneDe
 std::vector<std::string> missingTerms(const RayExplanation& explanation, const SceneDescription& scene,
                                       const std::uint8_t (&bytes)[3]) {
     std::vector<std::string> terms;
-    const auto add = [&](const std::string& term, const glm::dvec3& change) {
-        const glm::dvec3 color = explanation.color - change;
-        if (change == glm::dvec3(0)) return;
-        if (toByte(color.x) == bytes[0] && toByte(color.y) == bytes[1] && toByte(color.z) == bytes[2])
-            terms.push_back(term);
+    const auto isThere = [&](const glm::dvec3& color) {
+        return toByte(color.x) == bytes[0] && toByte(color.y) == bytes[1] && toByte(color.z) == bytes[2];
     };
-    if (!explanation.hit) return terms;
+    const auto add = [&](const std::string& term, const glm::dvec3& change) {
+        if (change != glm::dvec3(0) && isThere(explanation.color - change)) terms.push_back(term);
+    };
+    if (!explanation.hit || isThere(explanation.color)) return terms;
     for (const Part& part : partsOf(explanation, scene)) add(part.term, part.color);
     for (std::size_t i = 0; explanation.lights.size() > 1 && i < explanation.lights.size(); ++i) {
         const LightExplanation& light = explanation.lights[i];

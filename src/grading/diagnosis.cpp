@@ -24,18 +24,30 @@ NamedMistake nameOf(const Candidate& candidate) {
     }
     name.explained = std::max(0.0, candidate.fit.net());
     name.sampled = candidate.fit.sampled;
+    name.unknown = candidate.fit.unknown;
     name.off = candidate.fit.off;
     return name;
 }
 
-// More names than that say nothing: the picture shows too little.
-void addNames(Diagnosis& diagnosis, const Candidates& candidates) {
+// Programs seldom make what is not looked for together with other mistakes.
+bool isRare(const Candidate& candidate) { return candidate.variant->mistakes()[0]->alone; }
+
+void addNames(Diagnosis& diagnosis, const Candidates& candidates, bool rare) {
     for (const Candidate& candidate : candidates) {
+        if (isRare(candidate) != rare) continue;
         NamedMistake name = nameOf(candidate);
         const auto isThere = [&](const NamedMistake& other) { return other.what == name.what; };
         if (std::ranges::none_of(diagnosis.mistakes, isThere)) diagnosis.mistakes.push_back(std::move(name));
     }
-    if (diagnosis.mistakes.size() > mostNames) diagnosis.mistakes.clear();
+}
+
+// More names than mostNames say nothing: the picture shows too little.
+void nameAll(Diagnosis& diagnosis, const Candidates& candidates) {
+    addNames(diagnosis, candidates, false);
+    if (diagnosis.mistakes.size() > mostNames) return diagnosis.mistakes.clear();
+    const std::size_t usual = diagnosis.mistakes.size();
+    addNames(diagnosis, candidates, true);
+    if (diagnosis.mistakes.size() > mostNames) diagnosis.mistakes.resize(usual);
 }
 
 bool isOneColor(const ByteImage& picture) {
@@ -44,15 +56,22 @@ bool isOneColor(const ByteImage& picture) {
     return true;
 }
 
-std::string measure(const NamedMistake& mistake, const Diagnosis& diagnosis) {
-    const auto count = [](std::uint64_t value) { return std::to_string(value); };
-    const std::string wrong = count(diagnosis.wrong) + " differ from the right one)";
-    constexpr double all = 0.999;
-    if (mistake.explained < all) return "";
-    if (mistake.off)
-        return " (" + count(*mistake.off) + " of " + count(diagnosis.pixels) + " pixels differ; " + wrong;
-    return " (in a sample of " + count(mistake.sampled) + " pixels; " + count(diagnosis.wrong) + " of " +
-           count(diagnosis.pixels) + " differ from the right one)";
+std::string inDigits(std::uint64_t value) { return std::to_string(value); }
+
+// "equals the picture", or how far it is from that.
+std::string likenessInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
+    const std::string pixels = inDigits(diagnosis.pixels) + " pixels";
+    if (!mistake.off)
+        return "is, in the " + inDigits(mistake.sampled) + " pixels looked at" +
+               (mistake.unknown > 0 ? ", none of which shows glass" : "") + ", the picture ";
+    if (*mistake.off > 0) return "is, but for " + inDigits(*mistake.off) + " of " + pixels + ", the picture ";
+    return "equals the picture ";
+}
+
+std::string differenceInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
+    const std::string of = " of " + inDigits(diagnosis.pixels), wrong = inDigits(diagnosis.wrong);
+    if (mistake.off == 0U) return " (0" + of + " pixels differ; " + wrong + " differ from the right one)";
+    return " (" + wrong + of + " pixels differ from the right one)";
 }
 
 }  // namespace
@@ -70,14 +89,15 @@ std::string Diagnosis::names() const {
 std::string Diagnosis::sentence() const {
     if (mistakes.empty()) return {};
     const NamedMistake& first = mistakes.front();
-    const std::string measured = measure(first, *this);
-    if (!measured.empty()) return "equals the picture " + names() + measured;
-    return formatted("%.0f", std::floor(100 * first.explained)) +
-           " % of the wrong pixels are explained by the picture " + names();
+    constexpr double all = 0.999;
+    if (first.explained >= all)
+        return likenessInWords(first, *this) + names() + differenceInWords(first, *this);
+    return formatted("is wrong: %.0f %% of its ", std::floor(100 * first.explained)) + inDigits(wrong) +
+           " wrong pixels are as in the picture " + names();
 }
 
-MistakeNamer::MistakeNamer(const SceneDescription& scene, const RenderOptions& options)
-    : state_(std::make_unique<State>(scene, options)) {}
+MistakeNamer::MistakeNamer(const SceneDescription& scene, const RenderOptions& options, const Terms& terms)
+    : state_(std::make_unique<State>(scene, options, terms)) {}
 
 MistakeNamer::~MistakeNamer() = default;
 
@@ -89,8 +109,9 @@ Diagnosis MistakeNamer::diagnose(const ByteImage& picture) const {
     Diagnosis diagnosis;
     diagnosis.pixels = picture.pixels.size() / 3;
     diagnosis.wrong = split.differing;
+    diagnosis.isRounding = split.differing > 0 && split.wrongPixels.empty();
     if (split.wrongPixels.size() < fewestWrong || isOneColor(picture)) return diagnosis;
-    addNames(diagnosis, explanationsOf(picture, split, *state_));
+    nameAll(diagnosis, explanationsOf(picture, split, *state_));
     if (!diagnosis.mistakes.empty()) return diagnosis;
     Sample sample(split, 1000, 0, picture.width);
     for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(state_->scene->explain(pixel));

@@ -58,15 +58,18 @@ using ToByte = std::uint8_t (*)(double channel);
 
 struct Mistake {
     std::string what, hint;  // as in NamedMistake
-    std::string kind;        // no program makes two mistakes of one kind; empty: of no kind
+    std::string kind = {};   // no program makes two mistakes of one kind; empty: of no kind
     std::function<void(SceneDescription&, RenderOptions&)> edit = {};
     std::function<void(Formula&)> formula = {};
     std::function<glm::dvec3(const glm::dvec3&)> color = {};
     ToByte toByte = nullptr;
+    bool alone = false;                    // not looked for together with another
+    std::vector<glm::dvec2> samples = {};  // whose mean a pixel is: how far into it; empty: its centre
 };
 
-// Those that could be made with this scene.
-std::vector<Mistake> knownMistakes(const SceneDescription& scene, const RenderOptions& options);
+// Those that could be made with this scene, where the right picture shows these terms of it.
+std::vector<Mistake> knownMistakes(const SceneDescription& scene, const RenderOptions& options,
+                                   const Terms& terms);
 
 void addSceneMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
                       const RenderOptions& options);
@@ -75,5 +78,7 @@ void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& s
                        const RenderOptions& options);
 void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene);
 void addByteMistakes(std::vector<Mistake>& mistakes);
+void addStageMistakes(std::vector<Mistake>& mistakes, const SceneDescription& whole,
+                      const RenderOptions& options, const Terms& terms);
 
 }  // namespace raytracer

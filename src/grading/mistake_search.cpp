@@ -88,7 +88,7 @@ class Search {
 
     bool canBePair(std::size_t a, std::size_t b) const {
         const Mistake &one = known_.mistakes[a], &other = known_.mistakes[b];
-        return a != b && (one.kind.empty() || one.kind != other.kind);
+        return a != b && !one.alone && !other.alone && (one.kind.empty() || one.kind != other.kind);
     }
 
     // Of a scene that takes long to build, a pair that needs one of its own is tried where one of the two
@@ -112,11 +112,18 @@ class Search {
         constexpr double equallyWell = 0.003, hopeful = 0.1;
         std::erase_if(candidates, [&](const Candidate& c) { return netOf(c) < leastExplained - hopeful; });
         for (Candidate& candidate : candidates)
-            if (!candidate.variant->isOfTrees())
+            if (candidate.variant->isPicture())
                 candidate.fit = fitOfAll(picture_, known_.right, split_, *candidate.variant);
+        // What stands alone is another picture as a whole: it may not merely be like this one.
+        std::erase_if(candidates, [](const Candidate& c) {
+            return c.variant->mistakes()[0]->alone && netOf(c) < fullyExplained;
+        });
         keepBest(candidates, candidates.size(), netOf);
         std::erase_if(candidates,
                       [&](const Candidate& c) { return netOf(c) < netOf(candidates.front()) - equallyWell; });
+        const auto isExact = [](const Candidate& c) { return c.fit.off == 0U; };
+        if (std::ranges::any_of(candidates, isExact))
+            std::erase_if(candidates, [](const Candidate& c) { return c.fit.unknown > 0; });
         return candidates;
     }
 
@@ -141,16 +148,18 @@ class Search {
 
 }  // namespace
 
-KnownVariants::KnownVariants(const SceneDescription& description, RenderOptions options) {
+KnownVariants::KnownVariants(const SceneDescription& whole, RenderOptions options, const Terms& terms) {
     options.samples = 1;
     options.adaptive = 0;
-    scene = std::make_shared<RenderedScene>(description, options);
-    mistakes = knownMistakes(description, options);
+    SceneDescription shown = whole;
+    if (options.pass == Pass::Color) keepTerms(shown, terms);
+    scene = std::make_shared<RenderedScene>(std::move(shown), options);
+    mistakes = knownMistakes(whole, options, terms);
     for (const Mistake& mistake : mistakes)
         singles.push_back(std::make_shared<Variant>(std::vector{&mistake}, scene));
     right = Variant({}, scene).picture();
-    std::size_t parts = description.shapes.size();
-    for (const ShapeDescription& shape : description.shapes)
+    std::size_t parts = whole.shapes.size();
+    for (const ShapeDescription& shape : whole.shapes)
         if (shape.mesh) parts += shape.mesh->triangleCount();
     isSmall = parts <= 200;
 }

@@ -10,9 +10,9 @@
 
 namespace raytracer {
 
-// A scene, and what each mistake makes of it.
+// A scene, of which the right picture shows these terms, and what each mistake makes of it.
 struct KnownVariants {
-    KnownVariants(const SceneDescription& description, RenderOptions options);
+    KnownVariants(const SceneDescription& whole, RenderOptions options, const Terms& terms);
 
     std::shared_ptr<RenderedScene> scene;
     std::vector<Mistake> mistakes;

@@ -267,11 +267,13 @@ void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& 
             }));
 }
 
-std::vector<Mistake> knownMistakes(const SceneDescription& scene, const RenderOptions& options) {
+std::vector<Mistake> knownMistakes(const SceneDescription& scene, const RenderOptions& options,
+                                   const Terms& terms) {
     std::vector<Mistake> mistakes;
     addTransformMistakes(mistakes);
     addCameraMistakes(mistakes, scene, options);
     addByteMistakes(mistakes);
+    addStageMistakes(mistakes, scene, options, terms);
     if (options.pass != Pass::Color) return mistakes;
     addSceneMistakes(mistakes, scene, options);
     addFormulaMistakes(mistakes, scene);

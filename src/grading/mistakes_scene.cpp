@@ -67,6 +67,14 @@ void addDepths(std::vector<Mistake>& mistakes, int depth) {
                             withRecursion([](int bounces) { return bounces - 1; })});
     mistakes.push_back({"with one bounce more" + text(depth + 1), hint, "depth",
                         withRecursion([](int bounces) { return bounces + 1; })});
+    for (const int other : {1, 2, 5, 8})
+        if (other < depth - 1 || other > depth + 1)
+            mistakes.push_back({.what = "with max_recursion " + std::to_string(other) + " instead of " +
+                                        std::to_string(depth),
+                                .hint = hint,
+                                .kind = "depth",
+                                .edit = withRecursion([other](int) { return other; }),
+                                .alone = true});
     if (depth > 1)
         mistakes.push_back({"without any reflected or refracted ray" + text(0), hint, "depth",
                             withRecursion([](int) { return 0; })});
@@ -134,15 +142,23 @@ std::shared_ptr<const Texture> upsideDown(const Texture& texture) {
     return std::make_shared<const Texture>(std::move(flipped));
 }
 
-void addMaterialMistakes(std::vector<Mistake>& mistakes) {
+void addTextureMistakes(std::vector<Mistake>& mistakes, bool isBilinear) {
     mistakes.push_back(
-        {"without the factor color_reflect", "K_R multiplies I_R.", "mirror",
-         ofMaterials([](MaterialDescription& material) { material.color_reflect = glm::dvec3(1); })});
+        {isBilinear ? "with the nearest texel alone" : "with bilinear texture look-ups",
+         isBilinear ? "Are the four nearest texels weighted?"
+                    : "A texture's colour is that of the nearest texel.",
+         "texture", [](SceneDescription&, RenderOptions& options) { options.bilinear = !options.bilinear; }});
     mistakes.push_back({"whose textures are upside down", "Row 0 of the image is at v = 1.", "texture",
                         [](SceneDescription& scene, RenderOptions&) {
                             for (TextureDescription& texture : scene.textures)
                                 if (texture.texture) texture.texture = upsideDown(*texture.texture);
                         }});
+}
+
+void addMaterialMistakes(std::vector<Mistake>& mistakes) {
+    mistakes.push_back(
+        {"without the factor color_reflect", "K_R multiplies I_R.", "mirror",
+         ofMaterials([](MaterialDescription& material) { material.color_reflect = glm::dvec3(1); })});
 }
 
 }  // namespace
@@ -153,6 +169,7 @@ void addSceneMistakes(std::vector<Mistake>& mistakes, const SceneDescription& sc
     addDepths(mistakes, options.max_recursion);
     addLightMistakes(mistakes, scene.lights.size());
     addMaterialMistakes(mistakes);
+    if (!scene.textures.empty()) addTextureMistakes(mistakes, options.bilinear);
     if (std::ranges::any_of(scene.materials, &MaterialDescription::refractive)) addGlass(mistakes);
 }
 

@@ -73,8 +73,10 @@ Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, 
     }
     constexpr double leastKnown = 0.25;  // of the wrong pixels
     if (wrong < leastKnown * static_cast<double>(sample.wrongCount)) return {};
-    return {
-        explained / wrong, rights > 0 ? contradicted / rights * sample.rightsOfWrong : 0, bytes.size(), {}};
+    const auto unknown =
+        static_cast<std::size_t>(std::ranges::count_if(bytes, [](const auto& pixel) { return !pixel; }));
+    return {explained / wrong, rights > 0 ? contradicted / rights * sample.rightsOfWrong : 0,
+            bytes.size() - unknown, unknown};
 }
 
 Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels& split, Variant& variant) {
@@ -90,7 +92,7 @@ Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels
     for (std::size_t i = 0; i < whole.pixels.size() / 3; ++i)
         off += difference(at(picture, i), at(whole, i)) != 0;
     const auto wrong = static_cast<double>(split.wrongPixels.size());
-    return {explained / wrong, contradicted / wrong, whole.pixels.size() / 3, off};
+    return {explained / wrong, contradicted / wrong, whole.pixels.size() / 3, 0, off};
 }
 
 SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,

@@ -37,6 +37,7 @@ struct Fit {
     double explained = 0;     // of the wrong pixels
     double contradicted = 0;  // right pixels that the variant has wrong, as a share of the wrong ones
     std::size_t sampled = 0;  // pixels
+    std::size_t unknown = 0;  // more of them, of which the variant does not tell
     std::optional<std::uint64_t> off = {};  // of the whole picture
     double net() const { return explained - contradicted; }
 };

@@ -98,7 +98,7 @@ std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& 
     const double inShadow = static_cast<double>(shadows) / all,
                  onMirrors = static_cast<double>(mirrors) / all;
     const auto named = [&](const char* what, double explained) {
-        return NamedMistake{what, offset, explained, sample.pixels.size(), {}};
+        return NamedMistake{what, offset, explained, sample.pixels.size()};
     };
     if (inShadow >= leastOfSpecks) return named("with specks on lit surfaces (shadow acne)", inShadow);
     if (onMirrors >= leastOfSpecks)

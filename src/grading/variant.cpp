@@ -50,6 +50,15 @@ bool Variant::isOfTrees() const {
     return std::ranges::any_of(mistakes_, [](const Mistake* mistake) { return bool(mistake->formula); });
 }
 
+std::span<const glm::dvec2> Variant::samples() const {
+    static constexpr glm::dvec2 centre[] = {{0.5, 0.5}};
+    for (const Mistake* mistake : mistakes_)
+        if (!mistake->samples.empty()) return mistake->samples;
+    return centre;
+}
+
+bool Variant::isPicture() const { return !isOfTrees() && samples().size() == 1; }
+
 const std::shared_ptr<RenderedScene>& Variant::madeScene() {
     if (made_) return made_;
     if (!edits()) return made_ = right_;
@@ -69,15 +78,24 @@ Rgb Variant::toBytes(glm::dvec3 color) const {
     return {toByte(color.x), toByte(color.y), toByte(color.z)};
 }
 
+std::vector<glm::dvec3> Variant::colors(const Pixels& pixels) {
+    const auto places = samples();
+    std::vector<glm::dvec2> points;
+    for (const PixelPlace& pixel : pixels)
+        for (const glm::dvec2& place : places) points.push_back(glm::dvec2(pixel.x, pixel.y) + place);
+    std::vector<glm::dvec3> colors(points.size()), means(pixels.size(), glm::dvec3(0));
+    const RenderedScene& scene = *madeScene();
+    scene.renderer().renderPoints(scene.options(), points, colors);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        means[i / places.size()] += colors[i] / static_cast<double>(places.size());
+    return means;
+}
+
 std::vector<std::optional<Rgb>> Variant::bytes(const Pixels& pixels, Trees& rightTrees) {
     RenderedScene& scene = *madeScene();
     std::vector<std::optional<Rgb>> result(pixels.size());
     if (!isOfTrees()) {
-        std::vector<glm::dvec2> points;
-        for (const PixelPlace& pixel : pixels) points.emplace_back(pixel.x + 0.5, pixel.y + 0.5);
-        std::vector<glm::dvec3> colors(points.size());
-        scene.renderer().renderPoints(scene.options(), points, colors);
-        std::ranges::transform(colors, result.begin(),
+        std::ranges::transform(colors(pixels), result.begin(),
                                [&](const glm::dvec3& color) { return toBytes(color); });
         return result;
     }

@@ -44,15 +44,18 @@ class Variant {
     std::span<const Mistake* const> mistakes() const { return mistakes_; }
     bool edits() const;      // the scene, which is then built anew
     bool isOfTrees() const;  // made anew from ray trees, at a hundred times the cost
+    bool isPicture() const;  // made at the cost of a picture
 
     // The pixels' bytes; nothing where a ray tree does not tell. `rightTrees` are those of the scene without
     // a mistake, made here where they are empty and needed.
     std::vector<std::optional<Rgb>> bytes(const Pixels& pixels, Trees& rightTrees);
 
-    ByteImage picture();  // not isOfTrees
+    ByteImage picture();  // isPicture
 
   private:
     const std::shared_ptr<RenderedScene>& madeScene();
+    std::vector<glm::dvec3> colors(const Pixels& pixels);
+    std::span<const glm::dvec2> samples() const;
     Rgb toBytes(glm::dvec3 color) const;
 
     std::vector<const Mistake*> mistakes_;

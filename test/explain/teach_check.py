@@ -6,6 +6,7 @@ Usage: teach_check.py RAYTRACER, from the source folder.
 import json
 import pathlib
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -140,10 +141,30 @@ def check_pictures(folder):
     run(folder, scene, out, 60, "--quiet")
     check("right", (0, "mine.png equals the right picture"), (lambda done: (done[0], done[2].split("\n")[0]))(
         run(folder, "explain", scene, "--picture", "mine.png", "--quiet")))
+    equal = run(folder, "explain", scene, 25, 20, 60, "--picture", "mine.png")[2]
+    check("a right pixel: no term", False, "it would be as in" in equal)
+    check_roundings(folder)
     run(folder, scene, out, 60, "--crop", "0,0,60,50", "--quiet")
     wrong = subprocess.run([RAYTRACER, "explain", scene, "--picture", out], capture_output=True, text=True)
     check("size", (2, f"{out}: expected a picture of the scene, 60 x 60, found 60 x 50\n"),
           (wrong.returncode, wrong.stderr))
+
+
+def check_roundings(folder):
+    """Another rounding of few pixels is no mistake."""
+    path = pathlib.Path("scenes/spheres_cylinder.json").resolve()
+    out = pathlib.Path(folder, "rounded.pfm")
+    run(folder, path, out, 60, "--quiet")
+    data = bytearray(out.read_bytes())
+    at = len(data) - 3 * 4 * 60 * 60
+    for pixel in (0, 1500):  # up by 1 of 255
+        for channel in range(3):
+            place = at + 12 * pixel + 4 * channel
+            struct.pack_into("<f", data, place, struct.unpack_from("<f", data, place)[0] + 1 / 255)
+    out.write_bytes(data)
+    status, _, text = run(folder, "explain", path, "--picture", "rounded.pfm", "--quiet")
+    check("rounding", (0, "rounded.pfm equals the right picture but for rounding (2 of 3600 pixels by 1)"),
+          (status, text.split("\n")[0]))
 
 
 def check_explanations():

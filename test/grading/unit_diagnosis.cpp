@@ -4,8 +4,12 @@
 
 #include "../support/described.h"
 #include "raytracer/grading/diagnosis.h"
+#include "raytracer/grading/grade.h"
+#include "raytracer/pictures/color_sink.h"
+#include "raytracer/tracer/term_names.h"
 
 using namespace raytracer;
+using Catch::Matchers::Contains;
 using namespace raytracer::test;
 
 namespace {
@@ -37,6 +41,33 @@ ByteImage moved(const ByteImage& from, Mapping mapping) {
 
 ByteImage changed(ByteImage picture, double (*change)(double)) {
     for (std::uint8_t& byte : picture.pixels) byte = toByte(change(byte / 255.0));
+    return picture;
+}
+
+// The terms of the list alone.
+ByteImage termsPicture(SceneDescription scene, const std::string& list) {
+    const Terms terms = termsNamed(list);
+    keepTerms(scene, terms);
+    return bytesOf(scene, edge, Precision::Double, [&](RenderOptions& options) {
+        options.shadows = terms.shadows;
+        options.refraction = terms.refraction;
+    });
+}
+
+ByteImage stagePicture(const SceneDescription& scene, const Stage& stage) {
+    if (stage.pass == "color") return termsPicture(scene, std::string(stage.only));
+    return bytesOf(scene, edge, Precision::Double,
+                   [&](RenderOptions& options) { options.pass = passNamed(stage.pass); });
+}
+
+ByteImage normalsPicture(const SceneDescription& scene, glm::dvec3 (*change)(const glm::dvec3&)) {
+    RenderOptions options = wholePicture(scene, edge);
+    options.pass = Pass::Normals;
+    ColorSink sink(options.crop);
+    makeRenderer(scene, Precision::Double)->render(options, sink);
+    ByteImage picture{options.size.width, options.size.height, {}};
+    for (const glm::dvec3& color : sink.colors())
+        for (int c = 0; c < 3; ++c) picture.pixels.push_back(toByte(change(color)[c]));
     return picture;
 }
 
@@ -112,4 +143,91 @@ TEST_CASE("mistakes: what none explains has no name") {
     CHECK(nameOf(scene, changed(right, [](double) { return 0.0; })).empty());
     CHECK(nameOf(scene, moved(right, [](int x, int y) { return PixelPlace{(x + 7) % edge, y}; })).empty());
     CHECK(nameOf(scene, bytesOf(courseScene("texture"), edge)).empty());
+}
+
+TEST_CASE("mistakes: another stage, or other terms, is named as what it is") {
+    for (const char* file : {"refraction", "stress_test"}) {
+        const SceneDescription scene = courseScene(file);
+        for (const Stage& stage : stages()) {
+            if (&stage == &completeStage()) continue;
+            INFO(file << " " << stage.name);
+            const std::string name = nameOf(scene, stagePicture(scene, stage));
+            CHECK_THAT(name, Catch::Matchers::StartsWith(stage.only == "ambient" ? "of ambient light alone, "
+                                                                                 : "of ") &&
+                                 Catch::Matchers::EndsWith("the stage -" + std::string(stage.name)));
+        }
+    }
+}
+
+TEST_CASE("mistakes: of a stage") {
+    const SceneDescription scene = courseScene("spheres_cylinder");
+    const auto named = [&](std::size_t stage, const ByteImage& picture) {
+        RenderOptions options = wholePicture(scene, edge);
+        options.pass = passNamed(stages()[stage].pass);
+        options.shadows = options.refraction = false;
+        Terms terms = noTerms;
+        terms.diffuse = true;
+        return MistakeNamer(scene, options, options.pass == Pass::Color ? terms : Terms{})
+            .diagnose(picture)
+            .names();
+    };
+    constexpr std::size_t normals = 1, diffuse = 3;
+    const ByteImage rightNormals = stagePicture(scene, stages()[normals]);
+    CHECK(named(normals, stagePicture(scene, stages()[diffuse])) ==
+          "of diffuse light alone, the stage -diffuse");
+    CHECK(named(diffuse, rightNormals) == "of the stage -normals");
+    CHECK(named(diffuse, termsPicture(scene, "diffuse,shadows")) == "with shadows");
+    CHECK(named(normals, normalsPicture(scene, [](const glm::dvec3& c) { return 2.0 * c - 1.0; })) ==
+          "whose normals are the colours themselves");
+    const auto turned = [](const glm::dvec3& c) { return c == glm::dvec3(54 / 255.0) ? c : 1.0 - c; };
+    CHECK(named(normals, normalsPicture(scene, turned)) == "whose normals point inwards");
+}
+
+TEST_CASE("mistakes: settings of a picture that is right otherwise") {
+    const SceneDescription scene = courseScene("mirror_corridor"), textured = courseScene("texture");
+    const auto named = [](const SceneDescription& one, const std::function<void(RenderOptions&)>& change) {
+        return nameOf(one, bytesOf(one, edge, Precision::Double, change));
+    };
+    for (const int bounces : {1, 5, 8})
+        CHECK_THAT(named(scene, [=](RenderOptions& options) { options.max_recursion = bounces; }),
+                   Contains("with max_recursion " + std::to_string(bounces) + " instead of 3"));
+    CHECK(named(textured, [](RenderOptions& options) { options.bilinear = true; }) ==
+          "with bilinear texture look-ups");
+    for (const int samples : {4, 16})
+        CHECK(named(textured, [=](RenderOptions& options) { options.samples = samples; }) ==
+              "with " + std::to_string(samples) + " samples a pixel");
+}
+
+TEST_CASE("mistakes: few pixels that are off by one are rounding") {
+    const SceneDescription scene = courseScene("spheres_cylinder");
+    ByteImage picture = bytesOf(scene, edge);
+    const MistakeNamer namer(scene, wholePicture(scene, edge));
+    CHECK_FALSE(namer.diagnose(picture).isRounding);
+    for (const std::size_t i : {3000, 3001, 9000}) picture.pixels[i] ^= 1;
+    CHECK(namer.diagnose(picture).isRounding);
+    picture.pixels[12000] ^= 2;
+    CHECK_FALSE(namer.diagnose(picture).isRounding);
+}
+
+TEST_CASE("mistakes: what is said of a picture that is another one but for some pixels, or of a sample") {
+    Diagnosis diagnosis{.pixels = 3600, .wrong = 500, .mistakes = {NamedMistake()}};
+    NamedMistake& mistake = diagnosis.mistakes.front();
+    mistake.what = "without shadows";
+    mistake.explained = 1;
+    mistake.off = 6;
+    CHECK(diagnosis.sentence() ==
+          "is, but for 6 of 3600 pixels, the picture without shadows (500 of 3600 "
+          "pixels differ from the right one)");
+    mistake.off.reset();
+    mistake.sampled = 640;
+    CHECK(diagnosis.sentence() ==
+          "is, in the 640 pixels looked at, the picture without shadows (500 of 3600 "
+          "pixels differ from the right one)");
+    mistake.unknown = 3;
+    CHECK(diagnosis.sentence() ==
+          "is, in the 640 pixels looked at, none of which shows glass, the picture "
+          "without shadows (500 of 3600 pixels differ from the right one)");
+    mistake.explained = 0.929;
+    CHECK(diagnosis.sentence() ==
+          "is wrong: 92 % of its 500 wrong pixels are as in the picture without shadows");
 }

@@ -9,7 +9,7 @@
 
 #include "raytracer/pictures/image.h"
 #include "raytracer/scene/scene_description.h"
-#include "raytracer/tracer/render_options.h"
+#include "raytracer/tracer/renderer.h"
 
 namespace raytracer {
 
@@ -19,18 +19,21 @@ struct NamedMistake {
     std::string hint;         // what the author may check: one sentence, or empty
     double explained = 0;     // the share of the wrong pixels that have the bytes which the mistake makes
     std::size_t sampled = 0;  // pixels that the share was measured on
+    std::size_t unknown = 0;  // more of them, of which it is not known what the mistake makes: glass
     // Of the whole picture, where it was made: those that differ all the same.
-    std::optional<std::uint64_t> off;
+    std::optional<std::uint64_t> off{};
 };
 
 struct Diagnosis {
     std::uint64_t pixels = 0, wrong = 0;  // of the picture; wrong: different from the right one
+    bool isRounding = false;              // few are wrong, and by 1 of 255: the picture of a right program
     std::vector<NamedMistake> mistakes;   // at most three, which explain the picture equally well
 
     // "without specular light", or "A, or B"; empty without a name.
     std::string names() const;
-    // "equals the picture without specular light (0 of 360000 pixels differ; 41022 differ from the
-    // reference)", or "93 % of the wrong pixels are explained by the picture ..."; empty without a name.
+    // "equals the picture without specular light (0 of 360000 pixels differ; 41022 differ from the right
+    // one)", "is, but for 6 of 360000 pixels, the picture ..." or "is wrong: 93 % of its 41022 wrong pixels
+    // are as in the picture ..."; empty without a name.
     std::string sentence() const;
 };
 
@@ -38,8 +41,9 @@ struct Diagnosis {
 // needed, and their scenes kept for the pictures to come.
 class MistakeNamer {
   public:
-    // `options` as for a render of the whole picture; samples and adaptive are ignored.
-    MistakeNamer(const SceneDescription& scene, const RenderOptions& options);
+    // `options` as for a render of the whole picture; samples and adaptive are ignored. The right picture has
+    // these terms of the scene, others can be in a wrong one.
+    MistakeNamer(const SceneDescription& scene, const RenderOptions& options, const Terms& terms = {});
     ~MistakeNamer();
     MistakeNamer(const MistakeNamer&) = delete;
     MistakeNamer& operator=(const MistakeNamer&) = delete;

@@ -1,0 +1,37 @@
+// Terms and passes by name, as a command line and the stages of the course have them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "raytracer/tracer/render_options.h"
+
+namespace raytracer {
+
+struct TermName {
+    const char* name;
+    bool Terms::*term;
+};
+
+inline constexpr TermName termNames[] = {
+    {"ambient", &Terms::ambient},   {"diffuse", &Terms::diffuse},         {"specular", &Terms::specular},
+    {"shadows", &Terms::shadows},   {"reflections", &Terms::reflections}, {"refraction", &Terms::refraction},
+    {"textures", &Terms::textures},
+};
+
+constexpr Pass passNamed(std::string_view name) {
+    return name == "raycast" ? Pass::Raycast : name == "normals" ? Pass::Normals : Pass::Color;
+}
+
+inline constexpr Terms noTerms{false, false, false, false, false, false, false};
+
+// Of a comma-separated list without blanks; of an empty one all.
+inline Terms termsNamed(const std::string& list) {
+    if (list.empty()) return {};
+    Terms terms = noTerms;
+    for (const TermName& known : termNames)
+        terms.*known.term = ("," + list + ",").find("," + std::string(known.name) + ",") != std::string::npos;
+    return terms;
+}
+
+}  // namespace raytracer
