@@ -50,9 +50,9 @@ Axes axesOf(const SceneTradeoff& scene) {
     return {{std::max(fast, 1e-6), slow, left, width - right}, {least, most, height - bottom, top}};
 }
 
-std::string decade(int exponent) {
-    if (exponent >= 0) return std::to_string(static_cast<long long>(std::pow(10, exponent)));
-    if (exponent >= -3) return formatted("%g", std::pow(10, exponent));
+// All of an axis in one notation.
+std::string decade(int exponent, const LogAxis& axis) {
+    if (axis.first() >= -3 && axis.last() <= 5) return formatted("%g", std::pow(10, exponent));
     return formatted("10<tspan dy='-4' font-size='8'>%d</tspan>", exponent);
 }
 
@@ -63,13 +63,13 @@ std::string grid(const Axes& axes) {
         svg += formatted("<path class='grid' d='M%.1f %.1fV%.1f'/>", x, top, height - bottom);
         svg +=
             formatted("<text class='tick' x='%.1f' y='%.1f' text-anchor='middle'>", x, height - bottom + 14) +
-            decade(e) + "</text>";
+            decade(e, axes.x) + "</text>";
     }
     for (int e = axes.y.first(); e <= axes.y.last(); ++e) {
         const double y = axes.y.at(std::pow(10, e));
         svg += formatted("<path class='grid' d='M%.1f %.1fH%.1f'/>", left, y, width - right);
         svg += formatted("<text class='tick' x='%.1f' y='%.1f' text-anchor='end'>", left - 6, y + 4) +
-               decade(e) + "</text>";
+               decade(e, axes.y) + "</text>";
     }
     svg += formatted("<text class='label' x='%.1f' y='%.1f' text-anchor='middle'>processor seconds</text>",
                      (left + width - right) / 2, height - 8);

@@ -1,7 +1,6 @@
 #include "raytracer/grading/grade.h"
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <set>
@@ -33,12 +32,6 @@ constexpr Stage stageTable[] = {
     {"raytracing", "color", ""},
 };
 
-std::string firstWord(const std::string& name) {
-    const auto end =
-        std::find_if_not(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c); });
-    return end == name.begin() ? name : std::string(name.begin(), end);
-}
-
 std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& folder) {
     std::error_code error;
     std::vector<fs::path> files = filesIn(folder, error);
@@ -50,7 +43,7 @@ std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& fold
 void addCase(GradePlan& plan, const fs::path& scene, const fs::path& reference, const Stage& stage) {
     if (!fs::exists(reference)) return;
     const std::string name = reference.stem().string();
-    plan.cases.push_back({name, firstWord(name), &stage, scene.string(), reference.string()});
+    plan.cases.push_back({name, scene.stem().string(), &stage, scene.string(), reference.string()});
 }
 
 void planScene(GradePlan& plan, const fs::path& scene, const fs::path& references) {
@@ -183,6 +176,7 @@ void gradePicture(GradeResult& result, const ReferencePicture& reference, const 
         comparePicture(result, reference, picture, named);
     } catch (const Error& error) {
         result.message = error.inFile();
+        result.isUnreadable = true;
     }
 }
 

@@ -51,7 +51,7 @@ void writePicture(JsonWriter& json, const GradeResult& result, const Thresholds&
     json.key("right").value(within(result, thresholds));
     if (result.comparison) json.key("differing").value(result.comparison->pixelsOver(0));
     else json.key("differing").null();
-    json.key("message").value(printable(result.message));
+    json.key("message").value(printable(result.message.empty() ? result.note : result.message));
     json.key("mistakes").beginArray();
     for (const std::string& mistake : result.mistakes) json.value(mistake);
     json.endArray();
@@ -100,18 +100,28 @@ std::string gradeTableRow(const GradeResult& result) {
     return row;
 }
 
+namespace {
+
+// To so many characters, not bytes.
+std::string padded(std::string text, std::size_t width) {
+    text.append(width - std::min(width, characterCount(text)), ' ');
+    return text;
+}
+
+}  // namespace
+
 std::string classTable(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
     std::size_t width = 10;
     for (const GradedSubmission& submission : graded)
-        width = std::max(width, printable(submission.name).size());
-    std::string table =
-        formatted(" mean   right  %-*s  %s\n", static_cast<int>(width), "submission", "what is wrong");
+        width = std::max(width, characterCount(printable(submission.name)));
+    std::string table = " mean   right  " + padded("submission", width) + "  what is wrong\n";
     for (const GradedSubmission& submission : graded) {
         const std::size_t right = submission.rightCount(thresholds), all = submission.results.size();
-        table += formatted("%5.1f %3zu/%-3zu  %-*s", submission.mean(), right, all, static_cast<int>(width),
-                           printable(submission.name).c_str());
-        if (right < all) table += "  " + printable(submission.fault(thresholds));
-        if (right < all && all > 1)
+        table += formatted("%5.1f %3zu/%-3zu  ", submission.mean(), right, all) +
+                 padded(printable(submission.name), width);
+        const std::string remarks = printable(submission.remarks(thresholds));
+        if (!remarks.empty()) table += "  " + remarks;
+        if (right < all && all > 1 && !submission.worst().isMissing)
             table +=
                 "; worst: " + submission.worst().test.name + formatted(" (%d)", submission.worst().score());
         table += "\n";
@@ -120,9 +130,10 @@ std::string classTable(std::span<const GradedSubmission> graded, const Threshold
 }
 
 std::string remark(const GradeResult& result) {
-    if (!result.comparison) return result.message;
-    if (result.sentence.empty()) return result.message;
-    return (result.message.empty() ? "" : result.message + "; ") + result.sentence;
+    std::string text;
+    for (const std::string& part : {result.message, result.note, result.sentence})
+        if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
+    return text;
 }
 
 std::string gradesAsCsv(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
@@ -133,7 +144,7 @@ std::string gradesAsCsv(std::span<const GradedSubmission> graded, const Threshol
     for (const GradedSubmission& submission : graded) {
         csv += csvField(submission.name);
         for (const GradeResult& result : submission.results) csv += "," + std::to_string(result.score());
-        csv += "," + fixed(submission.mean(), 1) + "," + csvField(submission.fault(thresholds)) + "\r\n";
+        csv += "," + fixed(submission.mean(), 1) + "," + csvField(submission.remarks(thresholds)) + "\r\n";
     }
     return csv;
 }
@@ -147,7 +158,7 @@ std::string gradesAsJson(std::span<const GradedSubmission> graded, const Thresho
         json.key("submission").value(printable(submission.name));
         json.key("mean").value(submission.mean());
         json.key("right").value(submission.rightCount(thresholds));
-        json.key("mistake").value(printable(submission.fault(thresholds)));
+        json.key("mistake").value(printable(submission.remarks(thresholds)));
         json.key("pictures").beginArray();
         for (const GradeResult& result : submission.results) writePicture(json, result, thresholds);
         json.endArray();

@@ -30,12 +30,12 @@ std::string ring(const GradeResult& result) {
     return "<i style=\"left:" + left + ";top:" + top + "\"></i>";
 }
 
-// `key`: of a picture on a shelf, whose address the script knows.
+// `key`: of a picture on a shelf, whose address the script knows. `overlay`: over the picture, or in its
+// place.
 std::string picture(const char* kind, const std::string& png, const std::string& key,
                     const std::string& overlay = {}) {
     if (png.empty() && key.empty())
-        return std::string("<div class=\"picture\"><span class=\"none\">no picture</span>") + kind +
-               "</div>\n";
+        return "<div class=\"picture\"><span class=\"none\">" + overlay + "</span>" + kind + "</div>\n";
     return std::string("<button class=\"picture\" data-kind=\"") + kind + "\"><span><img alt=\"" + kind +
            "\" decoding=\"async\"" +
            (key.empty() ? attribute("src", pngUri(png)) : attribute("data-picture", key)) + ">" + overlay +
@@ -61,7 +61,8 @@ std::string numbers(const GradeResult& result) {
             " at (" + std::to_string(c->worstX) + ", " + std::to_string(c->worstY) + ")";
         html += numberRow("maximum", number(c->maximum) + (c->maximum > 0 ? place : ""));
     }
-    return html + numberRow("time", number(result.seconds, "%.2f") + " s") + "</dl>\n";
+    if (result.seconds > 0) html += numberRow("time", number(result.seconds, "%.2f") + " s");
+    return html + "</dl>\n";
 }
 
 // Those with which explain tells of the stage's light.
@@ -71,7 +72,8 @@ std::string optionsOf(const Stage& stage) {
 
 std::string message(const GradeResult& result) {
     std::string html;
-    if (!result.message.empty()) html += "<p class=\"message\">" + escaped(result.message) + "</p>\n";
+    for (const std::string& text : {result.message, result.note})
+        if (!text.empty()) html += "<p class=\"message\">" + escaped(text) + "</p>\n";
     if (!result.message.empty() && !result.output.empty())
         html += "<pre>" + escaped(result.output) + "</pre>\n";
     return html;
@@ -86,8 +88,10 @@ std::string mistake(const GradeResult& result) {
     const auto color = [](const std::array<std::uint8_t, 3>& rgb) {
         return formatted("(%d, %d, %d)", rgb[0], rgb[1], rgb[2]);
     };
-    const std::string command = formatted(" %d %d %d", c->worstX, c->worstY, std::max(c->width, c->height));
-    return html + "<p class=\"why\">worst pixel: ours " + color(result.ourWorst) + ", reference " +
+    const std::string command =
+        result.path.empty() ? formatted(" %d %d %d", c->worstX, c->worstY, std::max(c->width, c->height))
+                            : escaped(" --picture " + inShellQuotes(result.path));
+    return html + "<p class=\"why\">worst pixel: graded " + color(result.ourWorst) + ", reference " +
            color(result.referenceWorst) + "; why: <code>raytracer explain " +
            escaped(inShellQuotes(result.test.scene)) + command + escaped(optionsOf(*result.test.stage)) +
            "</code></p>\n";
@@ -110,14 +114,21 @@ std::string verdict(const GradeResult& result, const Thresholds& thresholds) {
     return result.score() == 100 ? "near" : "off";
 }
 
+// In the place of a picture that is not there.
+std::string absence(const GradeResult& result) {
+    if (result.comparison) return {};
+    return result.isUnreadable ? "not comparable" : "no picture";
+}
+
 std::string card(const GradeResult& result, const Thresholds& thresholds) {
     return "<article class=\"" + verdict(result, thresholds) + "\"" + attributes(result) + ">\n<header><h3>" +
            escaped(result.test.name) + "</h3><output title=\"the autograder's score, of 100\">" +
            std::to_string(result.score()) + "</output></header>\n<div class=\"pictures\">" +
            picture("reference", result.referencePng, result.keys.reference) +
-           picture("ours", result.ourPng, result.keys.ours) +
-           picture("difference", result.differencePng, result.keys.difference, ring(result)) + "</div>\n" +
-           numbers(result) + mistake(result) + message(result) + "</article>\n";
+           picture("graded", result.ourPng, result.keys.ours, absence(result)) +
+           picture("difference", result.differencePng, result.keys.difference,
+                   result.comparison ? ring(result) : "none") +
+           "</div>\n" + numbers(result) + mistake(result) + message(result) + "</article>\n";
 }
 
 using Group = std::vector<const GradeResult*>;
@@ -141,7 +152,9 @@ std::vector<Group> groupsOf(std::span<const GradeResult> results) {
 std::string sections(std::span<const GradeResult> results, const Thresholds& thresholds) {
     std::string html;
     for (const Group& group : groupsOf(results)) {
-        html += "<section><h2>" + escaped(group.front()->test.group) + "</h2>\n";
+        html += "<section>";
+        if (group.size() > 1) html += "<h2>" + escaped(group.front()->test.group) + "</h2>";
+        html += "\n";
         for (const GradeResult* result : group) html += card(*result, thresholds);
         html += "</section>\n";
     }
@@ -180,10 +193,10 @@ std::string overviewRow(const GradedSubmission& submission, const Thresholds& th
         right == all ? "" : worst.test.name + " (" + std::to_string(worst.score()) + ")";
     return "<tr class=\"" + std::string(right == all ? "same" : "off") + "\"" +
            attribute("data-name", submission.name) +
-           attribute("data-template", "s" + std::to_string(number)) + "><th scope=\"row\"><button>" +
-           escaped(submission.name) + "</button></th><td>" + fixedScore(submission.mean()) + "</td><td>" +
+           attribute("data-template", "s" + std::to_string(number)) + "><th scope=\"row\"><a>" +
+           escaped(submission.name) + "</a></th><td>" + fixedScore(submission.mean()) + "</td><td>" +
            std::to_string(right) + " of " + std::to_string(all) + "</td><td>" + escaped(worstName) +
-           "</td><td>" + escaped(submission.fault(thresholds)) + "</td></tr>\n";
+           "</td><td>" + escaped(submission.remarks(thresholds)) + "</td></tr>\n";
 }
 
 std::string classSummary(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {

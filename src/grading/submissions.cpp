@@ -21,7 +21,7 @@ namespace files = std::filesystem;
 
 // Where a picture was found, or why not.
 struct FoundPicture {
-    std::string path, message;
+    std::string path, note;
 };
 
 // The PNG files beneath a folder, by name; of each name the nearest to the top first, then by path.
@@ -62,7 +62,7 @@ FoundPicture findPicture(const Submission& submission, const PicturesByName& pic
         return {places[0].second,
                 isDoubled ? name + " is there twice: " + inside(0) + " counts, not " + inside(1) : ""};
     }
-    return {"", "no picture " + test.name + ".png"};
+    return {};
 }
 
 std::string commandOf(std::string program, const Submission& submission) {
@@ -70,6 +70,13 @@ std::string commandOf(std::string program, const Submission& submission) {
     for (std::size_t at = 0; (at = program.find("{}", at)) != std::string::npos; at += folder.size())
         program.replace(at, 2, folder);
     return program;
+}
+
+std::string absolutePath(const files::path& path) {
+    std::error_code error;
+    const files::path whole = files::absolute(path, error);
+    if (error) throw Error({path.string()}, "cannot find the current folder: " + error.message());
+    return whole.string();
 }
 
 // "too slow: 2.1 s" and "too slow: 2.2 s" are one fault.
@@ -96,9 +103,9 @@ class ClassGrading {
         for (std::size_t s = 0; s < submissions_.size(); ++s) {
             const PicturesByName pictures = picturesBeneath(submissions_[s].folder);
             for (std::size_t c = 0; c < plan_.cases.size(); ++c) {
-                FoundPicture found = findPicture(submissions_[s], pictures, plan_.cases[c]);
+                const FoundPicture found = findPicture(submissions_[s], pictures, plan_.cases[c]);
                 path(s, c) = found.path;
-                graded_[s].results[c].message = found.message;
+                take(graded_[s].results[c], found, submissions_[s]);
             }
         }
     }
@@ -133,6 +140,15 @@ class ClassGrading {
     std::vector<GradedSubmission> take() { return std::move(graded_); }
 
   private:
+    static void take(GradeResult& result, const FoundPicture& found, const Submission& submission) {
+        result.note = found.note;
+        result.isMissing = found.path.empty();
+        if (result.isMissing) result.message = "no picture " + result.test.name + ".png";
+        else
+            result.path =
+                (submission.given / files::path(found.path).lexically_relative(submission.folder)).string();
+    }
+
     std::string& path(std::size_t submission, std::size_t test) {
         return paths_[submission * plan_.cases.size() + test];
     }
@@ -179,7 +195,7 @@ std::vector<Submission> submissionsIn(const std::string& folder) {
     for (files::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (entry->is_directory(ignored) && !entry->path().filename().string().starts_with('.'))
             submissions.push_back(
-                {entry->path().filename().string(), files::absolute(entry->path()).string()});
+                {entry->path().filename().string(), absolutePath(entry->path()), entry->path().string()});
     if (error) throw Error({folder}, "cannot read the folder: " + error.message());
     if (submissions.empty()) throw Error({folder}, "expected a folder for each submission, found none");
     std::ranges::sort(submissions, {}, &Submission::name);
@@ -210,13 +226,16 @@ std::string GradedSubmission::fault(const Thresholds& thresholds) const {
     std::map<std::string, std::size_t> count;
     std::vector<std::string> order;
     std::size_t wrong = 0;
+    const auto missing = std::ranges::count_if(results, &GradeResult::isMissing);
+    if (missing > 0 && static_cast<std::size_t>(missing) == results.size()) return "nothing handed in";
     const auto add = [&](const std::string& text) {
         if (!text.empty() && count[withoutNumbers(text)]++ == 0) order.push_back(text);
     };
     for (const GradeResult& result : results) {
         if (within(result, thresholds)) continue;
         ++wrong;
-        if (!result.comparison) add(result.message);
+        if (!result.comparison)
+            add(result.isMissing && missing > 1 ? "pictures are missing" : result.message);
         for (const std::string& mistake : result.mistakes) add(mistake);
     }
     if (wrong == 0) return {};
@@ -226,6 +245,15 @@ std::string GradedSubmission::fault(const Thresholds& thresholds) const {
     const std::size_t times = count[withoutNumbers(*most)];
     if (times == wrong) return *most;
     return *most + " (" + std::to_string(times) + " of " + std::to_string(wrong) + " wrong pictures)";
+}
+
+std::string GradedSubmission::remarks(const Thresholds& thresholds) const {
+    std::string text = fault(thresholds);
+    std::size_t notes = 0;
+    for (const GradeResult& result : results)
+        if (!result.note.empty() && notes++ == 0) text += (text.empty() ? "" : "; ") + result.note;
+    if (notes > 1) text += " (so with " + std::to_string(notes) + " pictures)";
+    return text;
 }
 
 std::vector<GradedSubmission> gradeClass(const GradePlan& plan, const std::vector<Submission>& submissions,

@@ -72,7 +72,17 @@ PAGE_TEST = r"""
   results.find = found.length === 2 && found.every(row => row.textContent.includes("specular"));
   find("");
   results.findAll = rows.every(row => !row.hidden);
-  rowOf("no_specular").querySelector("button").click();
+  const heads = [...overview.querySelectorAll("thead button")];
+  const names = () => [...overview.querySelectorAll("tbody tr")].map(row => row.dataset.name);
+  heads[0].click();
+  results.byName = names().join() === [...names()].sort((a, b) => a.localeCompare(b)).join();
+  heads[1].click(); heads[1].click();
+  results.bestFirst = +overview.querySelector("tbody tr").children[1].textContent === Math.max(...means) &&
+    heads[1].parentElement.ariaSort === "descending" && heads[0].parentElement.ariaSort === "none";
+  rowOf("no_specular").querySelector("a").click();
+  await until(() => overview.hidden);
+  results.link = location.hash === "#no_specular";
+  results.how = $("how").textContent === `mean ${rowOf("no_specular").cells[1].textContent}, 0 of 2 right`;
   results.opens = overview.hidden && !$("opened").hidden && visible().length === 2 &&
       $("who").textContent === "no_specular";
   results.named = visible().every(card =>
@@ -88,14 +98,19 @@ PAGE_TEST = r"""
   results.viewer = viewer.open && $("kind").textContent === "reference";
   keys[" "]();
   draw();
-  results.swaps = $("kind").textContent === "ours" && $("values").textContent.includes("ours");
+  results.swaps = $("kind").textContent === "graded" && $("values").textContent.includes("graded");
   leave();
   $("back").click();
+  await until(() => !overview.hidden);
   results.back = !overview.hidden && main.children.length === 0 &&
-      document.activeElement === rowOf("no_specular").querySelector("button");
+      document.activeElement === rowOf("no_specular").querySelector("a");
+  history.back();
+  await until(() => overview.hidden);
+  results.browsersBack = overview.hidden && $("who").textContent === "no_specular";
   rowOf("crash").click();
+  await until(() => $("who").textContent === "crash");
   results.crash = visible().length === 2 && main.textContent.includes("crashed: Segmentation fault") &&
-    main.querySelectorAll("button[data-kind=ours]").length === 0;
+    main.querySelectorAll("button[data-kind=graded]").length === 0;
   results["errors: " + errors.join("; ")] = errors.length === 0;
   return results;
 })();
@@ -170,6 +185,39 @@ def check_pictures(raytracer, folder):
     check({one["submission"]: one["mistake"] for one in answer["submissions"]} ==
           {name: row["mistake"] for name, row in rows.items()}, "JSON and CSV say the same")
     check_junit(folder / "class.xml", rows)
+    check_odd(raytracer, folder)
+
+
+def check_odd(raytracer, folder):
+    """Nothing handed in, some missing, one that is there twice, a name of more bytes than characters."""
+    right = folder / "pictures/right_1"
+    for name in ("none", "some", "twice", "Zoé"):
+        (folder / "odd" / name).mkdir(parents=True)
+    for name in ("twice/a", "twice/b", "Zoé/a"):
+        shutil.copytree(right, folder / "odd" / name)
+    shutil.copy(next(right.rglob("refraction.png")), folder / "odd/some")
+    (folder / "odd/some/spheres_cylinder.png").write_text("no picture")
+    grade = [raytracer, "grade", "exam", "--references", "references", "--submissions", "odd"]
+    done = run(*grade, "--max-pixels", 20, "--csv", "odd.csv", "--json", "odd.json", "--report", "odd.html",
+               cwd=folder)
+    said = {name: row["mistake"] for name, row in rows_of(folder / "odd.csv").items()}
+    twice = ("refraction.png is there twice: a/out/pictures/refraction.png counts, not "
+             "b/out/pictures/refraction.png (so with 2 pictures)")
+    three = said["none"], said["twice"], said["Zoé"]
+    check(three == ("nothing handed in", twice, ""), f"odd ones: {said}")
+    answer = json.loads((folder / "odd.json").read_text("utf-8"))["submissions"]
+    check({one["submission"]: one["mistake"] for one in answer} == said, "odd ones, as JSON")
+    lines, absent = done.stdout.splitlines(), 2 * len(SCENES) - 2
+    names = [line[15:27].rstrip() for line in lines[1:]]
+    check(names == sorted(said) and twice in lines[4], f"the table: {lines}")
+    check(lines[2][27:].startswith("nothing handed in"), f"the table's columns: {lines}")
+    page = (folder / "odd.html").read_text("utf-8")
+    counts = page.count("not comparable"), page.count(">no picture<")
+    check(counts == (1, absent), f"the page says what is not there: {counts}")
+    check("<dt>time</dt>" not in page and ">ours<" not in page, "the page of pictures")
+    refused = run(*grade, "--program", "{}/no/such --fast", cwd=folder)
+    said = "raytracer grade: --program: no submission has a file no/such\n"
+    check((refused.returncode, refused.stderr) == (2, said), refused.stderr)
 
 
 def check_junit(path, rows):

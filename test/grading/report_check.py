@@ -42,6 +42,9 @@ PAGE_TEST = r"""
   const place = () => [...stage.querySelectorAll("img")].map(image => image.style.transform);
   stage.setPointerCapture = () => {};  // a made-up pointer can't be captured
 
+  // As if each first word were a scene of several stages.
+  for (const card of cards) card.dataset.group = card.dataset.name.split("_")[0];
+  arrange();
   const all = names().length;
   results.all = all === EXPECTED;
   results.groups = main.querySelectorAll("h2").length === GROUPS;
@@ -74,15 +77,15 @@ PAGE_TEST = r"""
   results.worstPixel = wx === 7 && wy === 9 && centred() && scale >= 8 && !mark.hidden;
   results.values = $("values").textContent.includes("(7, 9)") &&
       $("values").textContent.includes("reference 10 20 30")
-    && $("values").textContent.includes("ours 255 255 255");
+    && $("values").textContent.includes("graded 255 255 255");
   const before = place();
   press(...middle);
-  results.clickSwaps = shown() === "ours" && $("kind").textContent === "ours";
+  results.clickSwaps = shown() === "graded" && $("kind").textContent === "graded";
   results.inPlace = new Set(place()).size === 1 && place().join() === before.join();
   press(...middle);
   results.clickSwapsBack = shown() === "reference";
   key(" ");
-  results.spaceSwaps = shown() === "ours";
+  results.spaceSwaps = shown() === "graded";
   let changes = 0;
   new MutationObserver(() => ++changes).observe($("kind"), { childList: true });
   key("b"); await wait(1200); key("B");
@@ -91,7 +94,7 @@ PAGE_TEST = r"""
   results.stopsBlinking = shown() === still;
   key("d"); results.difference = shown() === "difference";
   key("1"); results.one = shown() === "reference";
-  key("2"); results.two = shown() === "ours";
+  key("2"); results.two = shown() === "graded";
   const close = scale;
   key("z");
   results.all_ = scale < close && left >= -1 && top_ >= -1 &&
@@ -103,7 +106,7 @@ PAGE_TEST = r"""
   results.wheel = scale > close;
   const from = [left, top_];
   press(300, 300, 350, 280);
-  results.drag = left === from[0] + 50 && top_ === from[1] - 20 && shown() === "ours";
+  results.drag = left === from[0] + 50 && top_ === from[1] - 20 && shown() === "graded";
   const first = $("title").textContent;
   key("ArrowRight");
   await until(() => EXPECTED > 1 && $("title").textContent !== first);
@@ -209,7 +212,8 @@ def check_page(program, folder, count):
     browser = Browser(folder / "profile")
     try:
         browser.open(folder / "report.html")
-        values = {"EXPECTED": count, "GROUPS": min(count, 8), "OFF": sum(k % 4 != 3 for k in range(count))}
+        values = {"EXPECTED": count, "GROUPS": min(count, 8) if count > 1 else 0,
+                  "OFF": sum(k % 4 != 3 for k in range(count))}
         results = browser.evaluate(re.sub("|".join(values), lambda match: str(values[match[0]]), PAGE_TEST))
         browser.press_escape()
         results["Escape closes"] = browser.evaluate("!viewer.open")

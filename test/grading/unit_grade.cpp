@@ -61,8 +61,8 @@ TEST_CASE("grade: the plan") {
     CHECK(namesOf(plan) ==
           std::vector<std::string>{"3d-ambient", "cone_cube", "cone_cube-normals", "cone_cube-raytracing"});
     CHECK(plan.scenesWithoutReference == std::vector<std::string>{"alone.json"});
-    CHECK(plan.cases[0].group == "3d-ambient");
-    CHECK(plan.cases[1].group == "cone");
+    CHECK(plan.cases[0].group == "3d");
+    CHECK(plan.cases[1].group == "cone_cube");
     CHECK(plan.cases[0].stage->only == "ambient");
     CHECK(plan.cases[1].stage == &completeStage());
     CHECK(plan.cases[2].stage->pass == "normals");

@@ -31,7 +31,7 @@ const Stage& completeStage();
 // One reference picture and its scene.
 struct GradeCase {
     std::string name;   // the reference's, without .png: "cone_cube-ambient"
-    std::string group;  // the name's first word: "cone"
+    std::string group;  // the scene's name: "cone_cube"
     const Stage* stage = nullptr;
     std::string scene, reference;  // paths
 };
@@ -79,6 +79,10 @@ struct GradeResult {
     GradeCase test;
     std::optional<Comparison> comparison;      // of our picture with the reference; empty if one is missing
     std::string message, output;               // as in Rendered, or why there is no comparison
+    std::string path;                          // of a picture that was handed in
+    std::string note;                          // of a picture that counts: that there is another of its name
+    bool isMissing = false;                    // no picture was handed in
+    bool isUnreadable = false;                 // there is a file, which cannot be compared
     double seconds = 0, processorSeconds = 0;  // of rendering; the latter of programs only
     std::string referencePng, ourPng, differencePng;  // the files' bytes; empty if there is no file
     struct {

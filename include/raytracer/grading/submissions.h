@@ -15,6 +15,7 @@ namespace raytracer {
 
 struct Submission {
     std::string name, folder;  // the folder's name, and its absolute path
+    std::string given;         // its path, as far as it was given
 };
 
 // The folders in `folder`, by name. Throws Error where it cannot be read or has none.
@@ -31,6 +32,7 @@ struct GradedSubmission {
     // What is wrong with most of the wrong pictures: a mistake, or why there is no picture; empty if nothing
     // is wrong.
     std::string fault(const Thresholds& thresholds) const;
+    std::string remarks(const Thresholds& thresholds) const;  // the fault, and what else is to be known
 };
 
 struct ClassOptions {

@@ -11,7 +11,7 @@ const orders = { worst: worse, best: (a, b) => worse(b, a), name: byName };
 
 function section(title, members) {
   const part = document.createElement("section");
-  if (title) part.append(Object.assign(document.createElement("h2"), { textContent: title }));
+  if (title && members.length > 1) part.append(Object.assign(document.createElement("h2"), { textContent: title }));
   part.append(...members);
   return part;
 }
@@ -94,7 +94,7 @@ function valueOf(name, x, y) {
 }
 function tell(x, y) {
   const [w, h] = size(), inside = x >= 0 && y >= 0 && x < w && y < h;
-  const values = () => `(${x}, ${y})   ${valueOf("reference", x, y)}   ${valueOf("ours", x, y)}`;
+  const values = () => `(${x}, ${y})   ${valueOf("reference", x, y)}   ${valueOf("graded", x, y)}`;
   $("values").textContent = inside ? values() : "";
 }
 async function open_(newCard, newKind) {
@@ -123,7 +123,7 @@ function show(name) {
   if (pictures[name]) kind = name;
   draw();
 }
-const swap = () => show(kind === "ours" ? "reference" : pictures.ours ? "ours" : "reference");
+const swap = () => show(kind === "graded" ? "reference" : pictures.graded ? "graded" : "reference");
 function blink(on) {
   clearInterval(blinking);
   blinking = on ? setInterval(swap, 500) : 0;
@@ -146,8 +146,8 @@ function leave() {
 }
 viewer.addEventListener("close", leave);  // by other means than the key
 const keys = {
-  " ": swap, Enter: swap, b: () => blink(!blinking), "1": () => show("reference"), "2": () => show("ours"),
-  "3": () => show("difference"), d: () => show(kind === "difference" ? "ours" : "difference"),
+  " ": swap, Enter: swap, b: () => blink(!blinking), "1": () => show("reference"), "2": () => show("graded"),
+  "3": () => show("difference"), d: () => show(kind === "difference" ? "graded" : "difference"),
   z: () => scale === closeUp() ? showAll() : showWorst(), "+": () => zoomBy(2), "=": () => zoomBy(2),
   "-": () => zoomBy(0.5), ArrowRight: () => step(1), ArrowLeft: () => step(-1), n: () => step(1),
   p: () => step(-1), Escape: leave,
@@ -186,38 +186,61 @@ stage.addEventListener("wheel", event => {
 }, { passive: false });
 addEventListener("resize", () => { if (viewer.open) { showWorst(); draw(); } });
 
-// A class: a table of submissions, each of which opens its pictures.
+// A class: a table of submissions, each of which opens its pictures. The address names the opened one.
 const overview = $("overview");
 if (overview) {
-  const addresses = JSON.parse($("addresses").textContent), rows = [...overview.querySelectorAll("tbody tr")];
+  const addresses = JSON.parse($("addresses").textContent), body = overview.querySelector("tbody");
+  const rows = [...body.rows], heads = [...overview.querySelectorAll("thead th")];
   const opened = [$("opened"), document.querySelector(".back")];
   let last = null;
   const turn = isOpen => {
     overview.hidden = isOpen;
     for (const part of opened) part.hidden = !isOpen;
   };
+  const linkOf = row => "#" + encodeURIComponent(row.dataset.name);
+  for (const row of rows) row.querySelector("a").href = linkOf(row);
   const openRow = row => {
     last = row;
     main.replaceChildren($(row.dataset.template).content.cloneNode(true));
     for (const image of main.querySelectorAll("img[data-picture]")) image.src = addresses[image.dataset.picture];
     cards = [...main.querySelectorAll("article")];
     $("who").textContent = row.dataset.name;
+    $("how").textContent = `mean ${row.cells[1].textContent}, ${row.cells[2].textContent} right`;
     turn(true);
     arrange();
     scrollTo(0, 0);
   };
-  overview.addEventListener("click", event => {
-    const row = event.target.closest("tbody tr");
-    if (row) openRow(row);
-  });
-  $("back").addEventListener("click", () => {
+  const closeRow = () => {
+    if (viewer.open) viewer.close();
     main.replaceChildren();
     cards = [];
     turn(false);
-    last.querySelector("button").focus();
+    if (last) last.querySelector("a").focus();
+  };
+  const follow = () => {
+    const row = rows.find(one => linkOf(one) === location.hash);
+    if (row) openRow(row);
+    else closeRow();
+  };
+  addEventListener("hashchange", follow);
+  if (location.hash) follow();
+  body.addEventListener("click", event => {
+    const row = event.target.closest("tr");
+    if (row && !event.target.closest("a")) location.hash = linkOf(row);
   });
+  $("back").addEventListener("click", () => { location.hash = ""; });
   $("find").addEventListener("input", () => {
     const wanted = $("find").value.toLowerCase();
     for (const row of rows) row.hidden = !row.textContent.toLowerCase().includes(wanted);
   });
+  // Sorted by a column: numbers as numbers; a second click turns the order.
+  const sortBy = head => {
+    const column = heads.indexOf(head), order = head.ariaSort === "ascending" ? "descending" : "ascending";
+    for (const other of heads) other.ariaSort = other === head ? order : "none";
+    const text = row => row.cells[column].textContent, collator = new Intl.Collator(undefined, { numeric: true });
+    const sign = order === "ascending" ? 1 : -1;
+    rows.sort((a, b) => sign * collator.compare(text(a), text(b)));
+    body.append(...rows);
+  };
+  for (const head of heads) head.querySelector("button").addEventListener("click", () => sortBy(head));
 }
