@@ -50,7 +50,8 @@ def make_class(options, folder):
         shutil.copy(ROOT / f"scenes/{scene}.json", folder / "exam")
         for i, variant in enumerate(variants(options.distinct)):
             names = [f"exam/{scene}.json", f"drawn/{scene}-{i}.png"]
-            subprocess.run([options.raytracer, *names, str(options.size), "--quiet", *variant], check=True, cwd=folder)
+            command = [options.raytracer, *names, str(options.size), "--quiet", *variant]
+            subprocess.run(command, check=True, cwd=folder)
         shutil.copy(folder / f"drawn/{scene}-0.png", folder / f"exam/{scene}.png")
     bits = random.Random("class")
     for number in range(options.submissions):
@@ -74,7 +75,7 @@ def look(folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("raytracer", type=Path)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--submissions", type=int, default=200)
