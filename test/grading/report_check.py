@@ -198,7 +198,8 @@ def make_gallery(folder, count):
         if k % 4 != 3:
             ImageDraw.Draw(picture).rectangle([7, 9, 7 + k // 8, 9], fill=(255, 255, 255))
         picture.save(folder / "ours" / f"{name}.png")
-    write_program(folder / "student", 'cp "ours/$(basename "$1" .json).png" "$2"\n')
+    # The program runs in a fresh folder.
+    write_program(folder / "student", f'cp "{folder}/ours/$(basename "$1" .json).png" "$2"\n')
 
 
 def check_page(program, folder, count):
