@@ -75,7 +75,7 @@ std::string fromHere(const std::string& written, const std::string& path, bool i
     std::error_code error;
     const bool isName = isFirst && path.find('/') == std::string::npos;
     if (isName || path.starts_with('/') || !files::exists(path, error)) return written;
-    return inShellQuotes(files::absolute(path).string());
+    return inShellQuotes(absolutePath(path));
 }
 
 std::string commandFromHere(const std::string& command) {
@@ -107,7 +107,7 @@ struct ActiveRun {
 };
 
 ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const ProgramOptions& options) {
-    const std::string scene = copyScene(files::absolute(run.test->scene).string(), active.folder.file(""));
+    const std::string scene = copyScene(absolutePath(run.test->scene), active.folder.file(""));
     giveFolderTo(options.user, active.folder.file(""));
     return {commandFromHere(run.command),
             {scene, active.picture, std::to_string(run.longEdge)},
@@ -135,6 +135,13 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
 }
 
 }  // namespace
+
+std::string absolutePath(const std::string& path) {
+    std::error_code error;
+    const files::path whole = files::absolute(path, error);
+    if (error) throw Error({path}, "cannot find the current folder: " + error.message());
+    return whole.string();
+}
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended) {

@@ -72,13 +72,6 @@ std::string commandOf(std::string program, const Submission& submission) {
     return program;
 }
 
-std::string absolutePath(const files::path& path) {
-    std::error_code error;
-    const files::path whole = files::absolute(path, error);
-    if (error) throw Error({path.string()}, "cannot find the current folder: " + error.message());
-    return whole.string();
-}
-
 // "too slow: 2.1 s" and "too slow: 2.2 s" are one fault.
 std::string withoutNumbers(std::string text) {
     std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
@@ -194,8 +187,8 @@ std::vector<Submission> submissionsIn(const std::string& folder) {
     std::error_code error, ignored;
     for (files::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (entry->is_directory(ignored) && !entry->path().filename().string().starts_with('.'))
-            submissions.push_back(
-                {entry->path().filename().string(), absolutePath(entry->path()), entry->path().string()});
+            submissions.push_back({entry->path().filename().string(), absolutePath(entry->path().string()),
+                                   entry->path().string()});
     if (error) throw Error({folder}, "cannot read the folder: " + error.message());
     if (submissions.empty()) throw Error({folder}, "expected a folder for each submission, found none");
     std::ranges::sort(submissions, {}, &Submission::name);

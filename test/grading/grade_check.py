@@ -116,6 +116,7 @@ def check_cli(program, folder):
     check_statuses(program, folder)
     check_interrupt(program, folder)
     check_own_failures(program, folder)
+    check_lost_folder(program, folder)
     check_isolation(program, folder)
 
 
@@ -228,6 +229,17 @@ def check_isolation(program, folder):
         "thread = threading.Thread(target=start)\nthread.start()\nthread.join()\n")
     done = grade(program, folder, "alone", "--program", f"{sys.executable} threads.py", "--wall", 20)
     check("fresh: started too many processes\n" in done.stdout, f"children of a second thread: {done.stdout}")
+
+
+def check_lost_folder(program, folder):
+    """In a folder that is gone, .. is still there, but nothing has a whole path."""
+    for found, *arguments in (["../few/[^/]*.json", "--program", "true"], [r"../\w+", "--submissions", ".."]):
+        (folder / "gone").mkdir()
+        command = f'rmdir "$PWD" && exec "$0" grade ../few {" ".join(arguments)}'
+        done = subprocess.run(["sh", "-c", command, program], capture_output=True, text=True,
+                              cwd=folder / "gone")
+        said = f"{found}: cannot find the current folder: No such file or directory\n"
+        check(done.returncode == 2 and re.fullmatch(said, done.stderr), f"no current folder: {done.stderr!r}")
 
 
 def has_ended(pid):
