@@ -35,9 +35,11 @@ OPENED = """(async () => {
 
 
 def variants(count):
-    """Options of a render, count times; the first are the single terms left out."""
-    sets = [left_out for size in range(len(TERMS)) for left_out in itertools.combinations(TERMS, size)]
-    return [["--only", ",".join(term for term in TERMS if term not in left_out)] for left_out in sets[:count]]
+    """Options of a render, `count` of them; the first has all terms. Without one of three it is dark."""
+    sizes = range(len(TERMS))
+    sets = [set(TERMS) - set(out) for size in sizes for out in itertools.combinations(TERMS, size)]
+    lit = [terms for terms in sets if terms & {"ambient", "diffuse", "specular"}]
+    return [["--only", ",".join(sorted(terms))] for terms in lit[:count]]
 
 
 def make_class(options, folder):
