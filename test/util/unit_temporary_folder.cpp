@@ -33,7 +33,7 @@ class FewDescriptors {
 }  // namespace
 
 TEST_CASE("temporary folder: it goes with all that is in it, deep, wide, locked") {
-    constexpr int depth = 300, width = 3;
+    constexpr int depth = 60, width = 3;
     std::optional<TemporaryFolder> folder(std::in_place);
     const fs::path path = fs::path(folder->file("")).parent_path();
     fs::path inner = path;
