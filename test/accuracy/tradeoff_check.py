@@ -110,7 +110,7 @@ def check_names(folder):
     assert done.stderr.decode().startswith(f"{shown}: the reference ...\n"), done.stderr
     rows = list(csv.reader((folder / "names/tradeoff.csv").open(newline="")))
     assert {len(row) for row in rows} == {21}, rows
-    assert {row[0] for row in rows[1:]} == {'a,b"\n\\x1b[31m<i>\'&\\xff'}, rows[1]
+    assert {row[0] for row in rows[1:]} == {'a,b"\\x0a\\x1b[31m<i>\'&\\xff'}, rows[1]
     text = xml.etree.ElementTree.parse(folder /
                                        "names/tradeoff.svg").findall(".//{http://www.w3.org/2000/svg}text")
     assert 'a,b"\n\\x1b[31m<i>\'&\\xff' in [element.text
