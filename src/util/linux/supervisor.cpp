@@ -106,7 +106,6 @@ void defaultSignals(const sigset_t& mask) {
     const bool isReady =
         openStreams(start.output) && (start.folder.empty() || ::chdir(start.folder.c_str()) == 0);
     if (!start.folder.empty()) ::setenv("TMPDIR", start.folder.c_str(), 1);
-    setLimits(start.limits, ids.other);
     if (!isReady || !becomeUser(start, ids)) ::_exit(126);
     const std::string script = start.command + " \"$@\"";
     std::vector<const char*> words{"sh", "-c", script.c_str(), "sh"};
@@ -114,6 +113,7 @@ void defaultSignals(const sigset_t& mask) {
     words.push_back(nullptr);
     ::closefrom(3);
     defaultSignals(signalMask);
+    setLimits(start.limits, ids.other);  // last: they are the program's, and not for what stands above
     ::execv("/bin/sh", const_cast<char* const*>(words.data()));
     ::_exit(127);
 }
