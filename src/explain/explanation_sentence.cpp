@@ -20,6 +20,7 @@ std::string lightNames(const std::vector<std::size_t>& some, std::size_t all) {
     if (all == 1) return "the light";
     if (some.size() == all) return all == 2 ? "both lights" : "all " + std::to_string(all) + " lights";
     std::vector<std::string> numbers;
+    numbers.reserve(some.size());
     for (const std::size_t light : some) numbers.push_back(std::to_string(light));
     return (some.size() == 1 ? "light " : "lights ") + listed(numbers, "and");
 }

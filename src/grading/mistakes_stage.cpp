@@ -94,8 +94,9 @@ void addSamples(std::vector<Mistake>& mistakes, const std::vector<glm::dvec2>& p
 void addSampleMistakes(std::vector<Mistake>& mistakes) {
     for (const int across : {2, 3, 4}) {
         std::vector<glm::dvec2> grid;
-        for (int i = 0; i < across * across; ++i)
-            grid.emplace_back((i % across + 0.5) / across, (i / across + 0.5) / across);
+        grid.reserve(static_cast<std::size_t>(across * across));
+        for (int y = 0; y < across; ++y)
+            for (int x = 0; x < across; ++x) grid.push_back((glm::dvec2(x, y) + 0.5) / double(across));
         addSamples(mistakes, grid);
     }
     for (const std::uint32_t count : {4U, 16U}) {

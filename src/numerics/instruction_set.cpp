@@ -49,6 +49,7 @@ InstructionSet supportedInstructionSet(std::string_view name) {
     const auto found = std::ranges::find(sets, name, nameOf);
     if (found != sets.end()) return *found;
     std::vector<std::string> known;
+    known.reserve(sets.size());
     for (const InstructionSet set : sets) known.emplace_back(nameOf(set));
     throw Error({"raytracer"}, "RAYTRACER_SIMD: expected " + listed(known) +
                                    ", which this processor has, found " + inQuotes(name));

@@ -1,8 +1,8 @@
 """Parts of a picture: put together they have the bytes of one run; what does not fit is named, and leaves no
 picture.
 
-Usage: parts_check.py RAYTRACER [all], from the source folder. `all`: every option in 1, 2, 7, 16 and 64
-parts; takes a minute.
+Usage: parts_check.py RAYTRACER knobs|faults|all, from the source folder. `knobs`: options, in 2 parts, and
+none in 1, 2, 7, 16 and 64; `all`: each option in as many; takes a minute.
 """
 import os
 import pathlib
@@ -197,7 +197,8 @@ def check_refusals(folder):
 
 
 def main():
-    for test in (check_knobs, check_faults, check_scene_files, check_outputs, check_refusals):
+    faults = (check_faults, check_scene_files, check_outputs, check_refusals)
+    for test in faults if "faults" in sys.argv else (check_knobs,):
         with tempfile.TemporaryDirectory() as folder:
             test(pathlib.Path(folder))
     return conclude("parts make the pictures of one run; what does not fit is named")
