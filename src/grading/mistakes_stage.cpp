@@ -92,11 +92,12 @@ void addSamples(std::vector<Mistake>& mistakes, const std::vector<glm::dvec2>& p
 
 // On the usual grids, and where `--samples` has them.
 void addSampleMistakes(std::vector<Mistake>& mistakes) {
-    for (const int across : {2, 3, 4}) {
+    for (const std::size_t across : {2, 3, 4}) {
         std::vector<glm::dvec2> grid;
-        grid.reserve(static_cast<std::size_t>(across * across));
-        for (int y = 0; y < across; ++y)
-            for (int x = 0; x < across; ++x) grid.push_back((glm::dvec2(x, y) + 0.5) / double(across));
+        grid.reserve(across * across);
+        for (std::size_t y = 0; y < across; ++y)
+            for (std::size_t x = 0; x < across; ++x)
+                grid.push_back((glm::dvec2(x, y) + 0.5) / static_cast<double>(across));
         addSamples(mistakes, grid);
     }
     for (const std::uint32_t count : {4U, 16U}) {
