@@ -35,6 +35,8 @@ def option(words, name, usual):
 
 def main():
     words = sys.argv[1:]
+    if len(words) < 2 or "--help" in words:
+        sys.exit(__doc__)
     program = pathlib.Path(option(words, "--raytracer", top / "build/release/raytracer")).resolve()
     repeats = int(option(words, "--repeats", 5))
     scene, size, *options = words
