@@ -138,6 +138,8 @@ def check_others(folder, a, b, c):
     check_fault(folder, "a wrong name", [a, b, c],
                 "FOLDER/out.pfm: expected a name that ends in .png: the parts were rendered for that",
                 out="out.pfm")
+    check("no picture", (2, f"raytracer assemble: IMAGE_OUT is missing: {c} is the last part\n"),
+          run("assemble", a, b, c))
     check_fault(folder, "no name of a picture", [a, b, c],
                 "FOLDER/out.gif: expected a name that ends in .png or .pfm", out="out.gif")
 
