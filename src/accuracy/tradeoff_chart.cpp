@@ -1,6 +1,7 @@
 // The charts: RMSE over processor seconds, both logarithmic.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "page.h"
 #include "raytracer/accuracy/tradeoff_report.h"
@@ -38,16 +39,27 @@ struct Axes {
     LogAxis x, y;
 };
 
-Axes axesOf(const SceneTradeoff& scene) {
-    double least = 1, most = 0, fast = 1e9, slow = 0;
-    for (const Trial& trial : scene.truncation) {
-        least = std::min(least, trial.error.rmse);
-        most = std::max(most, trial.error.rmse);
-        fast = std::min(fast, trial.seconds());
-        slow = std::max(slow, trial.seconds());
+// What is 0 has no logarithm, and lies at the axis's end.
+struct PositiveRange {
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+
+    void add(double value) {
+        if (value <= 0) return;
+        least = std::min(least, value);
+        most = std::max(most, value);
     }
-    least = std::max(least, 1e-6);
-    return {{std::max(fast, 1e-6), slow, left, width - right}, {least, most, height - bottom, top}};
+    LogAxis axis(double from, double to) const {
+        return most > 0 ? LogAxis(least, most, from, to) : LogAxis(1, 1, from, to);
+    }
+};
+
+Axes axesOf(const SceneTradeoff& scene) {
+    PositiveRange errors, seconds;
+    for (const Trial& trial : scene.truncation) {
+        errors.add(trial.error.rmse);
+        seconds.add(trial.seconds());
+    }
+    return {seconds.axis(left, width - right), errors.axis(height - bottom, top)};
 }
 
 // All of an axis in one notation.

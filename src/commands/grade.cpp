@@ -95,8 +95,7 @@ struct GradeArguments {
     void addFilesTo(CommandLine& line) {
         line.text("--report", report,
                   "Write a page with all pictures: .html; those of a class that are more than 20 MB lie in a "
-                  "folder "
-                  "beside it");
+                  "folder beside it");
         line.text("--csv", csv, "Write the scores as CSV, a row for each submission");
         line.text("--json", json, "Write all results as JSON");
         line.text("--junit", junit, "Write all results as JUnit's XML, for CI systems");
@@ -182,20 +181,6 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
     return results;
 }
 
-// True if all are as their references.
-bool printSummary(const std::vector<GradeResult>& results, const GradePlan& plan,
-                  const Thresholds& thresholds) {
-    const auto good = std::count_if(results.begin(), results.end(),
-                                    [&](const GradeResult& result) { return within(result, thresholds); });
-    double sum = 0;
-    for (const GradeResult& result : results) sum += result.score();
-    print(formatted("%lld of %zu pictures as the reference, mean score %.1f\n", static_cast<long long>(good),
-                    results.size(), sum / static_cast<double>(results.size())));
-    for (const std::string& scene : plan.scenesWithoutReference)
-        print("no reference: " + printable(scene) + "\n");
-    return static_cast<std::size_t>(good) == results.size();
-}
-
 std::string reportOf(const GradeArguments& arguments, const std::vector<GradeResult>& results) {
     const std::string title =
         (arguments.program.empty() ? "raytracer" : arguments.program) + " on " + arguments.scenes;
@@ -242,7 +227,8 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
     if (output.report) output.report->write(reportOf(arguments, results));
     const GradedSubmission one{arguments.program.empty() ? "raytracer" : arguments.program, results};
     output.write({&one, 1}, arguments);
-    return printSummary(results, plan, arguments.thresholds) ? 0 : 1;
+    print(gradeSummary(results, plan, arguments.thresholds));
+    return one.rightCount(arguments.thresholds) == results.size() ? 0 : 1;
 }
 
 // A program that no submission has is a slip of the command line, not of sixty students.

@@ -86,24 +86,6 @@ OutputFile openOutput(const PictureArguments& wanted) {
     return OutputFile::standardOutput();
 }
 
-// What is rendered is of files that have changed.
-struct OutOfDate {};
-
-// Shows the progress, and throws OutOfDate.
-class WatchedProgress final : public ProgressListener {
-  public:
-    WatchedProgress(ProgressListener& shown, const FileWatch* files) : shown_(shown), files_(files) {}
-
-    void progress(double fraction) override {
-        shown_.progress(fraction);
-        if (files_ && files_->hasChanged()) throw OutOfDate();
-    }
-
-  private:
-    ProgressListener& shown_;
-    const FileWatch* files_;
-};
-
 // One picture, from its scene to its file.
 struct RenderJob {
     const RenderArguments& arguments;

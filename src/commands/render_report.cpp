@@ -20,6 +20,11 @@ void printTimes(JsonWriter& json, const Timings& timings, const char* name, doub
     json.endObject();
 }
 
+std::string errorInWords(double ofSamples, double ofDepth) {
+    return "the error is about " + shortNumber(ofSamples) + " for want of samples and " +
+           shortNumber(ofDepth) + " for want of depth";
+}
+
 }  // namespace
 
 void printStats(const RenderCounts& counts, const Timings& timings, const RenderOptions& options) {
@@ -58,15 +63,6 @@ void tellDone(const std::string& out, const PixelRectangle& crop, const Timings&
     tell(formatted("%s: %d × %d, %s s", out.c_str(), crop.width(), crop.height(),
                    shortNumber(seconds).c_str()));
 }
-
-namespace {
-
-std::string errorInWords(double ofSamples, double ofDepth) {
-    return "the error is about " + shortNumber(ofSamples) + " for want of samples and " +
-           shortNumber(ofDepth) + " for want of depth";
-}
-
-}  // namespace
 
 TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
     const std::string head = "--target-error " + shortNumber(target) + ": ";

@@ -9,6 +9,7 @@
 
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/nearby_file.h"
 #include "raytracer/util/temporary_folder.h"
 #include "raytracer/util/text.h"
 
@@ -135,13 +136,6 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
 }
 
 }  // namespace
-
-std::string absolutePath(const std::string& path) {
-    std::error_code error;
-    const files::path whole = files::absolute(path, error);
-    if (error) throw Error({path}, "cannot find the current folder: " + error.message());
-    return whole.string();
-}
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended) {

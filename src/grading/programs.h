@@ -22,7 +22,4 @@ struct ProgramRun {
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended);
 
-// Throws Error where the current folder is gone.
-std::string absolutePath(const std::string& path);
-
 }  // namespace raytracer

@@ -9,6 +9,7 @@
 
 #include "programs.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/nearby_file.h"
 #include "raytracer/util/parallel.h"
 #include "raytracer/util/temporary_folder.h"
 #include "raytracer/util/text.h"

@@ -37,4 +37,9 @@ void FileWatch::wait() const {
     }
 }
 
+void WatchedProgress::progress(double fraction) {
+    listener_.progress(fraction);
+    if (files_ && files_->hasChanged()) throw OutOfDate();
+}
+
 }  // namespace raytracer

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "raytracer/util/error.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/text.h"
 
@@ -50,6 +51,13 @@ fs::path likeName(const fs::path& name, const std::vector<fs::path>& files) {
 }
 
 }  // namespace
+
+std::string absolutePath(const std::string& path) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error);
+    if (error) throw Error({path}, "cannot find the current folder: " + error.message());
+    return whole.string();
+}
 
 std::vector<fs::path> filesIn(const fs::path& folder, std::error_code& error, int depth, std::size_t most) {
     std::vector<fs::path> files;

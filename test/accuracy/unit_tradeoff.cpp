@@ -97,6 +97,23 @@ TEST_CASE("one number of samples tells no rate, and none is claimed") {
     CHECK(tradeoffSvg(std::span(&chart, 1)).find("between the samples") == std::string::npos);
 }
 
+TEST_CASE("a chart shows errors of any size, and none at all") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
+    SceneTradeoff chart =
+        measureTradeoff("small", scene, {.size = 12, .samples = 4, .repeats = 1, .report = {}});
+    const auto heights = [&] {
+        const std::string svg = tradeoffSvg(std::span(&chart, 1));
+        std::string all;
+        for (std::size_t at = 0; (at = svg.find(" cy='", at)) != svg.npos; ++at) all += svg.substr(at, 12);
+        return all;
+    };
+    const auto before = heights();
+    for (Trial& trial : chart.truncation) trial.error.rmse *= 1e-12;
+    CHECK(heights() == before);
+    for (Trial& trial : chart.truncation) trial.error.rmse = 0;
+    CHECK(heights().find('n') == std::string::npos);  // nan
+}
+
 TEST_CASE("the rate of a power law is its exponent") {
     std::vector<CostAndError> points;
     for (const double cost : {1.0, 4.0, 9.0, 64.0}) points.push_back({cost, 0.3 * std::pow(cost, -0.75)});

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "raytracer/util/progress.h"
+
 namespace raytracer {
 
 // Files by name, as they were when they were added. One that is not there may come to be.
@@ -39,6 +41,21 @@ class FileWatch {
     std::map<std::string, State> states() const;
 
     std::map<std::string, State> files_;
+};
+
+// What is made of files that have changed.
+struct OutOfDate {};
+
+// Tells another listener of the progress, and throws OutOfDate where a file has changed. `files` may be null.
+class WatchedProgress final : public ProgressListener {
+  public:
+    WatchedProgress(ProgressListener& listener, const FileWatch* files)
+        : listener_(listener), files_(files) {}
+    void progress(double fraction) override;
+
+  private:
+    ProgressListener& listener_;
+    const FileWatch* files_;
 };
 
 }  // namespace raytracer

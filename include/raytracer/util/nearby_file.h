@@ -17,6 +17,9 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, 
                                            int depth = 0,
                                            std::size_t most = std::numeric_limits<std::size_t>::max());
 
+// Throws Error where the current folder is gone.
+std::string absolutePath(const std::string& path);
+
 // A regular file like the one that `path` should be: with slashes for backslashes, in other letters (case,
 // misspelled), with an ending that the path lacks or another one, in a folder below the path's or beside it.
 // Empty where there is none, or where too many files are there to look at.

@@ -4,19 +4,18 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include <filesystem>
-
 #include "../descriptor.h"
 #include "../leftover.h"
 #include "../posix/signals.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/nearby_file.h"
 
 namespace raytracer {
 
 TemporaryFolder::TemporaryFolder() {
     const char* const wanted = ::getenv("TMPDIR");
     const std::string parent = wanted && *wanted ? wanted : "/tmp";
-    path_ = std::filesystem::absolute(parent + "/raytracer-XXXXXX").string();
+    path_ = absolutePath(parent) + "/raytracer-XXXXXX";  // mkdtemp's placeholder
     const SignalsWait wait;
     if (!::mkdtemp(path_.data())) throw systemError(parent, "cannot make a temporary folder");
     leftover_ = std::make_unique<Leftover>(removeFolder, path_.c_str());
