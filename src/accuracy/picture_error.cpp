@@ -10,12 +10,12 @@ namespace raytracer {
 
 namespace {
 
-glm::dvec3 shown(const glm::dvec3& color) { return glm::clamp(color, 0.0, 1.0); }
+glm::dvec3 clamped(const glm::dvec3& color) { return glm::clamp(color, 0.0, 1.0); }
 
 }  // namespace
 
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth) {
-    const glm::dvec3 difference = shown(color) - shown(truth);
+    const glm::dvec3 difference = clamped(color) - clamped(truth);
     return glm::dot(difference, difference) / 3;
 }
 
@@ -24,7 +24,7 @@ PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const gl
     double sum = 0;  // of the pixels' mean squared errors
     std::size_t off = 0;
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        const glm::dvec3 difference = glm::abs(shown(colors[i]) - shown(truth[i]));
+        const glm::dvec3 difference = glm::abs(clamped(colors[i]) - clamped(truth[i]));
         const double largest = std::max({difference.x, difference.y, difference.z});
         sum += squaredError(colors[i], truth[i]);
         error.maximum = std::max(error.maximum, largest);

@@ -10,11 +10,6 @@ using namespace raytracer::test;
 
 namespace {
 
-constexpr bool isFloat = std::numeric_limits<Real>::digits < 32;
-constexpr Extents extents = isFloat ? Extents{1, 1, 1} : Extents{4, 2, 4};
-constexpr double farthest = isFloat ? 2 : 6;  // decades
-constexpr std::uint64_t count = std::numeric_limits<Real>::digits == 53 ? 100000 : 20000;
-
 struct Parity {
     std::uint64_t lines = 0, met = 0;
     std::uint64_t wrongSide = 0;  // entered when inside, or left when outside
@@ -66,7 +61,11 @@ void follow(const Shape& shape, Ray ray, Parity& parity) {
 }
 
 // From eyes that are outside by more than their place is rounded by.
-void check(Kind kind) {
+void checkParity(Kind kind) {
+    constexpr bool isFloat = std::numeric_limits<Real>::digits < 32;
+    constexpr Extents extents = isFloat ? Extents{1, 1, 1} : Extents{4, 2, 4};
+    constexpr double farthest = isFloat ? 2 : 6;  // decades
+    constexpr std::uint64_t count = std::numeric_limits<Real>::digits == 53 ? 100000 : 20000;
     Random random(5);
     const Material material;
     Parity parity;
@@ -91,10 +90,10 @@ void check(Kind kind) {
 
 }  // namespace
 
-TEST_CASE("parity: sphere") { check(Kind::Sphere); }
-TEST_CASE("parity: cylinder") { check(Kind::Cylinder); }
-TEST_CASE("parity: cone") { check(Kind::Cone); }
-TEST_CASE("parity: cube") { check(Kind::Cube); }
+TEST_CASE("parity: sphere") { checkParity(Kind::Sphere); }
+TEST_CASE("parity: cylinder") { checkParity(Kind::Cylinder); }
+TEST_CASE("parity: cone") { checkParity(Kind::Cone); }
+TEST_CASE("parity: cube") { checkParity(Kind::Cube); }
 
 // Solids are closed: a line that touches one in a single point of a rim or an edge meets it, though the
 // roundings of the two faces' t would have it leave before it enters.
