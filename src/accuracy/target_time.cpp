@@ -22,7 +22,7 @@ namespace {
 
 // Small tiles, so that a part of the picture is spread over all of it. Fewer than eight do not tell its time.
 constexpr int edge = 16;  // pixels
-constexpr double part = 1.0 / 50, fewest = 8;
+constexpr double timedPart = 1.0 / 50, fewestTiles = 8;
 // Errors that are tried: the first is a picture's without reflections, mostly; the steps cost 1.6 times the
 // time each, and between the last two it is interpolated.
 constexpr double firstError = 0.4, nextError = 1 / 1.5;
@@ -39,8 +39,8 @@ class TimeSearch {
     TimeSearch(const Renderer& renderer, const RenderOptions& options, double seconds)
         : renderer_(renderer), options_(options), end_(now() + (1 - estimation) * seconds) {
         const PixelRectangle& crop = options.crop;
-        const auto count =
-            static_cast<std::size_t>(std::ceil(std::max(fewest, part * crop.area() / (edge * edge))));
+        const auto count = static_cast<std::size_t>(
+            std::ceil(std::max(fewestTiles, timedPart * crop.area() / (edge * edge))));
         for (const glm::dvec2& point : picturePoints({crop.width(), crop.height()}, count, 4)) {
             const int x0 = crop.x0 + static_cast<int>(point.x) / edge * edge,
                       y0 = crop.y0 + static_cast<int>(point.y) / edge * edge;
