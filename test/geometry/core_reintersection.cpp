@@ -11,12 +11,13 @@ using namespace raytracer::test;
 namespace {
 
 // Of float, as much as its digits cover: a place 10^4 radii away is known to a thousandth of a radius.
-constexpr bool isFloat = std::numeric_limits<Real>::digits < 32;
-constexpr Extents extents = isFloat ? Extents{2, 2, 2} : Extents{4, 4, 8};
-constexpr std::uint64_t count =
+constexpr bool hasFewDigits = std::numeric_limits<Real>::digits < 32;
+constexpr Extents posesWithin = hasFewDigits ? Extents{2, 2, 2} : Extents{4, 4, 8};
+constexpr std::uint64_t raysToTry =
     std::numeric_limits<Real>::digits == 53 ? 1000000 / slowness : 100000 / slowness;
 
-void check(const Reintersections& result) {
+void check(Kind kind, std::uint64_t seed, std::shared_ptr<const MeshData> mesh = nullptr) {
+    const Reintersections result = Reintersection(kind, mesh, seed, posesWithin).run(raysToTry);
     CHECK(result.missed * 5 < result.points);
     CHECK(result.metAgain == 0);
     CHECK(result.neverOut == 0);
@@ -26,14 +27,12 @@ void check(const Reintersections& result) {
 
 }  // namespace
 
-TEST_CASE("re-intersection: sphere") { check(Reintersection(Kind::Sphere, nullptr, 1, extents).run(count)); }
-TEST_CASE("re-intersection: plane") { check(Reintersection(Kind::Plane, nullptr, 2, extents).run(count)); }
-TEST_CASE("re-intersection: cylinder") {
-    check(Reintersection(Kind::Cylinder, nullptr, 3, extents).run(count));
-}
-TEST_CASE("re-intersection: cone") { check(Reintersection(Kind::Cone, nullptr, 4, extents).run(count)); }
-TEST_CASE("re-intersection: cube") { check(Reintersection(Kind::Cube, nullptr, 5, extents).run(count)); }
-TEST_CASE("re-intersection: mesh") { check(Reintersection(Kind::Mesh, roundMesh(), 6, extents).run(count)); }
+TEST_CASE("re-intersection: sphere") { check(Kind::Sphere, 1); }
+TEST_CASE("re-intersection: plane") { check(Kind::Plane, 2); }
+TEST_CASE("re-intersection: cylinder") { check(Kind::Cylinder, 3); }
+TEST_CASE("re-intersection: cone") { check(Kind::Cone, 4); }
+TEST_CASE("re-intersection: cube") { check(Kind::Cube, 5); }
+TEST_CASE("re-intersection: mesh") { check(Kind::Mesh, 6, roundMesh()); }
 
 // Reflected at a grazing angle, a direction may be turned over by rounding: even so.
 TEST_CASE("re-intersection: a plane and a triangle never meet their own ray, wherever it goes") {
@@ -45,7 +44,7 @@ TEST_CASE("re-intersection: a plane and a triangle never meet their own ray, whe
     Random random(8);
     int again = 0;
     for (int i = 0; i < 20000; ++i) {
-        const Affine affine = randomAffine(random, extents);
+        const Affine affine = randomAffine(random, posesWithin);
         const auto shape = makeShape(i % 2 ? Kind::Plane : Kind::Mesh, affine, material, triangle);
         const Wide target(random.uniform() / 2, random.uniform() / 2, 0);
         const Vec3 eye(pointToWorld(affine, target + Wide(random.direction())));
@@ -61,7 +60,7 @@ TEST_CASE("re-intersection: a plane and a triangle never meet their own ray, whe
 }
 
 TEST_CASE("re-intersection: shapes of 10^+-30, 10^+-30 from the origin") {
-    if (isFloat) return;
+    if (hasFewDigits) return;
     for (const Kind kind : allKinds) {
         INFO(nameOf(kind));
         const Reintersections result = Reintersection(kind, roundMesh(), 7, {30, 4, 30}).run(20000);
