@@ -157,6 +157,10 @@ void CommandLine::requireOrder() const {
         if (const Word* const meant = meantInstead(rest_[i], here, expected))
             throw WrongUsage{"is " + rest_[i] + " " + nounOf(meant->kind) + "? T" + theOrder.substr(1)};
     }
+    if (std::ranges::find(words_, "--picture", &Word::name) != words_.end())
+        for (const std::string& text : rest_)
+            if (isOfKind(text, ArgumentKind::Picture))
+                throw WrongUsage{"is " + text + " the picture? Give it with --picture; " + theOrder};
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())
             throw WrongUsage{expected[i]->name + " is missing; " + theOrder, true};

@@ -170,10 +170,8 @@ void adviseOnCamera(const CameraDescription& camera, AdviceLines& lines) {
         return;
     const Real degrees =
         std::atan2(glm::length(glm::cross(look, up)), glm::dot(look, up)) * 180 / std::numbers::pi_v<Real>;
-    lines.add(
-        "/camera: look and up are taken as given, and these distort the picture: expected lengths 1 and 1 "
-        "at 90 degrees, found lengths " +
-        number(lookLength) + " and " + number(upLength) + " at " + number(degrees) + " degrees");
+    lines.add("/camera: look and up distort the picture: lengths " + number(lookLength) + ", " +
+              number(upLength) + " at " + number(degrees) + " degrees, not 1, 1 at 90");
 }
 
 std::string pointer(const char* list, std::size_t index) { return list + std::to_string(index); }

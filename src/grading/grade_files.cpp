@@ -131,14 +131,13 @@ std::string classTable(std::span<const GradedSubmission> graded, const Threshold
     std::string table = " mean   right  " + padded("submission", width) + "  what is wrong\n";
     for (const GradedSubmission& submission : graded) {
         const std::size_t right = submission.rightCount(thresholds), all = submission.results.size();
-        table += formatted("%5.1f %3zu/%-3zu  ", submission.mean(), right, all) +
-                 padded(printable(submission.name), width);
-        const std::string remarks = printable(submission.remarks(thresholds));
-        if (!remarks.empty()) table += "  " + remarks;
+        const std::string name = printable(submission.name);
+        std::string remarks = printable(submission.remarks(thresholds));
         if (right < all && all > 1 && !submission.worst().isMissing)
-            table +=
+            remarks +=
                 "; worst: " + submission.worst().test.name + formatted(" (%d)", submission.worst().score());
-        table += "\n";
+        table += formatted("%5.1f %3zu/%-3zu  ", submission.mean(), right, all) +
+                 (remarks.empty() ? name : padded(name, width) + "  " + remarks) + "\n";
     }
     return table;
 }

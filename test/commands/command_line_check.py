@@ -169,6 +169,9 @@ def check_order():
     check_refused(["explain", "1", "2", "a.json", "600"],
                   "is a.json the scene? The order is SCENE X Y LONG_EDGE_PIXELS",
                   "raytracer explain")
+    check_refused(["explain", "a.json", "b.png", "600"],
+                  "is b.png the picture? Give it with --picture; the order is SCENE X Y LONG_EDGE_PIXELS",
+                  "raytracer explain")
 
 
 def check_commands():

@@ -211,6 +211,7 @@ def check_odd(raytracer, folder):
     names = [line[15:27].rstrip() for line in lines[1:]]
     check(names == sorted(said) and twice in lines[4], f"the table: {lines}")
     check(lines[2][27:].startswith("nothing handed in"), f"the table's columns: {lines}")
+    check(all(line == line.rstrip() for line in lines), f"the table's ends: {lines}")
     page = (folder / "odd.html").read_text("utf-8")
     counts = page.count("not comparable"), page.count(">no picture<")
     check(counts == (1, absent), f"the page says what is not there: {counts}")

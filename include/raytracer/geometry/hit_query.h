@@ -132,7 +132,7 @@ class HitQueryT {
         if constexpr (laneCountOf<T> == 1)
             if (point_) return considerCoincident({t, &shape, primitiveOf(0), entering != 0});
         if (end_) which &= ~throughEnd(which, t, shape, primitiveOf);
-        const LaneBits taken = which & ~notNearer(which & found_, t, shape, primitiveOf);
+        const LaneBits taken = which & ~notNearer(which & found_, t);
         if (taken == 0) return;
         const Truth<T> takes = maskOf<T>(taken);
         nearest_ = select(takes, t, nearest_);
@@ -157,16 +157,11 @@ class HitQueryT {
     }
 
     // The lanes, of those that have a hit, whose new one is not before that; and which of them are contended.
-    template <class PrimitiveOf>
-    LaneBits notNearer(LaneBits again, const T& t, const Shape& shape, PrimitiveOf primitiveOf) {
+    LaneBits notNearer(LaneBits again, const T& t) {
         if (again == 0) return 0;
         const T window = T(1 + coincidenceWindow);
         contended_ |= again & bits((t <= nearest_ * window) & (nearest_ <= t * window));
-        LaneBits result = again & bits(!(t < nearest_));
-        forEach<T>(again & bits(t == nearest_), [&](int lane) {
-            if (isListedBefore({0, &shape, primitiveOf(lane), false}, nearest(lane))) result &= ~bitOf(lane);
-        });
-        return result;
+        return again & bits(!(t < nearest_));
     }
 
     void considerCoincident(const Hit& hit) {
