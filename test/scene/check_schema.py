@@ -32,7 +32,7 @@ SEMANTIC = ("no material named", "no transform named", "no texture named", "expe
             "expected each key once", "expected a finite number")
 
 # How advice on a scene begins that is in order otherwise, and none of the schema's business.
-ADVICE = ("look and up are taken as given", "it is not seen, but it may cast a shadow",
+ADVICE = ("look and up distort the picture", "it is not seen, but it may cast a shadow",
           "the light is inside of",
           "the picture is all black", "film_left is above film_right", "film_bottom is above film_top",
           "no material has this diffuse_texture", "it is not shown without")
