@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "mistake_search.h"
 #include "raytracer/grading/compare.h"
@@ -41,10 +43,46 @@ void addNames(Diagnosis& diagnosis, const Candidates& candidates, bool rare) {
     }
 }
 
+using Names = std::set<std::string>;
+
+// The other mistakes of those pairs that have this one.
+Names partnersOf(const std::string& one, const std::set<Names>& pairs) {
+    Names partners;
+    for (const Names& pair : pairs)
+        if (pair.contains(one)) partners.insert(*pair.begin() == one ? *pair.rbegin() : *pair.begin());
+    return partners;
+}
+
+std::string alternatives(const Names& names) { return listed({names.begin(), names.end()}, "or"); }
+
+// Many pairs as one name, where they are each of a few mistakes with each of a few others: "A or B, and C".
+// Nothing where they are not.
+std::optional<NamedMistake> productOf(const Candidates& candidates) {
+    std::set<Names> pairs;
+    for (const Candidate& candidate : candidates) {
+        const auto mistakes = candidate.variant->mistakes();
+        if (mistakes.size() != 2) return {};
+        pairs.insert({mistakes[0]->what, mistakes[1]->what});
+    }
+    const auto first = candidates.front().variant->mistakes();
+    const Names ones = partnersOf(first[1]->what, pairs), others = partnersOf(first[0]->what, pairs);
+    const auto hasOthers = [&](const std::string& one) { return partnersOf(one, pairs) == others; };
+    if (std::max(ones.size(), others.size()) > mostNames || ones.size() * others.size() != pairs.size() ||
+        !std::ranges::all_of(ones, hasOthers))
+        return {};
+    NamedMistake name = nameOf(candidates.front());
+    name.what = alternatives(ones) + ", and " + alternatives(others);
+    return name;
+}
+
 // More names than mostNames say nothing: the picture shows too little.
 void nameAll(Diagnosis& diagnosis, const Candidates& candidates) {
     addNames(diagnosis, candidates, false);
-    if (diagnosis.mistakes.size() > mostNames) return diagnosis.mistakes.clear();
+    if (diagnosis.mistakes.size() > mostNames) {
+        diagnosis.mistakes.clear();
+        if (const auto name = productOf(candidates)) diagnosis.mistakes.push_back(*name);
+        return;
+    }
     const std::size_t usual = diagnosis.mistakes.size();
     addNames(diagnosis, candidates, true);
     if (diagnosis.mistakes.size() > mostNames) diagnosis.mistakes.resize(usual);

@@ -101,6 +101,7 @@ void moveFilm(CameraDescription& camera, const ImageSize& size, double x, double
 }
 
 void throughTopLeft(CameraDescription& camera, const ImageSize& size) { moveFilm(camera, size, -0.5, 0.5); }
+void throughTopRight(CameraDescription& camera, const ImageSize& size) { moveFilm(camera, size, 0.5, 0.5); }
 void throughBottomLeft(CameraDescription& camera, const ImageSize& size) {
     moveFilm(camera, size, -0.5, -0.5);
 }
@@ -119,14 +120,15 @@ void edgeToEdge(CameraDescription& camera, const ImageSize& size) {
     widen(camera.film_bottom, camera.film_top, size.height);
 }
 
-// A square picture is needed to turn it, and a camera whose vectors are those of a rotation.
-bool canTurn(const CameraDescription& camera, const ImageSize& size) {
+// A camera whose vectors are those of a rotation is needed to turn it. What is no square is stretched: u and
+// v are exchanged, of 0 to 1 each.
+bool canTurn(const CameraDescription& camera) {
     constexpr double threeDecimals = 2e-3;  // of vectors written so, as in scene_advice.cpp
     const auto near = [](double value, double expected) {
         return std::abs(value - expected) < threeDecimals;
     };
-    return size.width == size.height && near(glm::length(camera.up), 1) &&
-           near(glm::length(camera.look), 1) && near(glm::dot(camera.up, camera.look), 0);
+    return near(glm::length(camera.up), 1) && near(glm::length(camera.look), 1) &&
+           near(glm::dot(camera.up, camera.look), 0);
 }
 
 }  // namespace
@@ -159,29 +161,32 @@ void addTransformMistakes(std::vector<Mistake>& mistakes) {
              ofTransforms([=](TransformDescription& transform) { reorder(transform, order); })});
 }
 
+// Turned pictures before rays through corners: those are corners of the picture's pixels as it is shown.
 void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
                        const RenderOptions& options) {
-    const auto add = [&](const char* what, const char* hint, CameraEdit edit) {
-        mistakes.push_back({what, hint, "camera", [edit](SceneDescription& edited, RenderOptions& to) {
+    const auto add = [&](const char* what, const char* hint, const char* kind, CameraEdit edit) {
+        mistakes.push_back({what, hint, kind, [edit](SceneDescription& edited, RenderOptions& to) {
                                 edit(edited.camera, to.size);
                             }});
     };
-    add("flipped up and down", "Row 0 of the picture is its top: v = top there.", flipUpDown);
-    add("flipped left and right", "u = up x -look, and grows to the right.", flipLeftRight);
-    add("turned by 180 degrees", "Is the film mirrored, as behind a pinhole?", turnUpsideDown);
-    add("that looks back", "The ray goes along u U + v V - d W, with W = -look.", lookBack);
+    add("that looks back", "The ray goes along u U + v V - d W, with W = -look.", "look", lookBack);
+    add("flipped up and down", "Row 0 of the picture is its top: v = top there.", "film", flipUpDown);
+    add("flipped left and right", "u = up x -look, and grows to the right.", "film", flipLeftRight);
+    add("turned by 180 degrees", "Is the film mirrored, as behind a pinhole?", "film", turnUpsideDown);
+    if (canTurn(scene.camera)) {
+        const char* const turned = "Are x and y, or width and height, exchanged?";
+        add("turned clockwise by 90 degrees", turned, "film", turnClockwise);
+        add("turned counter-clockwise by 90 degrees", turned, "film", turnCounterclockwise);
+        add("with rows and columns exchanged", turned, "film", transpose);
+    }
     const char* const middle = "A pixel's ray goes through its centre: x + 0.5, y + 0.5.";
-    add("whose rays go through the pixels' top left corners", middle, throughTopLeft);
-    add("whose rays go through the pixels' bottom left corners", middle, throughBottomLeft);
-    add("whose rays go through the pixels' bottom right corners", middle, throughBottomRight);
+    add("whose rays go through the pixels' top left corners", middle, "pixel", throughTopLeft);
+    add("whose rays go through the pixels' top right corners", middle, "pixel", throughTopRight);
+    add("whose rays go through the pixels' bottom left corners", middle, "pixel", throughBottomLeft);
+    add("whose rays go through the pixels' bottom right corners", middle, "pixel", throughBottomRight);
     if (options.size.width > 1 && options.size.height > 1)
         add("whose rays go from edge to edge of the film", "A pixel's width is (right - left) / width.",
-            edgeToEdge);
-    if (!canTurn(scene.camera, options.size)) return;
-    const char* const turned = "Are x and y, or width and height, exchanged?";
-    add("turned clockwise by 90 degrees", turned, turnClockwise);
-    add("turned counter-clockwise by 90 degrees", turned, turnCounterclockwise);
-    add("with rows and columns exchanged", turned, transpose);
+            "pixel", edgeToEdge);
 }
 
 }  // namespace raytracer

@@ -1,6 +1,7 @@
 // Mistakes are named, and right pictures never. What programs changed by hand are called is measured by
 // bench/mistakes.py.
 #include <catch2/catch.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "../support/described.h"
 #include "raytracer/grading/diagnosis.h"
@@ -124,6 +125,43 @@ TEST_CASE("mistakes: two at once, and how much they explain") {
           "equals the picture flipped left and right and without specular light (0 of 6400 pixels differ; " +
               std::to_string(differingPixels(picture, bytesOf(whole, edge), 0)) +
               " differ from the right one)");
+}
+
+TEST_CASE("mistakes: a picture that is mirrored, of rays through corners") {
+    const SceneDescription whole = courseScene("texture");
+    SceneDescription scene = whole;
+    const ImageSize size = wholePicture(scene, edge).size;
+    const double half = (scene.camera.film_right - scene.camera.film_left) / size.width / 2;
+    scene.camera.film_left -= half;
+    scene.camera.film_right -= half;
+    scene.camera.film_bottom += half;
+    scene.camera.film_top += half;
+    const ByteImage picture = moved(bytesOf(scene, edge), [](int x, int y) {
+        return PixelPlace{edge - 1 - x, y};
+    });
+    CHECK(nameOf(whole, picture) ==
+          "flipped left and right and whose rays go through the pixels' top right corners");
+}
+
+TEST_CASE("mistakes: two at once, each of which the picture may tell from few others") {
+    SceneDescription scene = courseScene("spheres_cylinder");
+    for (TransformDescription& transform : scene.transforms) transform.rotate = {};
+    const SceneDescription whole = scene;
+    for (TransformDescription& transform : scene.transforms) {
+        glm::dmat4 matrix(1);
+        if (transform.scale) matrix = glm::scale(matrix, *transform.scale);
+        if (transform.translate) matrix = glm::translate(matrix, *transform.translate);
+        transform.matrix = matrix;
+        transform.scale.reset();
+        transform.translate.reset();
+    }
+    const ByteImage picture =
+        bytesOf(scene, edge, Precision::Double, [](RenderOptions& options) { options.max_recursion = 0; });
+    CHECK(
+        nameOf(whole, picture) ==
+        "whose transforms are rotate * scale * translate, whose transforms are scale * rotate * translate or "
+        "whose transforms are scale * translate * rotate, and without any reflected or refracted ray "
+        "(max_recursion 0) or without reflections");
 }
 
 TEST_CASE("mistakes: right pictures have none, with any rounding") {
