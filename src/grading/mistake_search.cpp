@@ -28,8 +28,9 @@ class Search {
     // What explains the picture, all equally well; nothing where nothing does.
     Candidates best() {
         const Candidates& singles = bestSingles();
-        if (rest(singles) <= 1 - fullyExplained) return singles;
+        if (isWhole(singles)) return singles;
         Candidates pairs = pairsWithSingles();
+        if (isFull(singles)) return isWhole(pairs) ? pairs : singles;
         if (rest(pairs) > 1 - leastExplained && rest(singles) > 1 - leastExplained) pairs = bestPairs();
         constexpr double worthIt = 0.4;  // of what a single mistake leaves unexplained, two may leave
         if (rest(pairs) <= worthIt * rest(singles) && rest(pairs) <= 1 - leastExplained) return pairs;
@@ -37,6 +38,9 @@ class Search {
     }
 
   private:
+    static bool isFull(const Candidates& some) { return rest(some) <= 1 - fullyExplained; }
+    // Also of the pixels that show glass.
+    static bool isWhole(const Candidates& some) { return isFull(some) && some.front().fit.unknown == 0; }
     static double rest(const Candidates& some) { return some.empty() ? 1 : 1 - netOf(some.front()); }
 
     const Candidates& bestSingles() {
@@ -114,9 +118,10 @@ class Search {
         for (Candidate& candidate : candidates)
             if (candidate.variant->isPicture())
                 candidate.fit = fitOfAll(picture_, known_.right, split_, *candidate.variant);
-        // What stands alone is another picture as a whole: it may not merely be like this one.
+        // What stands alone is another picture as a whole: it may not merely be like this one. Nor may what
+        // is not known of some pixels.
         std::erase_if(candidates, [](const Candidate& c) {
-            return c.variant->mistakes()[0]->alone && netOf(c) < fullyExplained;
+            return (c.variant->mistakes()[0]->alone || c.fit.unknown > 0) && netOf(c) < fullyExplained;
         });
         keepBest(candidates, candidates.size(), netOf);
         std::erase_if(candidates,
