@@ -136,6 +136,8 @@ TEST_CASE("packets are the same whatever the samples, the depth and the terms") 
                 CHECK(packetCounts.shadow == counts.shadow);
                 CHECK(packetCounts.reflection == counts.reflection);
                 CHECK(packetCounts.refraction == counts.refraction);
+                CHECK(packetCounts.tests > 0);
+                CHECK(packetCounts.tests < 2 * counts.tests);
                 CHECK(packetCounts.cutoffBound == Approx(counts.cutoffBound).epsilon(1e-12));
             }
         }

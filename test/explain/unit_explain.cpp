@@ -204,6 +204,7 @@ TEST_CASE("a shadow, and by whom") {
     CHECK(ray.lights[2].S_L == glm::dvec3(1));
     CHECK_FALSE(ray.lights[3].shadowRayCast);  // behind the wall
     CHECK(ray.lights[3].N_L == 0);
+    CHECK(ray.lights[3].V_R == 0);
     CHECK(ray.lights[3].sum == glm::dvec3(0));
 }
 

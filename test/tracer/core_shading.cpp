@@ -66,7 +66,10 @@ TEST_CASE("Phong's terms") {
         const DirectLight light = seen.light({0, 3, -4});
         CHECK(near(light.N_L, Real(0.8L)));
         CHECK(near(light.V_R, Real(0.8L)));
-        CHECK(seen.light({0, 3, 4}).lit() == Color(0));
+        const DirectLight behind = seen.light({0, 3, 4});
+        CHECK(behind.lit() == Color(0));
+        CHECK(behind.N_L == 0);
+        CHECK(behind.V_R == 0);
     }
     SECTION("no highlight where the mirror image is behind the viewer") {
         seen.look({0, -4, -1});  // V = (0, 4, 1) / sqrt 17
