@@ -157,10 +157,13 @@ void CommandLine::requireOrder() const {
         if (const Word* const meant = meantInstead(rest_[i], here, expected))
             throw WrongUsage{"is " + rest_[i] + " " + nounOf(meant->kind) + "? T" + theOrder.substr(1)};
     }
-    if (std::ranges::find(words_, "--picture", &Word::name) != words_.end())
-        for (const std::string& text : rest_)
-            if (isOfKind(text, ArgumentKind::Picture))
-                throw WrongUsage{"is " + text + " the picture? Give it with --picture; " + theOrder};
+    const auto isPicture = [](const std::string& text) {
+        return text != "-" && isOfKind(text, ArgumentKind::Picture);
+    };
+    const auto picture = std::ranges::find_if(rest_, isPicture);
+    const bool hasOption = std::ranges::find(words_, "--picture", &Word::name) != words_.end();
+    if (hasOption && picture != rest_.end())
+        throw WrongUsage{"is " + *picture + " the picture? Give it with --picture; " + theOrder};
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())
             throw WrongUsage{expected[i]->name + " is missing; " + theOrder, true};

@@ -15,7 +15,7 @@ namespace {
 #define RAYTRACER_TEXT_OF(...) RAYTRACER_TEXT(__VA_ARGS__)
 
 // "scalar,sse2" and so on.
-constexpr std::string_view names = RAYTRACER_TEXT_OF(RAYTRACER_INSTRUCTION_SETS);
+constexpr std::string_view builtSets = RAYTRACER_TEXT_OF(RAYTRACER_INSTRUCTION_SETS);
 
 // What every processor of its kind has needs no line here.
 bool isSupported([[maybe_unused]] InstructionSet set) {
@@ -31,7 +31,7 @@ bool isSupported([[maybe_unused]] InstructionSet set) {
 }  // namespace
 
 std::string_view nameOf(InstructionSet set) {
-    std::string_view rest = names;
+    std::string_view rest = builtSets;
     for (auto before = static_cast<int>(set); before > 0; --before) rest.remove_prefix(rest.find(',') + 1);
     return rest.substr(0, rest.find(','));
 }
