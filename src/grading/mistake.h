@@ -26,6 +26,7 @@ struct LightTerm {
     glm::dvec3 N{0}, L{0}, V{0};  // of unit length
     glm::dvec3 S_L{1};
     bool allShadowed = false, ambientShadowed = false, halfVector = false, clampsParts = false;
+    bool shinesFromBehind = false;  // N.L below 0 counts
 };
 
 // Where a light's term is summed.

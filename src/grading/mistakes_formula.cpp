@@ -77,7 +77,7 @@ glm::dvec3 sumOf(const LitPoint& point, const CastRay& cast, LightTerm term) {
     const LightExplanation& recorded = point.ray->lights[point.light];
     const double N_L = glm::dot(term.N, term.L);
     glm::dvec3 diffuse(0), specular(0);
-    if (N_L > 0) {
+    if (N_L > 0 || term.shinesFromBehind) {
         const double V_R = term.halfVector ? glm::dot(term.N, glm::normalize(term.L + term.V))
                                            : glm::dot(term.V, 2 * N_L * term.N - term.L);
         diffuse = term.K_D * term.color * N_L;
@@ -245,6 +245,8 @@ void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& 
     add("whose shadows take the ambient light away too", "S_L multiplies diffuse and specular light only.",
         "shadows",
         change([](const LitPoint&, const CastRay&, LightTerm& term) { term.ambientShadowed = true; }));
+    add("in which light from behind a surface counts, too", "Light with N.L below 0 adds nothing.", "",
+        change([](const LitPoint&, const CastRay&, LightTerm& term) { term.shinesFromBehind = true; }));
     add("with Blinn's half vector for specular light",
         "The specular term is (V.R)^n, with R = 2 (N.L) N - L.", "specular",
         change([](const LitPoint&, const CastRay&, LightTerm& term) { term.halfVector = true; }));

@@ -41,7 +41,9 @@ CHANGES = [
             return clamp(d * light.color * dark, 0.0, 1.0) + clamp(s * light.color * dark, 0.0, 1.0);
         const double fall = M(attenuation) ? 1 / dot(light.position - p, light.position - p) : 1.0;
         return (d + s) * light.color * dark * fall;"""),
-    ("if (nl <= 0) return dvec3(0);", "if (nl <= 0 && !M(absolute_cosine)) return dvec3(0);"),
+    ("if (nl <= 0) return dvec3(0);", "if (nl <= 0 && !M(from_behind)) return dvec3(0);"),
+    ("const double nl = dot(n, l), vr",
+     "const double nl = M(absolute_cosine) ? std::abs(dot(n, l)) : dot(n, l), vr"),
     ("if (m.reflective)", "if (m.reflective && !M(no_reflections))"),
     ("if (!m.refractive || squared < 0) return color;",
      "if (!m.refractive || squared < 0 || M(no_refraction) || M(opaque)) return color;"),
@@ -137,9 +139,10 @@ KNOWN = {
 }
 # Named too, though no one asked.
 MORE = {"clamp_lights": "each light's sum clamped",
-        "clamp_rays": "each reflected and refracted ray clamped", "edge_to_edge": "from edge to edge"}
+        "clamp_rays": "each reflected and refracted ray clamped", "edge_to_edge": "from edge to edge",
+        "from_behind": "light from behind"}
 # No names of ours; what may be said all the same, as it is true.
-UNKNOWN = {"half_shininess": None, "attenuation": None, "absolute_cosine": None, "focal_doubled": None,
+UNKNOWN = {"half_shininess": None, "attenuation": None, "absolute_cosine": "acne", "focal_doubled": None,
            "contrast": None,
            "shadows_from_behind": "all that could be lit is in shadow",
            "one_sided": "not turned to the ray|equals the picture"}
