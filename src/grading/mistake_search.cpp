@@ -30,17 +30,18 @@ class Search {
         const Candidates& singles = bestSingles();
         if (isWhole(singles)) return singles;
         Candidates pairs = pairsWithSingles();
-        if (isFull(singles)) return isWhole(pairs) ? pairs : singles;
-        if (rest(pairs) > 1 - leastExplained && rest(singles) > 1 - leastExplained) pairs = bestPairs();
-        constexpr double worthIt = 0.4;  // of what a single mistake leaves unexplained, two may leave
-        if (rest(pairs) <= worthIt * rest(singles) && rest(pairs) <= 1 - leastExplained) return pairs;
-        return rest(singles) <= 1 - leastExplained ? singles : Candidates();
+        const bool isExplained = rest(singles) <= 1 - leastExplained;
+        if (!isWhole(pairs) && !isExplained) pairs = bestPairs();
+        if (isWhole(pairs)) return pairs;
+        return isExplained ? singles : Candidates();
     }
 
   private:
-    static bool isFull(const Candidates& some) { return rest(some) <= 1 - fullyExplained; }
-    // Also of the pixels that show glass.
-    static bool isWhole(const Candidates& some) { return isFull(some) && some.front().fit.unknown == 0; }
+    // Whether it explains all wrong pixels, also those that show glass. Two mistakes have to: by less, too
+    // many pairs are like a picture that has another reason.
+    static bool isWhole(const Candidates& some) {
+        return rest(some) <= 1 - fullyExplained && some.front().fit.unknown == 0;
+    }
     static double rest(const Candidates& some) { return some.empty() ? 1 : 1 - netOf(some.front()); }
 
     const Candidates& bestSingles() {
