@@ -31,7 +31,7 @@ class Search {
         if (isWhole(singles)) return singles;
         Candidates pairs = pairsWithSingles();
         const bool isExplained = rest(singles) <= 1 - leastExplained;
-        if (!isWhole(pairs) && !isExplained) pairs = bestPairs();
+        if (rest(pairs) > 1 - leastExplained && !isExplained) pairs = bestPairs();
         if (isWhole(pairs)) return pairs;
         return isExplained ? singles : Candidates();
     }

@@ -247,6 +247,7 @@ void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& 
         change([](const LitPoint&, const CastRay&, LightTerm& term) { term.ambientShadowed = true; }));
     add("in which light from behind a surface counts, too", "Light with N.L below 0 adds nothing.", "",
         change([](const LitPoint&, const CastRay&, LightTerm& term) { term.shinesFromBehind = true; }));
+    mistakes.back().alone = true;  // pairs of sums made anew take the most time
     add("with Blinn's half vector for specular light",
         "The specular term is (V.R)^n, with R = 2 (N.L) N - L.", "specular",
         change([](const LitPoint&, const CastRay&, LightTerm& term) { term.halfVector = true; }));
