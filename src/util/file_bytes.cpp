@@ -32,8 +32,8 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
         fail("cannot read: it is no regular file");
     if (S_ISCHR(status.st_mode) && ::isatty(file.get()) == 0)
         fail("cannot read: it is a device");  // some have no end
-    // One more byte than there should be: a read of nothing is the end.
-    resize(std::max(pipeSize, isRegular ? static_cast<std::size_t>(status.st_size) + 1 : 0));
+    // One more byte than there should be: a read of nothing is the end. Files of /proc have size 0.
+    resize(isRegular && status.st_size > 0 ? static_cast<std::size_t>(status.st_size) + 1 : pipeSize);
     for (;;) {
         if (size_ == bytes_.size()) resize(2 * size_);
         const auto count =
