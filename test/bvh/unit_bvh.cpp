@@ -109,7 +109,7 @@ std::shared_ptr<const MeshData> ball(std::uint32_t n) {
 TEST_CASE("the scenes are the same with and without a tree") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        checkAll(loadScene(file, true).description, shortened(24));
+        checkAll(loadScene(file, true).description, shortened(16));
     }
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("packets are the same whatever the samples, the depth and the terms") 
         std::vector<std::unique_ptr<Renderer>> with;
         for (const InstructionSet set : supportedInstructionSets())
             with.push_back(makeRenderer(scene, Precision::Double, {Accelerator::Bvh, 0, set}));
-        RenderOptions several = wholePicture(scene, shortened(20)), deep = several, plain = several;
+        RenderOptions several = wholePicture(scene, shortened(14)), deep = several, plain = several;
         several.samples = 16, several.adaptive = 0.02, several.bilinear = true;
         deep.max_recursion = slowness > 1 ? 5 : 8, deep.cutoff = 0.01;
         plain.shadows = plain.refraction = false;

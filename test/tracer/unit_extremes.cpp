@@ -102,7 +102,7 @@ TEST_CASE("a scene times a power of ten is what extended precision makes of it")
         Tally tally;
         for (int exponent = -12; exponent <= 12; exponent += slowness > 1 ? 6 : 1) {
             const SceneDescription other = scaled(scene, std::pow(10, exponent));
-            const ByteImage reference = bytesOf(other, 60, Precision::Extended);
+            const ByteImage reference = bytesOf(other, 45, Precision::Extended);
             tally.add(other, reference);
             inFloat.add(other, reference, Precision::Float);
         }
