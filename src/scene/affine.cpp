@@ -81,20 +81,21 @@ Extended balance(Extended a, Extended b, Extended c) {
     return std::ldexp(Extended(1), -exponent);
 }
 
-// B = diag(row) A diag(column), where the largest entry of every row and column is near 1.
+// B = diag(row) A diag(column), where the largest entry of every row and column is near 1. Columns come first:
+// of a rotation after scales that differ by any factor, they leave the rotation.
 struct Balanced {
     Extended entry[3][3], row[3], column[3];
 };
 
 Balanced balanced(const Rows& a) {
     Balanced b;
-    for (int i = 0; i < 3; ++i) {
-        b.row[i] = balance(a[i][0], a[i][1], a[i][2]);
-        for (int j = 0; j < 3; ++j) b.entry[i][j] = a[i][j] * b.row[i];
-    }
     for (int j = 0; j < 3; ++j) {
-        b.column[j] = balance(b.entry[0][j], b.entry[1][j], b.entry[2][j]);
-        for (Extended(&row)[3] : b.entry) row[j] *= b.column[j];
+        b.column[j] = balance(a[0][j], a[1][j], a[2][j]);
+        for (int i = 0; i < 3; ++i) b.entry[i][j] = a[i][j] * b.column[j];
+    }
+    for (int i = 0; i < 3; ++i) {
+        b.row[i] = balance(b.entry[i][0], b.entry[i][1], b.entry[i][2]);
+        for (Extended& entry : b.entry[i]) entry *= b.row[i];
     }
     return b;
 }

@@ -161,6 +161,25 @@ TEST_CASE("Rotated, scaled and sheared over two hundred orders of magnitude, inv
     }
 }
 
+TEST_CASE("A rotation of scales that differ by any factor has an inverse") {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto number = [&] { return std::copysign(std::pow(10, 307 * unit(random)), unit(random)); };
+    for (int i = 0; i < 10'000; ++i) {
+        TransformDescription transform;
+        glm::dvec3 axis(unit(random), unit(random), unit(random));
+        if (i % 2 == 0) axis[i % 3] = number();
+        transform.rotate = TransformDescription::Rotation{i % 3 == 0 ? number() : 360 * unit(random), axis};
+        transform.scale = glm::dvec3(number(), i % 5 == 0 ? number() : 1, i % 7 == 0 ? number() : 1);
+        CAPTURE(i);
+        REQUIRE(residual(compose(transform)) < 1e-17L);
+    }
+    TransformDescription found;  // by the fuzzer
+    found.rotate = TransformDescription::Rotation{1.0339757656912846e-25, {-1e-100, 1.9375, -5.875}};
+    found.scale = glm::dvec3(3.125, 1.8309827970591118e+307, 6.0625);
+    CHECK(residual(compose(found)) < 1e-17L);
+}
+
 TEST_CASE("Singular matrices have no inverse") {
     CHECK_FALSE(inverseLinear(linear({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}})));
     CHECK_FALSE(inverseLinear(linear({{1, 0, 0}, {0, 0, 0}, {0, 0, 1}})));
