@@ -20,6 +20,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -156,6 +157,8 @@ class Folder:
         if done.returncode == 2:
             if out.exists() or not done.stderr:
                 raise Failure("refused without a word, or with a picture")
+            if re.search("^raytracer: (?!--)", done.stderr, re.MULTILINE):  # of no file, no option
+                raise Failure(f"refused by chance: {done.stderr[-300:]}")
             return None
         data = out.read_bytes()
         head = data.split(b"\n", 3)
