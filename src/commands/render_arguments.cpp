@@ -108,6 +108,8 @@ void RenderArguments::check(const CommandLine& line) const {
     };
     if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff"});
     if (pass == "normals") refuse("--pass normals", {"--texture-filter"});
+    if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff"});
+    if (!chosen.textures) refuse("--only " + only, {"--texture-filter"});
     if (max_recursion == 0 && cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});
     if (samples == 1 && adaptive > 0) refuse("--samples 1", {"--adaptive"});
 }

@@ -196,6 +196,10 @@ def check_without_effect():
                           f"{option} has no effect with --pass {value}")
     check_refused([*render, "--max-recursion", 0, "--cutoff", 1],
                   "--cutoff has no effect with --max-recursion 0")
+    check_refused([*render, "--only", "ambient,textures", "--cutoff", 0.1],
+                  "--cutoff has no effect with --only ambient,textures")
+    check_refused([*render, "--only", "ambient,refraction", "--texture-filter", "bilinear"],
+                  "--texture-filter has no effect with --only ambient,refraction")
     check_refused([*render, "--samples", 1, "--adaptive", 0.1], "--adaptive has no effect with --samples 1")
     check_refused(["grade", "/no", "--timeout", 1], "--timeout has no effect without --program",
                   "raytracer grade")
