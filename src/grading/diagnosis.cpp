@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -75,11 +76,41 @@ std::optional<NamedMistake> productOf(const Candidates& candidates) {
     return name;
 }
 
-// More names than mostNames say nothing: the picture shows too little.
+// What all begin with is said once: "flipped left and right or up and down".
+std::string shortAlternatives(const Names& names) {
+    const std::string &first = *names.begin(), &last = *names.rbegin();  // they are sorted
+    const auto common = std::ranges::mismatch(first, last).in1 - first.begin();
+    const std::size_t prefix = first.rfind(' ', static_cast<std::size_t>(common)) + 1;
+    std::vector<std::string> rests;
+    for (const std::string& name : names) rests.push_back(name.substr(prefix));
+    return first.substr(0, prefix) + listed(rests, "or");
+}
+
+// Single mistakes of one kind as one name. Nothing where there are pairs.
+std::vector<NamedMistake> namesOfKinds(const Candidates& candidates) {
+    std::map<std::string, NamedMistake> names;
+    std::map<std::string, Names> members;
+    for (const Candidate& candidate : candidates) {
+        const auto mistakes = candidate.variant->mistakes();
+        if (mistakes.size() != 1) return {};
+        const std::string& kind = mistakes[0]->kind.empty() ? mistakes[0]->what : mistakes[0]->kind;
+        names.try_emplace(kind, nameOf(candidate));
+        members[kind].insert(mistakes[0]->what);
+    }
+    std::vector<NamedMistake> list;
+    for (auto& [kind, name] : names) {
+        name.what = shortAlternatives(members[kind]);
+        list.push_back(std::move(name));
+    }
+    return list;
+}
+
+// More names than mostNames say nothing, unless they are few of other sorts: the picture shows too little.
 void nameAll(Diagnosis& diagnosis, const Candidates& candidates) {
     addNames(diagnosis, candidates, false);
     if (diagnosis.mistakes.size() > mostNames) {
-        diagnosis.mistakes.clear();
+        diagnosis.mistakes = namesOfKinds(candidates);
+        if (diagnosis.mistakes.size() > mostNames) diagnosis.mistakes.clear();
         if (const auto name = productOf(candidates)) diagnosis.mistakes.push_back(*name);
         return;
     }

@@ -164,6 +164,26 @@ TEST_CASE("mistakes: two at once, each of which the picture may tell from few ot
         "(max_recursion 0) or without reflections");
 }
 
+TEST_CASE("mistakes: more than three that make one picture, but of two kinds") {
+    SceneDescription scene;  // a floor that a wrong order leaves at the origin's height, above the camera
+    scene.camera.eye = {0, -0.5, 4};
+    scene.camera.look = {0, 0, -1};
+    scene.lights = {{{1, 3, 2}, {0.8, 0.7, 0.6}, {0.4, 0.3, 0.2}}};
+    scene.materials.resize(1);
+    scene.materials[0].color_ambient = glm::dvec3(0.5);
+    TransformDescription floor;
+    floor.translate = glm::dvec3(0, -2, 0);
+    floor.rotate = TransformDescription::Rotation{-90, {1, 0, 0}};
+    floor.scale = glm::dvec3(0.5, 0.25, 0.5);
+    scene.transforms = {floor};
+    scene.shapes = {{ShapeType::Plane, 0, 0, nullptr}};
+    const SceneDescription whole = scene;
+    scene.transforms[0].translate.reset();
+    CHECK(nameOf(whole, bytesOf(scene, edge)) ==
+          "whose transforms are rotate * scale * translate, rotate * translate * scale or scale * rotate * "
+          "translate, or without translations");
+}
+
 TEST_CASE("mistakes: right pictures have none, with any rounding") {
     for (const char* file : {"spheres_cylinder", "refraction", "texture", "mirror_corridor"}) {
         const SceneDescription scene = courseScene(file);
