@@ -12,6 +12,11 @@
 namespace raytracer {
 namespace {
 
+// Of the thread that asks, in bytes; 0 on the main thread.
+thread_local std::size_t workerStack = 0;
+
+std::size_t stackHere() { return workerStack > 0 ? workerStack : mainStack(); }
+
 // What the threads share.
 struct Jobs {
     std::uint32_t count;
@@ -91,11 +96,16 @@ bool onThreads(std::uint32_t count, int threads, const std::function<void(JobQue
             queue.fail(std::current_exception());
         }
     };
+    const std::size_t othersStack = std::max(stack, usualStack);
+    const std::function<void()> takeThere = [&] {
+        workerStack = othersStack;
+        take();
+    };
     {
         const std::uint32_t wanted = std::min(static_cast<std::uint32_t>(threadCount(threads)), count);
-        const bool takesPart = stack <= mainStack();
-        Threads others(std::max(stack, usualStack));
-        while (others.count() + takesPart < wanted && others.start(take)) {
+        const bool takesPart = stack <= stackHere();
+        Threads others(othersStack);
+        while (others.count() + takesPart < wanted && others.start(takeThere)) {
         }
         if (takesPart) take();
         else if (others.count() < std::min(wanted, 1u)) return false;

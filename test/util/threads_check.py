@@ -21,8 +21,8 @@ def mirrors():
                    "up": [0, 1, 0],
                    "film_left": -0.5, "film_right": 0.5, "film_bottom": -0.5, "film_top": 0.5},
         "materials":
-        [{"name": "mirror", "color_ambient": [0.1] * 3, "color_diffuse": [0.1] * 3, "reflective": True,
-          "color_reflect": [0.999] * 3}],
+        [{"name": "mirror", "color_ambient": [0.001] * 3, "color_diffuse": [0.1] * 3, "reflective": True,
+          "color_reflect": [0.9999] * 3}],
         "lights": [{"position": [0, 0, 10], "color": [0, 0, 0], "color_ambient": [1, 1, 1]}],
         "transforms": [{"name": "a", "translate": [0, 0, -1]}, {"name": "b", "translate": [0, 0, 5]}],
         "shapes": [plane | {"transform": "a"}, plane | {"transform": "b"}]}
@@ -37,8 +37,8 @@ def run(folder, recursion, threads, stack, processes=None, command=("s.json", "o
             resource.setrlimit(resource.RLIMIT_NPROC, (processes, processes))
             os.setgid(NOBODY)
             os.setuid(NOBODY)
-    return subprocess.run([RAYTRACER, *command, "--quiet", "--max-recursion", str(recursion), "--threads",
-                           str(threads)],
+    depth = ["--max-recursion", str(recursion)] if recursion else []
+    return subprocess.run([RAYTRACER, *command, "--quiet", *depth, "--threads", str(threads)],
                           cwd=folder, preexec_fn=limit, capture_output=True, text=True, timeout=60)
 
 
@@ -57,6 +57,13 @@ def check_stack(folder):
         done = run(folder, 1000, 2, stack, command=("explain", "s.json", "3", "4", "8", "--json"))
         assert done.returncode == 0 and done.stdout.count('"reflection"') > 900, (stack, done.returncode,
                                                                                   done.stderr)
+
+
+def check_search(folder):
+    """--target-time renders tiles on several threads, as deep as it sees a difference."""
+    for stack in (resource.RLIM_INFINITY, 4 * MEBIBYTE):
+        done = run(folder, None, 2, stack, command=("s.json", "o.pfm", "60", "--target-time", "1"))
+        assert (done.returncode, done.stderr) == (0, ""), (stack, done)
 
 
 def check_threads(folder):
@@ -80,4 +87,5 @@ with tempfile.TemporaryDirectory() as temporary:
     (here / "o.pfm").touch()
     os.chmod(here / "o.pfm", 0o666)
     check_stack(here)
+    check_search(here)
     check_threads(here)
