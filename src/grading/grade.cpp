@@ -85,19 +85,19 @@ std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c)
 }
 
 // An Error here is the program's.
-void comparePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture,
-                    NamedCase* named) {
+ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference,
+                         const std::string& picture) {
     const FileBytes file(picture, FileKind::Regular);
     if (const auto size = sizeInHeader(file))
         requireSameSize(*size, {reference.image.width, reference.image.height});
-    const ByteImage ours = readImage(picture, FileKind::Regular);
+    ByteImage ours = readImage(picture, FileKind::Regular);
     result.ourPng = file.text();
     result.comparison = compareImages(ours, reference.image);
     result.ourWorst = pixelOf(ours, *result.comparison);
     result.referenceWorst = pixelOf(reference.image, *result.comparison);
     const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference.image));
     result.differencePng.assign(difference.begin(), difference.end());
-    if (named && result.comparison->pixelsOver(0) > 0) named->name(result, ours);
+    return ours;
 }
 
 // What the grader itself needs, before the program is blamed.
@@ -172,12 +172,15 @@ void NamedCase::name(GradeResult& result, const ByteImage& picture) {
 
 void gradePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture,
                   NamedCase* named) {
+    ByteImage ours;
     try {
-        comparePicture(result, reference, picture, named);
+        ours = comparePicture(result, reference, picture);
     } catch (const Error& error) {
         result.message = error.inFile();
         result.isUnreadable = true;
+        return;
     }
+    if (named && result.comparison->pixelsOver(0) > 0) named->name(result, ours);
 }
 
 GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, const NamerMaker& makeNamer) {

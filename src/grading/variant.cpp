@@ -78,14 +78,18 @@ Rgb Variant::toBytes(glm::dvec3 color) const {
     return {toByte(color.x), toByte(color.y), toByte(color.z)};
 }
 
-std::vector<glm::dvec3> Variant::colors(const Pixels& pixels) {
+std::vector<glm::dvec3> Variant::colorsOf(const Pixels& pixels) {
     const auto places = samples();
     std::vector<glm::dvec2> points;
     for (const PixelPlace& pixel : pixels)
         for (const glm::dvec2& place : places) points.push_back(glm::dvec2(pixel.x, pixel.y) + place);
     std::vector<glm::dvec3> colors(points.size()), means(pixels.size(), glm::dvec3(0));
     const RenderedScene& scene = *madeScene();
-    scene.renderer().renderPoints(scene.options(), points, colors);
+    try {
+        scene.renderer().renderPoints(scene.options(), points, colors);
+    } catch (const TooManyRays&) {
+        return {};
+    }
     for (std::size_t i = 0; i < colors.size(); ++i)
         means[i / places.size()] += colors[i] / static_cast<double>(places.size());
     return means;
@@ -95,8 +99,8 @@ std::vector<std::optional<Rgb>> Variant::bytes(const Pixels& pixels, Trees& righ
     RenderedScene& scene = *madeScene();
     std::vector<std::optional<Rgb>> result(pixels.size());
     if (!isOfTrees()) {
-        std::ranges::transform(colors(pixels), result.begin(),
-                               [&](const glm::dvec3& color) { return toBytes(color); });
+        const std::vector<glm::dvec3> colors = colorsOf(pixels);
+        for (std::size_t i = 0; i < colors.size(); ++i) result[i] = toBytes(colors[i]);
         return result;
     }
     Trees own;

@@ -46,15 +46,15 @@ class Variant {
     bool isOfTrees() const;  // made anew from ray trees, at a hundred times the cost
     bool isPicture() const;  // made at the cost of a picture
 
-    // The pixels' bytes; nothing where a ray tree does not tell. `rightTrees` are those of the scene without
-    // a mistake, made here where they are empty and needed.
+    // The pixels' bytes; nothing where a ray tree does not tell, or where the rays are too many. `rightTrees`
+    // are those of the scene without a mistake, made here where they are empty and needed.
     std::vector<std::optional<Rgb>> bytes(const Pixels& pixels, Trees& rightTrees);
 
     ByteImage picture();  // isPicture
 
   private:
     const std::shared_ptr<RenderedScene>& madeScene();
-    std::vector<glm::dvec3> colors(const Pixels& pixels);
+    std::vector<glm::dvec3> colorsOf(const Pixels& pixels);  // none where the rays are too many
     std::span<const glm::dvec2> samples() const;
     Rgb toBytes(glm::dvec3 color) const;
 
