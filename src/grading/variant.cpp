@@ -103,6 +103,7 @@ std::vector<std::optional<Rgb>> Variant::bytes(const Pixels& pixels, Trees& righ
         for (std::size_t i = 0; i < colors.size(); ++i) result[i] = toBytes(colors[i]);
         return result;
     }
+    if (colorsOf(pixels).empty()) return result;  // their trees would fill the memory
     Trees own;
     Trees& trees = made_ == right_ ? rightTrees : own;
     if (trees.empty())

@@ -184,6 +184,26 @@ TEST_CASE("mistakes: more than three that make one picture, but of two kinds") {
           "translate, or without translations");
 }
 
+TEST_CASE("mistakes: where rays are too many to follow, none is named") {
+    SceneDescription scene;
+    scene.camera.eye = {0, 0, 4};
+    scene.camera.look = {0, 0, -1};
+    scene.lights = {{{1, 3, 4}, {0.8, 0.7, 0.6}, {0.4, 0.3, 0.2}}};
+    scene.materials.resize(1);
+    scene.materials[0].reflective = scene.materials[0].refractive = true;
+    scene.materials[0].index_of_refraction = 1.2;
+    scene.transforms.resize(6);
+    for (std::size_t i = 0; i < scene.transforms.size(); ++i) {
+        scene.transforms[i].scale = glm::dvec3(2.5 - 0.2 * static_cast<double>(i));
+        scene.shapes.push_back({ShapeType::Sphere, i, 0, nullptr});
+    }
+    RenderOptions options = wholePicture(scene, 10);
+    options.max_recursion = 12;
+    const ByteImage other =
+        bytesOf(scene, 10, Precision::Double, [](RenderOptions& to) { to.max_recursion = 1; });
+    CHECK(MistakeNamer(scene, options).diagnose(other).names() == "with max_recursion 1 instead of 12");
+}
+
 TEST_CASE("mistakes: right pictures have none, with any rounding") {
     for (const char* file : {"spheres_cylinder", "refraction", "texture", "mirror_corridor"}) {
         const SceneDescription scene = courseScene(file);
