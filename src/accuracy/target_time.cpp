@@ -4,7 +4,6 @@
 #include "raytracer/accuracy/target_time.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 
@@ -15,6 +14,7 @@
 #include "picture_points.h"
 #include "raytracer/pictures/color_sink.h"
 #include "raytracer/util/parallel.h"
+#include "raytracer/util/stopwatch.h"
 
 namespace raytracer {
 
@@ -30,9 +30,7 @@ constexpr double adaptiveFor = 2;    // `adaptive` as a multiple of the error: m
 constexpr double estimation = 0.06;  // of the time: the error is estimated from three renders of the tiles
 constexpr double ringOfTile = 4 * 33.0 / (32 * 32);  // of a picture's tile of 32 x 32: samples to a pixel
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return Seconds::now().wall; }
 
 class TimeSearch {
   public:

@@ -2,26 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include <glm/common.hpp>
 
 #include "raytracer/pictures/color_sink.h"
 #include "raytracer/pictures/picture.h"
+#include "raytracer/util/stopwatch.h"
 
 namespace raytracer {
 
 namespace {
 
-// Processor time of all threads: other load on the machine hardly changes it.
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-// Renders and adds the time to the trial's.
+// Renders and adds the time to the trial's: of the processor, which other load on the machine hardly changes.
 std::vector<glm::dvec3> timedRender(const Renderer& renderer, const RenderOptions& options, Trial& trial) {
     ColorSink sink(options.crop);
-    const double start = processorSeconds();
+    Stopwatch stopwatch;
     trial.counts = renderer.render(withSetting(options, trial.setting), sink);
-    trial.timings.push_back(processorSeconds() - start);
+    trial.timings.push_back(stopwatch.lap().cpu);
     return sink.colors();
 }
 

@@ -264,7 +264,7 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
     part.words.resize(place + BvhBlock::words + count + (9 * count + 1) / 2);
     std::memcpy(&part.words[place], &block, sizeof block);
     std::uint32_t* primitives = &part.words[place + BvhBlock::words];
-    auto* grid = reinterpret_cast<std::uint16_t*>(primitives + count);
+    std::uint16_t grid[9 * blockSize];
     for (std::uint32_t i = 0; i < count; ++i) {
         primitives[i] = references_[range.begin + i].primitive();
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
@@ -277,6 +277,7 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
             }
         }
     }
+    std::memcpy(primitives + count, grid, 9 * count * sizeof *grid);
     return BvhNode::leafBit | place;
 }
 

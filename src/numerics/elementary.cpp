@@ -8,7 +8,8 @@
 namespace raytracer {
 namespace {
 
-// A number as an unevaluated sum; |low| is at most half a unit in the last place of high.
+// A number as an unevaluated sum, whose low part is much smaller: in the table, at most half a unit in the
+// last place of high.
 struct Sum {
     double high, low;
 };

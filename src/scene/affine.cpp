@@ -34,9 +34,10 @@ SineCosine sineCosine(double degrees) {
     return {std::sin(radians), std::cos(radians)};
 }
 
-// The square of every double is within the exponent range of long double.
+// Scaled first, so that no square overflows or underflows, however wide long double is.
 void normalise(const glm::dvec3& vector, Extended (&unit)[3]) {
-    for (int i = 0; i < 3; ++i) unit[i] = vector[i];
+    const int exponent = std::ilogb(std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)}));
+    for (int i = 0; i < 3; ++i) unit[i] = std::scalbn(static_cast<Extended>(vector[i]), -exponent);
     const Extended length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
     for (Extended& component : unit) component /= length;
 }
@@ -81,8 +82,8 @@ Extended balance(Extended a, Extended b, Extended c) {
     return std::ldexp(Extended(1), -exponent);
 }
 
-// B = diag(row) A diag(column), where the largest entry of every row and column is near 1. Columns come first:
-// of a rotation after scales that differ by any factor, they leave the rotation.
+// B = diag(row) A diag(column), where the largest entry of every row and column is near 1. Columns come
+// first: of a rotation after scales that differ by any factor, they leave the rotation.
 struct Balanced {
     Extended entry[3][3], row[3], column[3];
 };

@@ -37,12 +37,10 @@ double rounded(double value);
 // Rays of every kind: the cost of a render, whatever the machine and its load.
 double rayCount(const RenderCounts& counts);
 
-// The values of each option that `tradeoff` measures. Depth: up to where 0.9 per bounce leaves 1/12. Adaptive
-// and cutoff: in steps of half a power of ten, from a part of the error of few samples to one that only many
-// samples resolve.
+// The values of each option that `tradeoff` measures. Adaptive and cutoff: in steps of half a power of ten,
+// from a part of the error of few samples to one that only many samples resolve.
 inline constexpr int gridSamples[] = {1, 4, 16, 64, 256};
 inline constexpr double gridAdaptive[] = {0.1, 0.03, 0.01, 0.003, 0.001};
-inline constexpr int gridDepths[] = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24};
 inline constexpr double gridCutoffs[] = {0.01, 0.03, 0.1, 0.3, 1};
 
 // The cost of a setting, in any unit, and the error of its picture.

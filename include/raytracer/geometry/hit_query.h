@@ -1,7 +1,8 @@
 // What a traversal is looking for, and the best it has seen: for one ray, or for each of several.
 //
-// A query's answer is a function of the set of hits offered, never of their order, so that a tree, a list and
-// any number of lanes give the same picture.
+// The picture does not depend on the order in which hits are offered, so that a tree, a list and any number
+// of lanes give the same one. Of hits at exactly one t, and of any hits before a light, the first offered
+// stays: where surfaces coincide, Scene::firstOfCoincident then asks for the first listed.
 #pragma once
 
 #include "raytracer/geometry/shape.h"

@@ -1,6 +1,6 @@
 // The processor's vector registers, for lanes.h: what the instruction set calls its operations. Compiled once
 // for each instruction set (CMakeLists.txt), into a namespace of its own. What a set has no instruction for
-// is the plain C++ at the end.
+// is plain C++.
 #pragma once
 
 #include <algorithm>
