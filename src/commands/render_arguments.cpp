@@ -132,6 +132,8 @@ std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& 
     if (warns() && renderer->precision() != chosen)
         warn("the scene's numbers lie too far apart for --precision " + precision + ": computed in " +
              precisionName(renderer->precision()));
+    if (warns() && !renderer->fits())
+        warn("the scene's numbers lie too far apart for any precision: the picture may be wrong");
     return renderer;
 }
 

@@ -101,7 +101,7 @@ bool fits(const Scene& scene) {
         if (shape.type() == ShapeType::Mesh)
             flattest = std::min(flattest, static_cast<Real>(shape.triangles().data().finest));
     }
-    return finest * farthest <= widestRange && flattest * flattest >= 1 / widestRange &&
+    return scene.frame.eyeDistance <= farthestEye && finest * farthest <= widestRange && flattest * flattest >= 1 / widestRange &&
            brightestOf(scene) <= brightestFactor;
 }
 

@@ -27,6 +27,8 @@ struct Extent {
 
     void add(const glm::dvec3& point) { add({point.x, point.y, point.z}, {0, 0, 0}); }
 
+    long double middle(int axis) const { return (low[axis] + high[axis]) / 2; }
+
     long double size() const {
         long double largest = 0;
         for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, high[axis] - low[axis]);
@@ -50,12 +52,17 @@ void addShape(Extent& extent, const Affine& transform, long double size) {
     extent.add(transform.translation, radius);
 }
 
-Extent extentOf(const SceneDescription& scene) {
+Extent extentOfShapes(const SceneDescription& scene) {
     Extent extent;
-    extent.add(scene.camera.eye);
     for (const ShapeDescription& shape : scene.shapes)
         if (shape.type != ShapeType::Plane)
             addShape(extent, worldFromObject(scene, shape), radiusObject(shape));
+    return extent;
+}
+
+// Of all: the shapes, and the camera.
+Extent extentOf(const SceneDescription& scene, Extent extent) {
+    extent.add(scene.camera.eye);
     if (extent.size() > 0) return extent;
     for (const ShapeDescription& shape : scene.shapes)
         extent.add(compose(scene.transforms[shape.transform]).translation, {0, 0, 0});
@@ -81,15 +88,20 @@ Affine SceneFrame::toFrame(const Affine& worldFromObject) const {
 
 SceneFrame chooseFrame(const SceneDescription& scene) {
     SceneFrame frame;
-    const Extent extent = extentOf(scene);
+    const Extent shapes = extentOfShapes(scene), extent = extentOf(scene, shapes);
     const long double size = extent.size();
     if (!(size > 0)) return frame;
     frame.exponent = std::ilogb(size) + 1;
     const long double unit = std::scalbn(1.0L, frame.exponent);
     for (int axis = 0; axis < 3; ++axis) {
-        const long double middle = (extent.low[axis] + extent.high[axis]) / 2;
+        const long double middle = extent.middle(axis);
         if (std::abs(middle) > 16 * unit) frame.origin[axis] = std::round(middle / unit) * unit;
     }
+    if (shapes.size() > 0)
+        for (int axis = 0; axis < 3; ++axis)
+            frame.eyeDistance =
+                std::max(frame.eyeDistance,
+                         std::abs(scene.camera.eye[axis] - shapes.middle(axis)) / shapes.size());
     return frame;
 }
 
