@@ -61,9 +61,11 @@ std::string missing(const JsonDocument& document, const PointerEnd& end) {
     const std::string isNot = "there is no " + inQuotes(step);
     switch (document.kind(end.node)) {
         case Kind::Object: return isNot + " in " + here + question(document, end, step);
-        case Kind::Array:
-            return here + " has " + std::to_string(JsonView(document, end.node).size()) +
-                   " elements, from 0: " + isNot;
+        case Kind::Array: {
+            const std::size_t count = JsonView(document, end.node).size();
+            return here + " has " + std::to_string(count) + (count == 1 ? " element" : " elements") +
+                   ", from 0: " + isNot;
+        }
         default: return here + " is no object and no list";
     }
 }
