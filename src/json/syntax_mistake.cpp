@@ -50,8 +50,9 @@ class Finder {
     }
 
     std::string theOpening() const {
-        return std::string("the ") + (s_.container == '{' ? "object" : "list") + " of line " +
-               std::to_string(lineOf(s_.opening));
+        const std::string kind = s_.container == '{' ? "the object" : "the list";
+        const bool isOneLine = s_.text.find('\n') == std::string_view::npos;
+        return isOneLine ? kind : kind + " of line " + std::to_string(lineOf(s_.opening));
     }
     SyntaxMistake unclosed() const {
         const std::string bracket{'"', closing(), '"'};
@@ -78,6 +79,7 @@ class Finder {
         if (found() == '}' || found() == ']') return {at_, "a bracket too many"};
         if (s_.last == JsonEvent::Close && excess(s_.text[s_.end - 1]) > 0)
             return {s_.end - 1, "a bracket too many"};
+        if (found() == ',' && s_.last == JsonEvent::Value) return {s_.begin, "a list stands in [ and ]"};
         if (found() == ',') return {at_, "a comma too many: the scene ends before it"};
         if (found() == ':') return {s_.begin, "\"{\" is missing before this key"};
         return {at_, "expected the end of the file, found " + shown()};
@@ -95,7 +97,8 @@ class Finder {
         const bool goesOn = at_ == s_.end && !wordAt(at_).empty();
         if (isBehindNumber() && (goesOn || isOperator())) return longerNumber();
         if (isSwallowing()) return {s_.begin, "a text has no end: \" is missing"};
-        if (goesOn && std::isalpha(static_cast<unsigned char>(s_.text[s_.begin])))  // truee
+        if (goesOn && s_.last == JsonEvent::Value &&
+            std::isalpha(static_cast<unsigned char>(s_.text[s_.begin])))  // truee
             return {s_.begin, aboutWord(wordAt(s_.begin))};
         if (found() == '}' || found() == ']') return wrongClosing();
         if (found() == ':' && s_.container == '[') return keyInList();
@@ -115,13 +118,15 @@ class Finder {
         }
         return count;
     }
+    bool isTooMany(char bracket) const { return excess(bracket) > 0 && excess(closing()) >= 0; }
     SyntaxMistake wrongClosing() const {
-        if (excess(found()) > 0 && excess(closing()) >= 0) return {at_, "a bracket too many"};
-        return unclosed();
+        return isTooMany(found()) ? SyntaxMistake{at_, "a bracket too many"} : unclosed();
     }
     SyntaxMistake keyInList() const {
         if (s_.text.find_first_not_of(blanks, s_.opening + 1) == s_.begin)
             return {s_.opening, "keys stand in { and }, not in [ and ]"};
+        const std::size_t closed = s_.text.rfind('}', s_.begin);
+        if (closed != std::string_view::npos && isTooMany('}')) return {closed, "a bracket too many"};
         return {s_.begin, unclosed().message};
     }
 
