@@ -183,7 +183,7 @@ class Finder {
         if (isCommaTooMany()) return commaTooMany();
         if (isAtEnd()) return unclosed();
         const std::string_view word = wordAt(at_);
-        const bool isList = found() == '[' || found() == '{' || isDigitAt(word, word.starts_with('-'));
+        const bool isList = found() == '[' || found() == '{' || numberOf<double>(word);
         if (isList && s_.last == JsonEvent::Open)
             return {s_.opening, "a list stands in [ and ], not in { and }"};
         if (found() == ']') return wrongClosing();
