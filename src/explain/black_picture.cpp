@@ -85,40 +85,25 @@ struct Tally {
     }
 };
 
-std::string inShadow(const Tally& tally, const SceneDescription& scene) {
-    if (tally.shadowedBy.size() != 1) return "all that is seen is in shadow";
-    const std::size_t by = *tally.shadowedBy.begin();
-    return "all that is seen is in the shadow of /shapes/" + std::to_string(by) + ", a " +
-           typeName(scene.shapes[by].type);
-}
-
-std::string mixed(const Tally& tally) {
-    std::string causes;
-    const auto add = [&](std::size_t count, const char* cause) {
-        if (count > 0) causes += (causes.empty() ? "" : ", ") + std::to_string(count) + " times " + cause;
-    };
-    add(tally.behind, "behind the surface");
-    add(tally.shadowed, "in shadow");
-    add(tally.black, "its color or the material's is black");
-    return "no light reaches what is seen (" + causes + ")";
+std::string inShadow(const Tally& tally) {
+    if (tally.shadowedBy.size() != 1) return "what is seen is in shadow";
+    return "/shapes/" + std::to_string(*tally.shadowedBy.begin()) + " shadows what is seen";
 }
 
 std::string unlit(const Tally& tally, const SceneDescription& scene) {
     const bool noLight =
         std::ranges::all_of(scene.lights, [](const LightDescription& light) { return isBlack(light.color); });
-    if (noLight) return "the color of every light is black";
-    if (tally.behind + tally.shadowed == 0)
-        return "the materials that are seen have black color_diffuse and color_specular";
-    if (tally.behind + tally.black == 0) return inShadow(tally, scene);
-    if (tally.shadowed + tally.black == 0) return "the lights are behind all surfaces that are seen";
-    return mixed(tally);
+    if (noLight) return "what is seen has only black lights";
+    if (tally.behind + tally.shadowed == 0) return "what is seen has black materials";
+    if (tally.behind + tally.black == 0) return inShadow(tally);
+    if (tally.shadowed + tally.black == 0) return "the lights are behind what is seen";
+    return "no light reaches what is seen";
 }
 
 std::string withoutAmbient(const SceneDescription& scene) {
     const bool noLight = std::ranges::all_of(
         scene.lights, [](const LightDescription& light) { return isBlack(light.color_ambient); });
-    return noLight ? "; and the color_ambient of every light is black"
-                   : "; and the color_ambient of what is seen is black";
+    return noLight ? "; no light has color_ambient" : "; its color_ambient is black";
 }
 
 std::string reason(const Tally& tally, const SceneDescription& scene) {
@@ -126,8 +111,7 @@ std::string reason(const Tally& tally, const SceneDescription& scene) {
         return "the eye is inside of /shapes/" + std::to_string(*tally.around) + ", a " +
                typeName(scene.shapes[*tally.around].type);
     if (tally.brightest <= 0) return unlit(tally, scene) + withoutAmbient(scene);
-    return formatted("it is too dark to be seen: the largest channel that was found is %.3g of 1",
-                     tally.brightest);
+    return formatted("it is too dark: the largest channel is %.3g of 1", tally.brightest);
 }
 
 std::vector<PixelPlace> pixelsThatHit(const Renderer& renderer, RenderOptions options) {

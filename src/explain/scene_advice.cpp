@@ -70,10 +70,10 @@ View viewOf(const CameraDescription& camera) {
     Vec ahead = glm::cross(u, v);  // across the film
     if (glm::dot(ahead, look) < 0) ahead = -ahead;
     view.bounds = {Bound{ahead, 0, "behind the camera"},
-                   sideOf(perspective, u, v, forward, left, right, "outside of the view, to its left"),
-                   sideOf(perspective, u, v, forward, right, left, "outside of the view, to its right"),
-                   sideOf(perspective, v, u, forward, bottom, top, "outside of the view, below it"),
-                   sideOf(perspective, v, u, forward, top, bottom, "outside of the view, above it")};
+                   sideOf(perspective, u, v, forward, left, right, "to the left of the view"),
+                   sideOf(perspective, u, v, forward, right, left, "to the right of the view"),
+                   sideOf(perspective, v, u, forward, bottom, top, "below the view"),
+                   sideOf(perspective, v, u, forward, top, bottom, "above the view")};
     return view;
 }
 
@@ -184,9 +184,8 @@ void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std
         if (light.color == glm::dvec3(0) || !isInside(solid, Vec(light.position) - view.eye)) continue;
         if (std::ranges::any_of(view.starts, [&](const Vec& start) { return isInside(solid, start); }))
             continue;  // a room
-        lines.add(pointer("/lights/", i) + ": the light is inside of " + pointer("/shapes/", index) +
-                  ", an opaque " + typeName(solid.shape->type) +
-                  ", and the camera is not: it lights nothing outside but by color_ambient");
+        lines.add(pointer("/lights/", i) + ": it is inside of " + pointer("/shapes/", index) +
+                  ", an opaque " + typeName(solid.shape->type) + ": its color has no effect");
     }
 }
 
@@ -202,7 +201,7 @@ std::vector<std::string> sceneAdvice(const SceneDescription& scene) {
         const char* where = mirrored ? nullptr : whereUnseen(shape, view);
         if (where)
             lines.add(pointer("/shapes/", i) + ": the " + typeName(shape.shape->type) + " is " + where +
-                      "; it is not seen, but it may cast a shadow");
+                      "; only its shadow may be seen");
         adviseOnLights(scene, shape, i, view, lines);
     }
     return lines.take();

@@ -107,8 +107,7 @@ class SlipFinder {
         const MeshData* const mesh = scene_.shapes[i].mesh.get();
         if (mesh && seen_.insert(mesh).second && isInsideOut(*mesh))
             lines_.add("/shapes/" + std::to_string(i) +
-                       "/path: the mesh is inside out: its triangles are clockwise seen from outside; turn "
-                       "them round");
+                       "/path: the mesh is inside out: turn its clockwise triangles round");
     }
 
     const SceneDescription& scene_;

@@ -11,15 +11,6 @@
 namespace raytracer {
 namespace {
 
-bool isJson(const std::string& text) {
-    try {
-        const JsonDocument document("", text);
-        return true;
-    } catch (const Error&) {
-        return false;
-    }
-}
-
 // Where the value ends that begins here, of a text that is JSON.
 const char* valueEnd(const char* at, const char* end) {
     const auto stringEnd = [&](const char* quote) {
@@ -61,9 +52,11 @@ std::string missing(const JsonDocument& document, const PointerEnd& end) {
     const std::string isNot = "there is no " + inQuotes(step);
     switch (document.kind(end.node)) {
         case Kind::Object: return isNot + " in " + here + question(document, end, step);
-        case Kind::Array:
-            return here + " has " + std::to_string(JsonView(document, end.node).size()) +
-                   " elements, from 0: " + isNot;
+        case Kind::Array: {
+            const std::size_t count = JsonView(document, end.node).size();
+            return here + " has " + std::to_string(count) + (count == 1 ? " element" : " elements") +
+                   ", from 0: " + isNot;
+        }
         default: return here + " is no object and no list";
     }
 }
@@ -123,13 +116,23 @@ void apply(const JsonEdit& edit, const std::string& path, EditedJson& json) {
 
 }  // namespace
 
+std::string whyNoJson(std::string_view text) {
+    try {
+        const JsonDocument document("", text);
+        return {};
+    } catch (const Error& error) {
+        const std::string& message = error.inFile();
+        return error.place().column > 0 ? message.substr(message.find(": ") + 2) : message;
+    }
+}
+
 JsonEdit::JsonEdit(const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == assignment.npos || !assignment.starts_with('/'))
         throw Error({"raytracer"}, "--set: expected /pointer=value, found " + inQuotes(assignment));
     pointer = assignment.substr(0, equals);
     value = assignment.substr(equals + 1);
-    if (!isJson(value)) value = jsonString(value);
+    if (!whyNoJson(value).empty()) value = jsonString(value);
 }
 
 EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments) {

@@ -174,8 +174,13 @@ void JsonReader::requireKeysOnce() {
     } else {
         while (twice != keys_.end() && std::find(keys_.begin(), twice, *twice) == twice) ++twice;
     }
-    if (twice != keys_.end())
-        fail(open_.back(), "expected each key once, found " + inQuotes(*twice) + " twice");
+    if (twice == keys_.end()) return;
+    std::uint32_t second = open_.back() + 1;
+    for (bool isSecond = false; document_.string(second) != *twice || !isSecond;
+         second = document_.end(second + 1))
+        isSecond = isSecond || document_.string(second) == *twice;
+    throw document_.error(open_.back(), "expected each key once, found " + inQuotes(*twice) + " twice",
+                          second);
 }
 
 // By JSON's grammar, in which nothing follows a zero in front.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/nearest_name.h"
 
@@ -49,7 +50,7 @@ std::size_t JsonView::choice(std::span<const std::string_view> choices) const {
         nearest.consider(choice);
         quoted.push_back(inQuotes(choice));
     }
-    fail("expected " + listed(quoted) + ", found " + inQuotes(chosen) + nearest.question());
+    failExpected(nearest.found() ? inQuotes(nearest.name()) : listed(quoted));
 }
 
 JsonView::Children JsonView::elements() const {
@@ -88,8 +89,18 @@ std::optional<JsonView> JsonView::find(std::string_view key) const {
     return std::nullopt;
 }
 
+bool JsonView::isString(std::string_view text) const { return kind() == Kind::String && string() == text; }
+
 void JsonView::failExpected(const std::string& expected) const {
-    fail("expected " + expected + ", found " + inWords());
+    const std::string why = whyText();
+    fail("expected " + expected + (why.empty() ? ", found " + inWords() : ": " + why));
+}
+
+// --set takes for a text what is no JSON. A reason that is an expectation too says no more than this one.
+std::string JsonView::whyText() const {
+    if (kind() != Kind::String || !document_->isEdited(node_)) return {};
+    const std::string why = whyNoJson(document_->string(node_));
+    return why.starts_with("expected ") ? "" : why;
 }
 
 std::string JsonView::inWords() const {

@@ -3,27 +3,14 @@
 #include <algorithm>
 #include <cctype>
 
-#include "raytracer/json/json_document.h"
 #include "raytracer/util/number.h"
+#include "raytracer/util/text.h"
+#include "word_mistake.h"
 
 namespace raytracer {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n", ends = " \t\r\n,:[]{}\"";
-
-bool isDigitAt(std::string_view text, std::size_t at) {
-    return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
-}
-
-std::string inLowerCase(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    return lower;
-}
-
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::ranges::find(words, word) != words.end();
-}
 
 // Finds out what stands behind the last event, and what should.
 class Finder {
@@ -33,7 +20,7 @@ class Finder {
     SyntaxMistake find() {
         if (s_.last == JsonEvent::Key) return behindKey();
         const bool isBehindValue = s_.last == JsonEvent::Value || s_.last == JsonEvent::Close;
-        if (isBehindValue && !s_.container) return isComment() ? comment() : behindAll();
+        if (isBehindValue && !s_.container) return isForeign() ? foreign() : behindAll();
         if (isBehindValue) return behindValue();
         return s_.container == '{' ? atKey() : atValue();
     }
@@ -52,11 +39,8 @@ class Finder {
         return 1 + static_cast<std::size_t>(std::ranges::count(s_.text.substr(0, at), '\n'));
     }
 
-    bool isComment() const {
-        const std::string_view rest = s_.text.substr(at_);
-        return rest.starts_with("//") || rest.starts_with("/*") || rest.starts_with('#');
-    }
-    SyntaxMistake comment() const { return {at_, "a comment, which JSON does not have: delete it"}; }
+    bool isForeign() const { return !aboutForeign(s_.text.substr(at_)).empty(); }
+    SyntaxMistake foreign() const { return {at_, aboutForeign(s_.text.substr(at_))}; }
 
     // What was found, for a message.
     std::string shown() const {
@@ -66,8 +50,9 @@ class Finder {
     }
 
     std::string theOpening() const {
-        return std::string("the ") + (s_.container == '{' ? "object" : "list") + " of line " +
-               std::to_string(lineOf(s_.opening));
+        const std::string kind = s_.container == '{' ? "the object" : "the list";
+        const bool isOneLine = s_.text.find('\n') == std::string_view::npos;
+        return isOneLine ? kind : kind + " of line " + std::to_string(lineOf(s_.opening));
     }
     SyntaxMistake unclosed() const {
         const std::string bracket{'"', closing(), '"'};
@@ -75,25 +60,33 @@ class Finder {
     }
 
     SyntaxMistake behindKey() {
-        const std::string key(s_.text.substr(s_.begin, s_.end - s_.begin));
-        if (isComment()) return comment();
-        if (found() != ':') return {s_.end, "a colon is missing behind the key " + inQuotes(unquoted(key))};
+        const std::string_view key = s_.text.substr(s_.begin, s_.end - s_.begin);
+        if (isForeign()) return foreign();
+        if (isSwallowing()) return {s_.begin, "a text has no end: \" is missing"};
+        if (found() != ':')
+            return {s_.end, "a colon is missing behind the key " + inQuotes(key.substr(1, key.size() - 2))};
         at_ = skipped(at_ + 1);
         return atValue();
     }
-    static std::string_view unquoted(std::string_view text) {
-        return text.size() < 2 ? text : text.substr(1, text.size() - 2);
+    // A text without its end takes in what follows, to the next text's beginning: "red, "color": 1
+    bool isSwallowing() const {
+        if (s_.text[s_.begin] != '"' || at_ != s_.end || wordAt(at_).empty()) return false;
+        const std::size_t last = s_.text.find_last_not_of(blanks, s_.end - 2);
+        return last > s_.begin && std::string_view(",:[{").find(s_.text[last]) != std::string_view::npos;
     }
 
     SyntaxMistake behindAll() const {
         if (found() == '}' || found() == ']') return {at_, "a bracket too many"};
+        if (s_.last == JsonEvent::Close && excess(s_.text[s_.end - 1]) > 0)
+            return {s_.end - 1, "a bracket too many"};
+        if (found() == ',' && s_.last == JsonEvent::Value) return {s_.begin, "a list stands in [ and ]"};
         if (found() == ',') return {at_, "a comma too many: the scene ends before it"};
         if (found() == ':') return {s_.begin, "\"{\" is missing before this key"};
         return {at_, "expected the end of the file, found " + shown()};
     }
 
     SyntaxMistake behindValue() {
-        if (isComment()) return comment();
+        if (isForeign()) return foreign();
         if (isAtEnd()) return unclosed();
         if (found() == ',') {
             if (isDecimalComma()) return decimalComma();
@@ -103,11 +96,40 @@ class Finder {
         }
         const bool goesOn = at_ == s_.end && !wordAt(at_).empty();
         if (isBehindNumber() && (goesOn || isOperator())) return longerNumber();
-        if (found() == '}' || found() == ']') return unclosed();
-        if (found() == ':' && s_.container == '[') return {s_.begin, unclosed().message};
+        if (isSwallowing()) return {s_.begin, "a text has no end: \" is missing"};
+        if (goesOn && s_.last == JsonEvent::Value &&
+            std::isalpha(static_cast<unsigned char>(s_.text[s_.begin])))  // truee
+            return {s_.begin, aboutWord(wordAt(s_.begin))};
+        if (found() == '}' || found() == ']') return wrongClosing();
+        if (found() == ':' && s_.container == '[') return keyInList();
         if (found() == ':') return {at_, "expected a comma, found \":\""};
         return {s_.end, "a comma is missing here"};
     }
+    // How many more of these brackets the text closes than it opens, outside of its texts.
+    std::ptrdiff_t excess(char closing) const {
+        const char opening = closing == '}' ? '{' : '[';
+        std::ptrdiff_t count = 0;
+        bool isInText = false;
+        for (std::size_t at = 0; at < s_.text.size(); ++at) {
+            const char c = s_.text[at];
+            if (c == '"' || c == '\n') isInText = c == '"' && !isInText;
+            else if (isInText) at += c == '\\';
+            else count += (c == closing) - (c == opening);
+        }
+        return count;
+    }
+    bool isTooMany(char bracket) const { return excess(bracket) > 0 && excess(closing()) >= 0; }
+    SyntaxMistake wrongClosing() const {
+        return isTooMany(found()) ? SyntaxMistake{at_, "a bracket too many"} : unclosed();
+    }
+    SyntaxMistake keyInList() const {
+        if (s_.text.find_first_not_of(blanks, s_.opening + 1) == s_.begin)
+            return {s_.opening, "keys stand in { and }, not in [ and ]"};
+        const std::size_t closed = s_.text.rfind('}', s_.begin);
+        if (closed != std::string_view::npos && isTooMany('}')) return {closed, "a bracket too many"};
+        return {s_.begin, unclosed().message};
+    }
+
     bool isBehindNumber() const { return s_.last == JsonEvent::Value && isDigitAt(s_.text, s_.end - 1); }
     // "[1 -2]" lacks a comma; "[1 - 2]" and "[1-2]" calculate.
     bool isOperator() const {
@@ -119,17 +141,24 @@ class Finder {
     // A number goes on where it should end: 360/4, 007, 90deg.
     SyntaxMistake longerNumber() const {
         if (found() == ';') return {at_, "expected a comma, found \";\""};
-        if (isOperator())
-            return {s_.begin, "JSON does not calculate: write the result of " + inQuotes(formula())};
+        if (isOperator()) return calculation(s_.begin);
         const std::size_t end = at_ + wordAt(at_).size();
         const std::string all(s_.text.substr(s_.begin, end - s_.begin));
         if (numberOf<double>(all))
             return {s_.begin, "a number has no zero in front: write " + withoutZeros(all)};
         return {s_.begin, "expected a number, found " + inQuotes(all)};
     }
-    std::string_view formula() const {
-        const std::size_t end = std::min(s_.text.find_first_of(",]}\r\n", at_), s_.text.size());
-        return s_.text.substr(s_.begin, s_.text.find_last_not_of(" \t", end - 1) + 1 - s_.begin);
+    // A calculation goes on to where JSON would; a comma in parentheses is its own.
+    SyntaxMistake calculation(std::size_t begin) const {
+        std::size_t end = begin;
+        const auto goesOn = [&](std::string_view stops) {
+            return end < s_.text.size() && stops.find(s_.text[end]) == std::string_view::npos;
+        };
+        for (int depth = 0; goesOn(depth > 0 ? "\r\n" : ",]}\r\n"); ++end)
+            depth += (s_.text[end] == '(') - (s_.text[end] == ')');
+        end = s_.text.find_last_not_of(" \t", end - 1) + 1;
+        return {begin, "JSON does not calculate: write the result of " +
+                           inQuotes(s_.text.substr(begin, end - begin))};
     }
 
     // Where a key should follow: "x": 0,5
@@ -138,13 +167,7 @@ class Finder {
     }
     SyntaxMistake decimalComma() const {
         const std::string whole(s_.text.substr(s_.begin, s_.end - s_.begin)), fraction(wordAt(at_ + 1));
-        return {at_, "a number has a decimal point: write " + whole + "." + fraction};
-    }
-
-    static std::string withoutZeros(const std::string& number) {
-        const std::size_t sign = number[0] == '-';
-        const std::size_t first = std::min(number.find_first_not_of('0', sign), number.size() - 1);
-        return number.substr(0, sign) + number.substr(first);
+        return {at_, aboutComma(whole, fraction)};
     }
 
     // Where only the end of the container or another comma follows one.
@@ -156,28 +179,33 @@ class Finder {
     }
 
     SyntaxMistake atKey() const {
-        if (isComment()) return comment();
+        if (isForeign()) return foreign();
         if (isCommaTooMany()) return commaTooMany();
-        if (isAtEnd() || found() == ']' || found() == '{') return unclosed();
+        if (isAtEnd()) return unclosed();
+        const std::string_view word = wordAt(at_);
+        const bool isList = found() == '[' || found() == '{' || numberOf<double>(word);
+        if (isList && s_.last == JsonEvent::Open)
+            return {s_.opening, "a list stands in [ and ], not in { and }"};
+        if (found() == ']') return wrongClosing();
+        if (found() == '{') return unclosed();
         if (found() == '"') return inString();
         if (const auto quotes = otherQuotes(); !quotes.empty()) return {at_, quotes};
-        const std::string_view word = wordAt(at_);
         if (word.empty() || isDigitAt(word, 0))
             return {at_, "expected a key in double quotes, found " + shown()};
         return {at_, "a key stands in double quotes: write \"" + std::string(inQuotes(word)).substr(1)};
     }
 
     SyntaxMistake atValue() const {
-        if (isComment()) return comment();
+        if (isForeign()) return foreign();
         if (isCommaTooMany()) return commaTooMany();
         if (isAtEnd() && s_.container) return unclosed();
         if (isAtEnd()) return {at_, "expected a scene, found an empty file"};
-        if (found() == '}' && s_.container == '[') return unclosed();
+        if (found() == '}' && s_.container == '[') return wrongClosing();
         if (found() == '"') return inString();
         if (const auto quotes = otherQuotes(); !quotes.empty()) return {at_, quotes};
         const std::string_view word = wordAt(at_);
         if (word.empty()) return {at_, "expected a value, found " + shown()};
-        return {at_, aboutWord(word)};
+        return isFormula(word) ? calculation(at_) : SyntaxMistake{at_, aboutWord(word)};
     }
 
     std::string otherQuotes() const {
@@ -186,35 +214,6 @@ class Finder {
         const bool isCurly =
             rest.starts_with("\u201c") || rest.starts_with("\u201d") || rest.starts_with("\u201e");
         return isCurly ? "text stands in plain double quotes (\"), not in curved ones" : "";
-    }
-
-    // What is no value, though its author meant one.
-    static std::string aboutWord(std::string_view word) {
-        const std::string lower = inLowerCase(word), text = inQuotes(word);
-        if (isOneOf(lower, {"true", "false", "null"}))
-            return "expected " + lower + ", found " + text + ": small letters";
-        if (lower == "none") return "expected null, found " + text;
-        const std::string_view unsigned_ = std::string_view(lower).substr(lower[0] == '-' || lower[0] == '+');
-        if (isOneOf(unsigned_, {"nan", "inf", "infinity"})) return "expected a finite number, found " + text;
-        if (word[0] == '(') return "a list stands in [ and ], not in ( and )";
-        if (isOneOf(unsigned_, {"pi", "tau", "e"}))
-            return "JSON has no constants: write the number for " + text;
-        if (word[0] == '+' && numberOf<double>(word))
-            return "a number has no plus in front: write " + std::string(word.substr(1));
-        if (numberOf<double>(word)) return "a point stands between digits: write " + withDigits(word);
-        if (isDigitAt(word, 0) || isDigitAt(word, 1) || word == "-")
-            return "expected a number, found " + text;
-        if (static_cast<unsigned char>(word[0]) < ' ' || static_cast<unsigned char>(word[0]) == 0x89)
-            return "expected JSON, found what is no text";
-        return "expected a value, found " + text + "; text stands in double quotes";
-    }
-    // ".5" as "0.5", "5." as "5.0".
-    static std::string withDigits(std::string_view number) {
-        std::string digits(number);
-        const std::size_t point = digits.find('.');
-        if (!isDigitAt(digits, point + 1)) digits.insert(point + 1, "0");
-        if (point == 0 || !isDigitAt(digits, point - 1)) digits.insert(point, "0");
-        return digits;
     }
 
     SyntaxMistake inString() const {
@@ -240,7 +239,7 @@ class Finder {
                            std::ranges::all_of(digits, [](unsigned char c) { return std::isxdigit(c); });
         if (!isHex) return "expected four hexadecimal digits behind \\u";
         const bool isBlamed = s_.stopped >= at && s_.stopped < at + 12;  // of a pair, its second half
-        const bool isSurrogate = inLowerCase(digits)[0] == 'd' && digits[1] >= '8';
+        const bool isSurrogate = (digits[0] == 'd' || digits[0] == 'D') && digits[1] >= '8';
         return isSurrogate && isBlamed ? "half a character: \\ud800 to \\udfff stand in pairs" : "";
     }
 

@@ -9,18 +9,33 @@ namespace raytracer {
 
 namespace {
 constexpr std::size_t mostWarnings = 20;  // what fits a terminal
+
+// For a message, the first few of them.
+std::string keysOf(std::span<const JsonView> members) {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> keys;
+    for (const JsonView member : members.first(std::min(most, members.size())))
+        keys.push_back(inQuotes(member.key()));
+    if (members.size() > most) keys.emplace_back("others");
+    return listed(keys, "and");
 }
+}  // namespace
 
 bool JsonObject::knows(std::string_view key) const { return std::ranges::find(known_, key) != known_.end(); }
 
 JsonView JsonObject::operator[](std::string_view key) const {
     if (const auto member = find(key)) return *member;
     NearestName misspelled(key);
-    for (const JsonView member : json_.members())
-        if (!knows(member.key())) misspelled.consider(member.key());
+    std::vector<JsonView> unknown;
+    for (const JsonView member : json_.members()) {
+        if (knows(member.key())) continue;
+        misspelled.consider(member.key());
+        unknown.push_back(member);
+    }
+    if (misspelled.found()) unknown = {*find(misspelled.name())};
     const std::string expected = "expected the key " + inQuotes(key) + ", found ";
-    if (!misspelled.found()) json_.fail(expected + "none");
-    throw json_.errorAtKey(*find(misspelled.name()), expected + inQuotes(misspelled.name()));
+    if (unknown.empty()) json_.fail(expected + "none");
+    throw json_.errorAtKey(unknown[0], expected + keysOf(unknown));
 }
 
 JsonObject KnownKeys::check(JsonView json, std::span<const std::string_view> known) {

@@ -11,8 +11,8 @@ void NameTable::add(std::string_view name, JsonView owner) {
     if (slots_.size() <= 2 * entries_.size()) grow();
     Slot& slot = slotOf(name);
     if (slot.index != none)
-        owner.fail(std::string("expected a name that no other ") + kind_ + " has, found " + inQuotes(name) +
-                   " as in " + entries_[slot.index].owner.pointer());
+        owner.fail("the name " + inQuotes(name) + " is taken by " + entries_[slot.index].owner.pointer() +
+                   ": choose another");
     slot.index = static_cast<std::uint32_t>(entries_.size());
     entries_.push_back({name, owner});
 }
@@ -21,9 +21,14 @@ std::size_t NameTable::find(JsonView name) {
     const std::string_view wanted = name.string();
     if (next_ == entries_.size() || entries_[next_].name != wanted) next_ = slotOf(wanted).index;
     if (next_ != none) return next_++;
+    const std::string unknown = std::string("no ") + kind_ + " named " + inQuotes(wanted);
+    if (entries_.size() == 0) name.fail(unknown + ": the scene has no " + kind_ + "s");
     NearestName nearest(wanted);
-    for (const Entry& entry : entries_) nearest.consider(entry.name);
-    name.fail(std::string("no ") + kind_ + " named " + inQuotes(wanted) + nearest.question());
+    for (const Entry& entry : entries_) {
+        if (entry.owner.isString(wanted)) name.fail(unknown + "; it is the path of " + inQuotes(entry.name));
+        nearest.consider(entry.name);
+    }
+    name.fail(unknown + nearest.question());
 }
 
 // The slot of the name, or the free one that it would get.

@@ -68,7 +68,7 @@ class ObjLine {
     Corner textured(std::int64_t position);
     std::int64_t index() {
         const std::int64_t value = wholeNumber();
-        if (value == 0) failWord("indices count from 1, or from -1 backwards; found ");
+        if (value == 0) failWord("indices begin at 1 or -1, found ");
         return value;
     }
     // Most have few digits and no sign.

@@ -84,7 +84,8 @@ glm::dvec4 readColumn(JsonView json, bool isLast) {
     double numbers[4];
     json.numbers(numbers);
     if (numbers[3] != (isLast ? 1 : 0))
-        json.element(3).failExpected((isLast ? "1" : "0") + std::string(", for the bottom row is 0 0 0 1"));
+        json.element(3).failExpected((isLast ? "1" : "0") +
+                                     std::string(" in the bottom row (the lists are columns)"));
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 

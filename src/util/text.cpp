@@ -16,7 +16,21 @@ std::string unicodeEscape(char c) { return formatted("\\u%04x", static_cast<unsi
 std::string escape(std::string_view text, std::size_t size) {
     if (text[0] == '"' || text[0] == '\\') return {'\\', text[0]};
     if (text[0] == '\n') return "\\n";
-    return size > 0 && text[0] != '<' ? std::string(text.substr(0, size)) : unicodeEscape(text[0]);
+    return size > 0 ? std::string(text.substr(0, size)) : unicodeEscape(text[0]);
+}
+
+// `escaped`: a character to escape beside those that JSON forbids.
+std::string quoted(std::string_view text, char escaped) {
+    std::string quoted = "\"";
+    while (!text.empty()) {
+        // U+0080 to U+009F: terminals take these as the beginning of a command.
+        const bool isControl = text.size() > 1 && text[0] == '\xc2' && (text[1] & 0xe0) == 0x80;
+        if (isControl) text.remove_prefix(1);
+        const std::size_t size = isControl ? 0 : printableBytes(text);
+        quoted += escape(text, text[0] == escaped ? 0 : size);
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return quoted + '"';
 }
 
 }  // namespace
@@ -74,29 +88,18 @@ std::string csvField(std::string_view text) {
     return quoted + '"';
 }
 
-std::string jsonString(std::string_view text) {
-    std::string quoted = "\"";
-    while (!text.empty()) {
-        // U+0080 to U+009F: terminals take these as the beginning of a command.
-        const bool isControl = text.size() > 1 && text[0] == '\xc2' && (text[1] & 0xe0) == 0x80;
-        if (isControl) text.remove_prefix(1);
-        const std::size_t size = isControl ? 0 : printableBytes(text);
-        quoted += escape(text, size);
-        text.remove_prefix(std::max<std::size_t>(size, 1));
-    }
-    return quoted + '"';
-}
+std::string jsonString(std::string_view text) { return quoted(text, '<'); }
 
 // 60 bytes are enough for any name that people choose, and leave room on a terminal's line.
 std::string inQuotes(std::string_view text) {
     constexpr std::size_t longest = 60;
-    if (text.size() <= longest) return jsonString(text);
+    if (text.size() <= longest) return quoted(text, '\0');
     std::size_t end = longest;
     const auto isInCharacter = [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
     };  // UTF-8
     while (end > 0 && isInCharacter(text[end])) --end;
-    return jsonString(text.substr(0, end)) + "...";
+    return quoted(text.substr(0, end), '\0') + "...";
 }
 
 std::string listed(const std::vector<std::string>& names, const std::string& last) {

@@ -91,6 +91,33 @@ SCENES = [
     ("textures/wood.png", "C:\\wood.png", "6:30",
      "a backslash in a text is written twice; in a path, write /"),
     ("[3, 5, 4]", "[3, 5, 4", "11:41", '"]" is missing at the end of the list of line 11'),
+    ('"red"', '"red', "8:19", 'a text has no end: " is missing'),
+    ('"ball"', '"ball', "12:31", 'a text has no end: " is missing'),
+    ('"name": "red"', '"name: "red"', "8:11", 'a text has no end: " is missing'),
+    ('"wood" }\n', '"wood }\n', "9:76", 'a text has no end: " is missing in this line'),
+    ('"camera": {', '"camera": [', "2:15", "keys stand in { and }, not in [ and ]"),
+    ("[3, 5, 4]", "{3, 5, 4}", "11:31", "a list stands in [ and ], not in { and }"),
+    ('"lights": [', '"lights": {', "11:15", "a list stands in [ and ], not in { and }"),
+    ("[1, 1, 1] } ]", "[1, 1, 1] } ]]", "11:64", "a bracket too many"),
+    ("[1, 1, 1] } ]", "[1, 1, 1] } ]}", "11:64", "a bracket too many"),
+    ("[3, 5, 4]", "[3, 5, 4]]", "11:40", "a bracket too many"),
+    ("[3, 5, 4]", "[3, 5, 4]}", "11:40", "a bracket too many"),
+    ("[1, 1, 1] } ]", "[1, 1, 1] ]", "11:61", '"}" is missing at the end of the object of line 11'),
+    ("40", "--40", "8:73", 'expected a number, found "--40"'),
+    ("40", "\u221240", "8:73", "a minus is the sign -: write -40"),
+    ("40", "sqrt(2)", "8:73", 'JSON does not calculate: write the result of "sqrt(2)"'),
+    ("40", "pi/2", "8:73", 'JSON does not calculate: write the result of "pi/2"'),
+    ("40", "1,000", "8:74", "a number has no comma: write 1000, or 1.000"),
+    ("40", "None", "8:73", 'expected a value, found "None": leave out a key that has none'),
+    ("true", "undefined", "9:51", 'expected a value, found "undefined": leave out a key that has none'),
+    ("true", "yes", "9:51", 'expected a value, found "yes"; write true, or a text in double quotes'),
+    ("true", "tru", "9:51", 'expected a value, found "tru"; write true, or a text in double quotes'),
+    ("true", "truee", "9:51", 'expected a value, found "truee"; write true, or a text in double quotes'),
+    ('"lights"', '-- sun\n"lights"', "11:5", "a comment, which JSON does not have: delete it"),
+    ('"lights"', '<!-- sun -->\n"lights"', "11:5", "a comment, which JSON does not have: delete it"),
+    ('"lights"', '\u00a0"lights"', "11:5", "an invisible character (U+00A0): delete it"),
+    ('"lights"', '\u200b"lights"', "11:5", "an invisible character (U+200B): delete it"),
+    ("40", "<40>", "8:73", 'expected a number, found "<40>"'),
 ]
 MEANINGS = [
     ('"material": "red"', '"material": "rde"', "14:62",
@@ -99,6 +126,23 @@ MEANINGS = [
      '/shapes/0/type: expected "sphere", "plane", "cylinder", "cone", "cube" or "mesh", found "ball"'),
     ("focal_length", "focal_lenght", "3:32",
      '/camera: expected the key "focal_length", found "focal_lenght"'),
+    ('"sphere"', '"shpere"', "14:19", '/shapes/0/type: expected "sphere", found "shpere"'),
+    ('"look"', '"lookat"', "3:69", '/camera: expected the key "look", found "lookat"'),
+    ('"shapes"', '"objects"', "13:5", 'expected the key "shapes", found "objects"'),
+    ('"type": "cube"', '"type": "mesh", "file": "a.obj"', "15:27",
+     '/shapes/1: expected the key "path", found "file"'),
+    ('"type": "perspective", "focal_length": 1', '"a": 1, "b": 2, "c": 3, "d": 4', "3:9",
+     '/camera: expected the key "type", found "a", "b", "c" and others'),
+    ('"wood" }\n', '"textures/wood.png" }\n', "9:76",
+     '/materials/1/diffuse_texture: no texture named "textures/wood.png"; it is the path of "wood"'),
+    ('"textures": { "wood": "textures/wood.png" },', "", "9:76",
+     '/materials/1/diffuse_texture: no texture named "wood": the scene has no textures'),
+    ('"name": "ball"', '"name": "floor"', "12:52",
+     '/transforms/1/name: the name "floor" is taken by /transforms/0/name: choose another'),
+    ('"shininess"', '"color_diffuse"', "8:60",
+     '/materials/0: expected each key once, found "color_diffuse" twice'),
+    ('"translate": [0, -1, 0]', '"matrix": [[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]]', "12:78",
+     "/transforms/1/matrix/0/3: expected 0 in the bottom row (the lists are columns), found 5"),
     ("[0, 0, 4]", "[0, 0]", "3:58", "/camera/eye: expected 3 numbers, found an array of 2"),
     ("[0.8, 0.1, 0.1]", '"red"', "8:43", '/materials/0/color_diffuse: expected 3 numbers, found "red"'),
     ("textures/wood.png", "wood.png", "6:27",
@@ -107,12 +151,27 @@ MEANINGS = [
      '/textures/wood: no file "Textures\\\\wood.png" (relative to the scene file); there is '
      '"textures/wood.png"'),
 ]
-# The same for what is rendered with a warning; with --strict it is an error.
+# What is set, and what is answered.
+SETS = [
+    ("/camera/eye=[0,1,5", 'expected 3 numbers: "]" is missing at the end of the list'),
+    ("/lights/0/position=1,2,3", "expected 3 numbers or 4: a list stands in [ and ]"),
+    ("/lights/0={position:[0,1,2]}",
+     'expected an object: a key stands in double quotes: write "position"'),
+    ("/materials/0/shininess=+40", "expected a number: a number has no plus in front: write 40"),
+    ("/materials/0/shininess=forty", 'expected a number, found "forty"'),
+    ("/materials/0/reflective=True", 'expected true or false, found "True"'),
+]
+# What is changed in the scene, and rendered with a warning; with --strict it is an error.
 WARNINGS = [
     ('"shininess"', '"shinyness"', "8:60",
      '/materials/0: unknown key "shinyness"; did you mean "shininess"?'),
     ('"color_diffuse"', '"diffuse"', "8:26",
      '/materials/0: unknown key "diffuse"; did you mean "color_diffuse"?'),
+    ('"shininess"', '"<b>"', "8:60", '/materials/0: unknown key "<b>"'),
+    ('"lights": [ {', '"lights": [ { "position": [0, 0, 0] }, {', "11:17",
+     "/lights/0: it is inside of /shapes/0, an opaque sphere: its color has no effect"),
+    ('"name": "ball"', '"name": "ball", "translate": [9, 0, 0]', "14:9",
+     "/shapes/0: the sphere is to the right of the view; only its shadow may be seen"),
     ("[0.8, 0.1, 0.1]", "[200, 20, 20]", "8:43",
      "/materials/0/color_diffuse: colors go from 0 to 1, not to 255: divide 200 20 20 by 255"),
     ('"color": [1, 1, 1]', '"color": [255, 255, 255]', "11:51",
@@ -167,6 +226,11 @@ def check_all(folder):
         check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}", *excerpt])
     for before, after, place, answer in MEANINGS:
         check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"])
+    (folder / "scene.json").write_text(SCENE, encoding="utf-8")
+    for assignment, answer in SETS:
+        check(assignment,
+              (2, "", [f"scene.json: {assignment.partition('=')[0]}, by --set: {answer}"]),
+              answered(folder, [*RENDER, "--set", assignment]))
     for before, after, place, answer in WARNINGS:
         check_change(folder, (before, after), 0, [f"warning: scene.json:{place}: {answer}"])
         check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"], "--strict", "--quiet")
@@ -203,5 +267,5 @@ with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
     check_several(pathlib.Path(temporary))
     check_cost(pathlib.Path(temporary))
-count = len(COMMANDS) + len(SCENES) + len(MEANINGS) + len(WARNINGS)
+count = len(COMMANDS) + len(SCENES) + len(MEANINGS) + len(SETS) + len(WARNINGS)
 sys.exit(conclude(f"{count} mistakes are answered"))

@@ -71,8 +71,7 @@ TEST_CASE("a mesh that is inside out is told once") {
     scene.shapes.push_back(tetrahedron(true));
     scene.shapes.push_back(scene.shapes.back());
     CHECK(sceneSlips(scene) ==
-          Slips{"/shapes/3/path: the mesh is inside out: its triangles are clockwise seen "
-                "from outside; turn them round"});
+          Slips{"/shapes/3/path: the mesh is inside out: turn its clockwise triangles round"});
 }
 
 TEST_CASE("of very many slips some are shown and the rest counted") {

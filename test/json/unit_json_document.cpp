@@ -226,7 +226,9 @@ TEST_CASE("json: a value's error has its line and column beside its pointer") {
 
 TEST_CASE("json: an error of meaning, found before the text has been read to its end, has a place") {
     CHECK(errorOf("[0, {\"a\": 1, \"b\": 2, \"a\": 3}]") ==
-          "x.json:1:5: /1: expected each key once, found \"a\" twice");
+          "x.json:1:22: /1: expected each key once, found \"a\" twice");
+    CHECK(errorOf("{\"a\":1,\"b\":2,\"c\":3,\"d\":4,\"e\":5,\"f\":6,\"g\":7,\"h\":8,\n\"b\":9}") ==
+          "x.json:2:1: expected each key once, found \"b\" twice");
     CHECK(errorOf("[0, [1e999]]") == "x.json:1:6: /1/0: expected a finite number, found 1e999");
 }
 
@@ -237,7 +239,7 @@ TEST_CASE("json: what is wrong is said in words, where it is") {
     CHECK(errorOf("[1.5e3\n\"a \\n b\"]") == "x.json:1:7: " + comma);
     CHECK(errorOf("[1  {}]") == "x.json:1:3: " + comma);
     CHECK(errorOf("[[]  []]") == "x.json:1:4: " + comma);
-    CHECK(errorOf("[1,") == "x.json:1:4: \"]\" is missing at the end of the list of line 1");
+    CHECK(errorOf("[1,") == "x.json:1:4: \"]\" is missing at the end of the list");
     CHECK(errorOf("{\"a\": [\n1}") == "x.json:2:2: \"]\" is missing at the end of the list of line 1");
     CHECK(errorOf("[1 - 2]") == "x.json:1:2: JSON does not calculate: write the result of \"1 - 2\"");
     CHECK(errorOf("[-007]") == "x.json:1:2: a number has no zero in front: write -7");
@@ -250,6 +252,21 @@ TEST_CASE("json: what is wrong is said in words, where it is") {
     CHECK(errorOf("[\"\x01\"]") == "x.json:1:3: a control character in a text");
     CHECK(errorOf("[] ]") == "x.json:1:4: a bracket too many");
     CHECK(errorOf("[],") == "x.json:1:3: a comma too many: the scene ends before it");
+    CHECK(errorOf("[[1]}]") == "x.json:1:5: a bracket too many");
+    CHECK(errorOf("[\"}\", {}}]") == "x.json:1:9: a bracket too many");
+    CHECK(errorOf("{\"a\": [1]}, \"b\": 2}") == "x.json:1:10: a bracket too many");
+    CHECK(errorOf("[true]x") == "x.json:1:7: expected the end of the file, found \"x\"");
+    CHECK(errorOf("[\"a,\"]x") == "x.json:1:7: expected the end of the file, found \"x\"");
+    CHECK(errorOf("[[true]x]") == "x.json:1:8: a comma is missing here");
+    CHECK(errorOf("[1, 2, \"a\": 3}") == "x.json:1:8: \"]\" is missing at the end of the list");
+    CHECK(errorOf("[\"a, \"b\"]") == "x.json:1:2: a text has no end: \" is missing");
+    CHECK(errorOf("[\"a\"b]") == "x.json:1:5: a comma is missing here");
+    CHECK(errorOf("[--1]") == "x.json:1:2: expected a number, found \"--1\"");
+    CHECK(errorOf("[1 -- 2]") == "x.json:1:4: a comment, which JSON does not have: delete it");
+    CHECK(errorOf("[-pi*f(2, 3), 4]") ==
+          "x.json:1:2: JSON does not calculate: write the result of \"-pi*f(2, 3)\"");
+    CHECK(errorOf("{\"a\": 0,125}") == "x.json:1:8: a number has a decimal point: write 0.125");
+    CHECK(errorOf("[1,\u20602]") == "x.json:1:4: an invisible character (U+2060): delete it");
     CHECK(errorOf("[] /*") == "x.json:1:4: a comment, which JSON does not have: delete it");
     CHECK(errorOf("{\"a\": 1: 2}") == "x.json:1:8: expected a comma, found \":\"");
 }

@@ -59,6 +59,15 @@ TEST_CASE("An error about a value that is set says so; the others keep their pla
     CHECK(message("/b/0") == "s.json:2:7: /b/0: bad");
 }
 
+TEST_CASE("Why a text is no JSON") {
+    CHECK(whyNoJson("[1]").empty());
+    CHECK(whyNoJson("[1 2]") == "a comma is missing here");
+    CHECK(whyNoJson("[1,\n{2}]") == "a list stands in [ and ], not in { and }");
+    CHECK(whyNoJson("1,2") == "a list stands in [ and ]");
+    CHECK(whyNoJson("{\"a\":{\"b\":1,\"b\":2}}") == "/a: expected each key once, found \"b\" twice");
+    CHECK(whyNoJson("\xff\xfe[") == "expected UTF-8, found UTF-16: save it as UTF-8");
+}
+
 TEST_CASE("A pointer to nothing is told, with the nearest") {
     const auto check = [](const std::string& assignment, const std::string& message) {
         CHECK_THROWS_WITH(after(assignment), message);
@@ -78,6 +87,8 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
         "/camera/a~1b~c/0=1",
         "s.json: --set /camera/a~1b~c/0: there is no \"a~1b~c\" in /camera; did you mean /camera/a~1b~0c/0?");
     check("/list/-/0=1", "s.json: --set /list/-/0: /list has 2 elements, from 0: there is no \"-\"");
+    CHECK_THROWS_WITH(after("/a/3=1", "{\"a\":[1]}"),
+                      "s.json: --set /a/3: /a has 1 element, from 0: there is no \"3\"");
     check("/camera/on/x=1", "s.json: --set /camera/on/x: /camera/on is no object and no list");
     check("camera=1", "raytracer: --set: expected /pointer=value, found \"camera=1\"");
     check("/camera", "raytracer: --set: expected /pointer=value, found \"/camera\"");

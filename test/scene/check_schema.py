@@ -25,15 +25,15 @@ jsonschema.Draft7Validator.check_schema(SCHEMA)
 VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
 
 # How the loader begins what a schema cannot know.
-SEMANTIC = ("no material named", "no transform named", "no texture named", "expected a name that no other",
+SEMANTIC = ("no material named", "no transform named", "no texture named", "the name ",
             "expected a transform that has an inverse", "expected a number other than film_",
             "expected another direction than look's", "expected an OBJ mesh in", "expected a picture in",
             "no file ",
             "expected each key once", "expected a finite number")
 
 # How advice on a scene begins that is in order otherwise, and none of the schema's business.
-ADVICE = ("look and up distort the picture", "it is not seen, but it may cast a shadow",
-          "the light is inside of",
+ADVICE = ("look and up distort the picture", "only its shadow may be seen",
+          "its color has no effect",
           "the picture is all black", "film_left is above film_right", "film_bottom is above film_top",
           "no material has this diffuse_texture", "it is not shown without")
 

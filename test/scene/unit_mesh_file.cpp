@@ -161,11 +161,11 @@ TEST_CASE("A broken OBJ is told with the line") {
               "line 7: there is no texture coordinate 2: the file has 1");
         check(square + "f 1/-1 2/-1 3/-1\nvt 0 0\n",
               "line 5: there is no texture coordinate -1: above this line stand 0");
-        check(square + "f 1 0 3", "line 5: indices count from 1, or from -1 backwards; found \"0\"");
-        check(square + "f 1/0 2/0 3/0", "line 5: indices count from 1, or from -1 backwards; found \"1/0\"");
+        check(square + "f 1 0 3", "line 5: indices begin at 1 or -1, found \"0\"");
+        check(square + "f 1/0 2/0 3/0", "line 5: indices begin at 1 or -1, found \"1/0\"");
         check(square + "f 1 2 4294967297", "line 5: there is no vertex 4294967297: the file has 4");
         check(square + "f 1 2 99999999999999999999",
-              "line 5: indices count from 1, or from -1 backwards; found \"99999999999999999999\"");
+              "line 5: indices begin at 1 or -1, found \"99999999999999999999\"");
     }
     SECTION("faces") {
         check(square + "f 1 2\n", "line 5: a face has at least 3 corners, found 2");

@@ -10,6 +10,9 @@
 
 namespace raytracer {
 
+// What is wrong with a text that is no JSON, without its place; empty for JSON.
+std::string whyNoJson(std::string_view text);
+
 // "/pointer=value": a JSON pointer (RFC 6901) up to the first "=", and JSON; what is no JSON is a string.
 struct JsonEdit {
     std::string pointer, value;

@@ -42,6 +42,7 @@ class JsonView {
     void requireElements(std::size_t count, const char* expected) const;
 
     std::optional<JsonView> find(std::string_view key) const;  // an object's member
+    bool isString(std::string_view text) const;
 
     std::string pointer() const { return document_->pointer(node_); }
     Error error(const std::string& message) const { return document_->error(node_, message); }
@@ -61,6 +62,7 @@ class JsonView {
         if (kind() != wanted) failExpected(expected);
     }
     std::string inWords() const;
+    std::string whyText() const;
 
     const JsonDocument* document_;
     std::uint32_t node_;
