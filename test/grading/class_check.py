@@ -1,7 +1,8 @@
 """A class of forty, made here: pictures with each kind of mistake, and programs with each way to go wrong.
 
 Usage: class_check.py RAYTRACER COMPILER [FLAG ...] LIBRARY ..., from the source folder: the compiler, its
-flags and the libraries of which the students' program (students.py) is made. Exit status 77 (CTest: skipped) without Pillow.
+flags and the libraries of which the students' program (students.py) is made. Exit status 77
+(CTest: skipped) without Pillow.
 """
 import csv
 import json
