@@ -9,6 +9,7 @@
 
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/file_watch.h"
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/temporary_folder.h"
 #include "raytracer/util/text.h"
@@ -22,6 +23,8 @@ namespace files = std::filesystem;
 // The end of what a program printed, where errors are.
 std::string endOfFile(const std::string& path) {
     constexpr std::streamoff most = 2000;  // characters: some 20 lines
+    std::error_code error;
+    if (files::symlink_status(path, error).type() != files::file_type::regular) return {};
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : 0;
     const std::streamoff start = std::max<std::streamoff>(0, size - most);
@@ -101,21 +104,40 @@ std::string commandFromHere(const std::string& command) {
     return text;
 }
 
-// A run in progress, in a folder that goes with it.
+// A run in progress. The program's folder is in one of this run's own, so that .. holds nothing of others.
 struct ActiveRun {
-    TemporaryFolder folder, log;
-    std::string picture = folder.file("out.png"), printed = log.file("log");
+    TemporaryFolder own;
+    std::string folder = own.hiddenFolder(), picture = folder + "/out.png", printed = own.file("log");
 };
 
 ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const ProgramOptions& options) {
-    const std::string scene = copyScene(absolutePath(run.test->scene), active.folder.file(""));
-    giveFolderTo(options.user, active.folder.file(""));
+    const std::string scene = copyScene(absolutePath(run.test->scene), active.folder);
+    giveFolderTo(options.user, active.folder);
     return {commandFromHere(run.command),
             {scene, active.picture, std::to_string(run.longEdge)},
             active.printed,
             options.limits,
-            active.folder.file(""),
+            active.folder,
             options.user};
+}
+
+// A program of our user can reach the pictures that are kept, and no score may come of that.
+void requireKept(const FileWatch& kept, const ProgramRun& run) {
+    const std::string folder = files::path(run.picture).parent_path().string();
+    std::error_code error;
+    if (files::exists(folder, error) && !kept.hasChanged()) return;
+    throw Error({folder}, "a program has deleted or changed what the grader keeps there: " + run.command +
+                              ", or one that ran beside it; as root, --user NAME prevents that");
+}
+
+// False where there is no regular file, or one that the program has locked.
+bool keepPicture(const std::string& picture, const std::string& place) {
+    std::error_code error;
+    if (files::symlink_status(picture, error).type() != files::file_type::regular) return false;
+    files::copy_file(picture, place, error);
+    if (error && error != std::errc::permission_denied)
+        throw Error({place}, "cannot keep the picture of a program: " + error.message());
+    return !error;
 }
 
 Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const ProcessEnd& end) {
@@ -126,11 +148,11 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
     rendered.processorSeconds = end.processorSeconds;
     removeShellsReport(rendered.output, end);
     if (rendered.failed) return rendered;
+    if (keepPicture(active.picture, run.picture)) return rendered;
     std::error_code error;
-    const bool isThere = files::symlink_status(active.picture, error).type() == files::file_type::regular;
-    if (isThere) files::copy_file(active.picture, run.picture, error);
-    if (isThere && !error) return rendered;
-    rendered.message += std::string(rendered.message.empty() ? "" : ", ") + "wrote no picture";
+    const bool isGone = files::symlink_status(active.folder, error).type() == files::file_type::not_found;
+    rendered.message += std::string(rendered.message.empty() ? "" : ", ") +
+                        (isGone ? "its folder was deleted, " : "") + "wrote no picture";
     rendered.failed = true;
     return rendered;
 }
@@ -140,6 +162,7 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended) {
     std::map<std::size_t, std::unique_ptr<ActiveRun>> active;
+    FileWatch kept;
     runProcesses(
         runs.size(), atOnce,
         [&](std::size_t i) {
@@ -147,7 +170,10 @@ void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& opti
             return startOf(runs[i], *active[i], options);
         },
         [&](std::size_t i, const ProcessEnd& end) {
-            ended(i, renderedBy(runs[i], *active[i], end));
+            requireKept(kept, runs[i]);
+            const Rendered rendered = renderedBy(runs[i], *active[i], end);
+            if (!rendered.failed) kept.add(runs[i].picture);
+            ended(i, rendered);
             active.erase(i);
         });
 }

@@ -24,7 +24,7 @@ class Leftover {
     Leftover* older_ = nullptr;
 };
 
-// Deletes a file, or (of the platform) a folder with all that is in it, as far as it can be done.
+// Deletes a file, or (of the platform) a folder with all that is in it but mounts, as far as it can be done.
 void removeFile(const void* path);
 void removeFolder(const void* path);
 

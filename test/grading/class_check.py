@@ -1,7 +1,8 @@
 """A class of forty, made here: pictures with each kind of mistake, and programs with each way to go wrong.
 
 Usage: class_check.py RAYTRACER COMPILER [FLAG ...] LIBRARY ..., from the source folder: the compiler, its
-flags and the libraries of which the students' program (students.py) is made. Exit status 77 (CTest: skipped) without Pillow.
+flags and the libraries of which the students' program (students.py) is made. Exit status 77
+(CTest: skipped) without Pillow.
 """
 import csv
 import json
@@ -293,6 +294,61 @@ def check_user(raytracer, folder):
     check((refused.returncode, refused.stderr) == (2, "there is no user no such\n"), refused.stderr)
 
 
+def check_hostile(raytracer, folder):
+    """What a program does to the folders of the grading is never the score of another one."""
+    place = folder / "hostile"
+    place.mkdir()
+    folder.chmod(0o755)
+    (place / "tmp").mkdir()
+    (place / "exam").mkdir()
+    (place / "exam/a.json").write_text("{}")
+    shutil.copy(folder / "references/refraction.png", place / "exam/a.png")
+    hand_in = f'cp {place}/exam/a.png "$2"\n'
+
+    def graded(programs, *options, before=()):
+        shutil.rmtree(place / "class", ignore_errors=True)
+        for name, body in programs.items():
+            (place / "class" / name).mkdir(parents=True)
+            write_program(place / "class" / name / "rt", body + "\n")
+        done = run(*before, raytracer, "grade", "exam", "--submissions", "class", "--program", "{}/rt",
+                   "--csv", "c.csv", *options, cwd=place, env=os.environ | {"TMPDIR": str(place / "tmp")})
+        rows = rows_of(place / "c.csv") if (place / "c.csv").exists() else {}
+        (place / "c.csv").unlink(missing_ok=True)
+        left = [shutil.rmtree(path) if path.is_dir() and not path.is_symlink() else path.unlink()
+                for path in (place / "tmp").glob("*")]
+        return (done.returncode, done.stderr, len(left),
+                {name: (row["a"], row["mistake"]) for name, row in rows.items()})
+
+    none = "its folder was deleted, wrote no picture"
+    for what, body in {".. is emptied": "rm -rf ../*",
+                       "a link instead of the folder": f'rm -rf "$PWD"; ln -s {place}/exam "$PWD"'}.items():
+        found = graded({"ada": body, "bob": hand_in})
+        said = "wrote no picture" if "ln" in body else none
+        check(found == (0, "", 0, {"ada": ("0", said), "bob": ("100", "")}), f"{what}: {found}")
+    found = graded({"bob": hand_in, "zoe": "rm -rf ../../raytracer-* ../raytracer-*"})
+    line = (rf"{place}/tmp/raytracer-\w+: a program has deleted or changed what the grader keeps there: "
+            rf"{place}/class/zoe/rt, or one that ran beside it; as root, --user NAME prevents that\n")
+    check(found[0] == 2 and re.fullmatch(line, found[1]) and found[2:] == (0, {}), f"what is kept: {found}")
+    if os.geteuid() != 0:
+        return
+    empties = "sleep 0.2; for d in ../raytracer-* ../../raytracer-*; do rm -rf $d/*; done"
+    found = graded({"ada": empties, "bob": hand_in + "sleep 0.4"}, "--user", "nobody", "--jobs", 2)
+    check(found == (0, "", 0, {"ada": ("0", "wrote no picture"), "bob": ("100", "")}),
+          f"the folder of another run: {found}")
+    alone = ["unshare", "-m"]
+    if run(*alone, "true").returncode:
+        return print("what is mounted: skipped, it can't be mounted")
+    (place / "dear").mkdir()
+    (place / "dear/file").write_text("dear")
+    mounts = f"for m in m ../m; do mkdir $m; mount --bind {place}/dear $m; done\n"
+    found = graded({"ada": mounts + hand_in}, before=alone)
+    line = (rf"{place}/tmp/raytracer-\w+: cannot be deleted: something in it is mounted or immutable; "
+            r"delete it by hand\n")
+    check(found[0] == 0 and re.fullmatch(line, found[1]) and found[2:] == (1, {"ada": ("100", "")}),
+          f"what is mounted: {found}")
+    check((place / "dear/file").exists(), "what is mounted stays")
+
+
 def check_page(folder):
     if not shutil.which("chromium"):
         return print("the page in a browser: skipped, no chromium")
@@ -358,6 +414,7 @@ def main():
         check_page(folder)
         check_one(raytracer, folder)
         check_user(raytracer, folder)
+        check_hostile(raytracer, folder)
     return conclude()
 
 

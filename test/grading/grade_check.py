@@ -133,8 +133,8 @@ def check_interrupt(program, folder):
                                   stdout=subprocess.DEVNULL, env=os.environ | {"TMPDIR": str(temporary)})
         while not (pid.exists() and pid.read_text().strip()):
             time.sleep(0.01)
-        check(len(list(temporary.iterdir())) == 4,
-              "folders for the grading, for the program and for what it prints, and a place for the report")
+        check(len(list(temporary.iterdir())) == 3,
+              "folders for the grading and for the program, and a place for the report")
         grader.send_signal(number)
         check(grader.wait(10) == -number, f"signal {number} ends the grading")
         check(has_ended(pid.read_text().strip()), f"signal {number} ends the program")
@@ -217,7 +217,7 @@ def check_isolation(program, folder):
     (folder / "my programs").mkdir()
     (folder / "alone/fresh.json").write_text("{}")
     draw_scene(10).save(folder / "alone/fresh.png")
-    write_program(folder / "my programs/lists", 'pwd | grep -q "^/.*/raytracer-[^/]*$" || exit 9\n'
+    write_program(folder / "my programs/lists", 'pwd | grep -q "^/.*/raytracer-[^/]*/[^/]*$" || exit 9\n'
                                                 'ls -A | tr "\\n" " "; cat "$2" "$1"\n')
     (folder / "word").write_text(" and a word")
     done = grade(program, folder, "alone", "--program", "'my programs/lists' word")

@@ -51,3 +51,15 @@ TEST_CASE("temporary folder: it goes with all that is in it, deep, wide, locked"
     folder.reset();
     CHECK_FALSE(fs::exists(path));
 }
+
+TEST_CASE("temporary folder: a link in its place goes, and what is behind that stays") {
+    const TemporaryFolder other;
+    std::ofstream(other.file("kept")) << 1;
+    std::optional<TemporaryFolder> folder(std::in_place);
+    const fs::path path = fs::path(folder->file("")).parent_path();
+    fs::remove(path);
+    fs::create_directory_symlink(other.file(""), path);
+    folder.reset();
+    CHECK_FALSE(fs::exists(fs::symlink_status(path)));
+    CHECK(fs::exists(other.file("kept")));
+}

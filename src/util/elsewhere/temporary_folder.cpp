@@ -22,7 +22,13 @@ TemporaryFolder::TemporaryFolder() {
     leftover_ = std::make_unique<Leftover>(removeFolder, path_.c_str());
 }
 
-TemporaryFolder::~TemporaryFolder() { leftover_->clear(); }
+// Where there is no other user's program: child_process.cpp.
+std::string TemporaryFolder::hiddenFolder() const {
+    std::error_code error;
+    if (!fs::create_directory(file("hidden"), error))
+        throw Error({path_}, "cannot make a temporary folder: " + error.message());
+    return file("hidden");
+}
 
 void TemporaryFolder::requireRoom(std::size_t bytes) const {
     std::error_code error;

@@ -191,9 +191,9 @@ void giveFolderTo(const std::string& user, const std::string& folder) {
         if (::lchown(path.c_str(), ids.user, ids.group) != 0)
             throw systemError(path, "cannot give it to " + user);
     };
-    give(folder);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         give(entry.path().string());
+    give(folder);  // last: until then nobody else can change what is in it
 }
 
 }  // namespace raytracer

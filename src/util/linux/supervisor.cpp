@@ -103,10 +103,8 @@ void defaultSignals(const sigset_t& mask) {
 // The new process becomes the program: a shell with the command.
 [[noreturn]] void become(const ProcessStart& start, const UserIds& ids, const sigset_t& signalMask) {
     ::setsid();
-    const bool isReady =
-        openStreams(start.output) && (start.folder.empty() || ::chdir(start.folder.c_str()) == 0);
     if (!start.folder.empty()) ::setenv("TMPDIR", start.folder.c_str(), 1);
-    if (!isReady || !becomeUser(start, ids)) ::_exit(126);
+    if (!becomeUser(start, ids)) ::_exit(126);
     const std::string script = start.command + " \"$@\"";
     std::vector<const char*> words{"sh", "-c", script.c_str(), "sh"};
     for (const std::string& argument : start.arguments) words.push_back(argument.c_str());
@@ -203,6 +201,9 @@ void supervise(const ProcessStart& start, const UserIds& ids, const sigset_t& si
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) ::_exit(1);
+    const bool isReady =
+        openStreams(start.output) && (start.folder.empty() || ::chdir(start.folder.c_str()) == 0);
+    if (!isReady) ::_exit(errno);
     const pid_t child = ::fork();
     if (child == 0) become(start, ids, signalMask);
     if (child < 0) ::_exit(errno);

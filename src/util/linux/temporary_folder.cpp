@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "../descriptor.h"
@@ -21,7 +22,13 @@ TemporaryFolder::TemporaryFolder() {
     leftover_ = std::make_unique<Leftover>(removeFolder, path_.c_str());
 }
 
-TemporaryFolder::~TemporaryFolder() { leftover_->clear(); }
+std::string TemporaryFolder::hiddenFolder() const {
+    std::string path = file("XXXXXX");  // mkdtemp's placeholder
+    constexpr mode_t enteredByAll = S_IRWXU | S_IXGRP | S_IXOTH;
+    if (::chmod(path_.c_str(), enteredByAll) != 0 || !::mkdtemp(path.data()))
+        throw systemError(path_, "cannot make a temporary folder");
+    return path;
+}
 
 void TemporaryFolder::requireRoom(std::size_t bytes) const {
     const std::string probe = file("room");
