@@ -47,6 +47,8 @@ DUE = {
     "mirrored_film.json":
     ":4:22: /camera/film_left: the picture is mirrored: film_left is above film_right; swap them\n",
     "least.json": ": the picture is all black: the scene has no shapes\n",
+    "rotated_unlike_scales.json":
+    ": the scene's numbers lie too far apart for --precision double: computed in extended\n",
 }
 
 problems = []
