@@ -63,7 +63,7 @@ std::string missing(const JsonDocument& document, const PointerEnd& end) {
         case Kind::Object: return isNot + " in " + here + question(document, end, step);
         case Kind::Array:
             return here + " has " + std::to_string(JsonView(document, end.node).size()) +
-                   " elements, from 0: " + isNot;
+                   " elements, from 0: " + isNot + "; " + document.pointer(end.node) + "/- adds one";
         default: return here + " is no object and no list";
     }
 }
@@ -125,6 +125,8 @@ void apply(const JsonEdit& edit, const std::string& path, EditedJson& json) {
 
 JsonEdit::JsonEdit(const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
+    if (equals != assignment.npos && equals > 0 && !assignment.starts_with('/'))
+        throw Error({"raytracer"}, "--set: a pointer begins with /: write " + inQuotes("/" + assignment));
     if (equals == assignment.npos || !assignment.starts_with('/'))
         throw Error({"raytracer"}, "--set: expected /pointer=value, found " + inQuotes(assignment));
     pointer = assignment.substr(0, equals);
