@@ -59,10 +59,9 @@ Examples:
 // What only this command asks for.
 struct PictureArguments {
     std::string out;
-    bool stats = false, watch = false;
+    bool stats = false, watch = false, skipExisting = false;
     std::optional<double> targetError, targetTime;
-    std::string part;  // K/N; empty: the whole picture
-    bool skipExisting = false;
+    std::string part;                    // K/N; empty: the whole picture
     std::string frames;                  // A..B; empty: one picture
     std::string again;                   // the command line without --target-time
     const FileWatch* watched = nullptr;  // with --watch
