@@ -56,7 +56,7 @@ void addThresholds(CommandLine& line, Thresholds& thresholds) {
     line.number("--max-pixels", thresholds.maxPixels, atLeast(0),
                 "Exit status 1 where more pixels than this differ; without it: 0");
     line.number("--tolerance", thresholds.tolerance, {0, 255},
-                "For --max-pixels, a pixel differs where a channel is off by more than this; without it: 0");
+                "A pixel differs where a channel is off by more than this; without it: 0");
     line.number("--min-score", thresholds.minScore, {0, 100},
                 "Exit status 1 where the score is lower; alone, only the score decides");
 }

@@ -64,10 +64,10 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::string options(const CommandLine& line) {
-    std::string all = "--help --version";
+    std::vector<std::string> names;
     for (const Word& word : line.words())
-        if (word.isOption()) all += " " + word.name;
-    return all;
+        if (word.isOption()) names.push_back(word.name);
+    return joined(names);
 }
 
 // Cases of "COMMAND PREVIOUS-WORD", and of "COMMAND" for all options.
@@ -108,8 +108,7 @@ std::string forZsh(const CommandLine& line) {
                      values + "' \\\n";
     }
     const std::string name = subcommand(line.command());
-    return "        " + (name.empty() ? "*" : name) +
-           ")\n        _arguments '--help[Print the help]' '--version[Print the version]' \\\n" + specs +
+    return "        " + (name.empty() ? "*" : name) + ")\n        _arguments \\\n" + specs +
            "            && return ;;\n";
 }
 
@@ -136,8 +135,7 @@ std::string forFish(const CommandLine& line) {
 }  // namespace
 
 std::string CommandLine::help() const {
-    std::string arguments, options = entry("--help, -h", "Print this");
-    options += entry("--version, -V", "Print the version, the instruction sets and the precisions");
+    std::string arguments, options;
     for (const Word& word : words_) {
         const std::string value = word.isFlag() ? "" : " " + word.placeholder;
         if (word.isOption()) options += entry(word.name + value, word.help);

@@ -50,7 +50,7 @@ std::string helpWithRange(const std::string& help, const Range& range) {
 std::string expectedOf(const std::vector<std::string>& choices) {
     constexpr std::size_t longest = 60;
     const std::string list = listed(choices);
-    return list.size() <= longest ? list : "a name that --help lists";
+    return list.size() <= longest ? list : "a name in --help";
 }
 
 std::string chosen(const char* name, const std::string& text, const std::vector<std::string>& choices) {
@@ -80,7 +80,11 @@ bool looksLikeOption(const std::string& word) {
 }  // namespace
 
 CommandLine::CommandLine(const std::string& command, const std::string& purpose)
-    : command_(command), purpose_(purpose) {}
+    : command_(command), purpose_(purpose) {
+    // parse answers these, wherever they stand.
+    add({"--help", "", "", "Print this; or -h", {}});
+    add({"--version", "", "", "Print the version, the instruction sets and the precisions; or -V", {}});
+}
 
 void CommandLine::add(Word word) { words_.push_back(std::move(word)); }
 
@@ -91,6 +95,14 @@ void CommandLine::text(const char* name, std::string& value, const std::string& 
         value = text;
     };
     add({name, withDefault("TEXT", value), "a text", help, read, kind});
+}
+
+void CommandLine::output(const char* name, std::string& value, const std::string& help, ArgumentKind kind) {
+    text(name, value, help, kind);
+    words_.back().read = [=, take = words_.back().read](const std::string& text) {
+        if (text == "-") refuse(name, "a name", inQuotes(text) + ": only a render writes to stdout");
+        take(text);
+    };
 }
 
 void CommandLine::texts(const char* name, std::vector<std::string>& values, const std::string& help,
@@ -105,8 +117,20 @@ void CommandLine::choice(const char* name, std::string& value, const std::vector
     add({name, withDefault("NAME", value), expectedOf(choices), help, read, ArgumentKind::Any, choices});
 }
 
+void CommandLine::names(const char* name, std::string& list, const std::vector<std::string>& choices,
+                        const std::string& help) {
+    text(name, list, help);
+    words_.back().choices = choices;
+    words_.back().isMany = true;
+}
+
 void CommandLine::flag(const char* name, bool& value, const std::string& help) {
     add({name, "", "", help, [&value](const std::string&) { value = true; }});
+}
+
+void CommandLine::alone(const char* name, const std::string& help) {
+    add({name, "", "", help,
+         [=](const std::string&) { throw WrongUsage{name + std::string(" stands alone")}; }});
 }
 
 template <class Number>
@@ -187,7 +211,7 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
 void CommandLine::sort(const std::vector<std::string>& line) {
     const auto end = std::ranges::find(line, "--");
     for (std::size_t at = 0; at < std::size_t(end - line.begin()); ++at) {
-        if (looksLikeOption(line[at])) takeOption(line, at);
+        if (looksLikeOption(line[at]) || startsWithLongDash(line[at])) takeOption(line, at);
         else rest_.push_back(line[at]);
     }
     if (end != line.end()) rest_.insert(rest_.end(), end + 1, line.end());

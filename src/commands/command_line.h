@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,12 @@ struct Range {
 constexpr Range atLeast(double least) { return {.least = least}; }
 constexpr Range above(double least) { return {.least = least, .open = true}; }
 
+// A text program makes these of two hyphens: an en dash and an em dash.
+constexpr std::string_view longDashes[] = {"\u2013", "\u2014"};
+constexpr bool startsWithLongDash(std::string_view word) {
+    return word.starts_with(longDashes[0]) || word.starts_with(longDashes[1]);
+}
+
 // What an argument is, as far as its text shows that: so that arguments in a wrong order are recognised.
 enum class ArgumentKind { Any, Scene, Picture, Number, Folder };
 
@@ -35,7 +42,7 @@ struct Word {
     Read read;                              // takes a text, or throws WrongUsage
     ArgumentKind kind = ArgumentKind::Any;  // of the text
     std::vector<std::string> choices{};     // all that the text may be, where it is one of few
-    bool isMany = false;                    // an argument that may be repeated
+    bool isMany = false;                    // an argument that may be repeated, an option that is a list
 
     bool isOption() const { return name.starts_with("--"); }
     bool isFlag() const { return placeholder.empty(); }
@@ -51,11 +58,16 @@ class CommandLine {
 
     void text(const char* name, std::string& value, const std::string& help,
               ArgumentKind kind = ArgumentKind::Any);  // not blank
+    void output(const char* name, std::string& value, const std::string& help,
+                ArgumentKind kind = ArgumentKind::Any);  // the name of what is written, which is not "-"
     void texts(const char* name, std::vector<std::string>& values, const std::string& help,
                ArgumentKind kind = ArgumentKind::Any);  // one or more
     void choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                 const std::string& help);
+    void names(const char* name, std::string& list, const std::vector<std::string>& choices,
+               const std::string& help);  // comma-separated; whether they are known, the caller asks
     void flag(const char* name, bool& value, const std::string& help);
+    void alone(const char* name, const std::string& help);  // run.cpp answers it where nothing else is given
 
     // A decimal, finite number in the range; whole where Number is: int, std::uint64_t or double.
     template <class Number>
@@ -121,6 +133,7 @@ class CommandLine {
     std::vector<const Word*> expectedArguments() const;
     [[noreturn]] void failUnknown(const std::string& option) const;
     void requireOrder() const;
+    std::string listWithCommas(std::span<const std::string> leftOver) const;
 
     std::string program_, command_, purpose_, footer_;
     std::vector<Word> words_;

@@ -1,5 +1,7 @@
 // What is wrong with a command line, as its author would like to be told.
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "command_line.h"
 #include "raytracer/json/json_document.h"
@@ -25,6 +27,7 @@ constexpr OtherName otherNames[] = {
     {"jobs", "--threads"},
     {"j", "--threads"},
     {"verbose", "--stats"},
+    {"v", "--version"},
     {"q", "--quiet"},
     {"silent", "--quiet"},
     {"normals", "--pass"},
@@ -43,8 +46,21 @@ constexpr OtherName otherNames[] = {
 };
 
 std::string_view withoutDashes(std::string_view name) {
+    if (startsWithLongDash(name)) name.remove_prefix(longDashes[0].size());
     name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
     return name;
+}
+
+std::string withoutComma(const std::string& text) { return text.substr(0, text.find_last_not_of(',') + 1); }
+
+// A name with a blank, which a shell takes for two words; empty where there is none.
+std::string fileWithBlank(const std::vector<std::string>& words) {
+    std::error_code error;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        std::string joined = words[i] + " " + words[i + 1];
+        if (std::filesystem::is_regular_file(joined, error)) return joined;
+    }
+    return {};
 }
 
 bool isOfKind(const std::string& text, ArgumentKind kind) {
@@ -118,17 +134,19 @@ std::string CommandLine::order() const {
 void CommandLine::failUnknown(const std::string& option) const {
     const auto lacking = std::ranges::find(lacking_, option, &Pair::first);
     if (lacking != lacking_.end()) throw WrongUsage{"there is no " + option + ": " + lacking->second};
-    const std::string_view bare = withoutDashes(option);
-    NearestName nearest(bare);
+    NearestName nearest(withoutDashes(option));
     for (const Word& word : words_)
         if (word.isOption()) nearest.consider(withoutDashes(word.name));
-    std::string ours = nearest.found() ? "--" + nearest.name() : "";
-    for (const OtherName& other : otherNames) {
-        const bool isHere = std::ranges::find(words_, other.ours, &Word::name) != words_.end();
-        if (other.name == bare && isHere) ours = other.ours;
-    }
+    const auto isHere = [&](const OtherName& other) {
+        return std::ranges::find(words_, other.ours, &Word::name) != words_.end();
+    };
+    for (const OtherName& other : otherNames)
+        if (isHere(other)) nearest.consider(other.name);
     const std::string unknown = "unknown option " + option;
-    if (ours.empty()) throw WrongUsage{unknown, true};
+    if (!nearest.found()) throw WrongUsage{unknown, true};
+    const auto other = std::ranges::find_if(
+        otherNames, [&](const OtherName& one) { return one.name == nearest.name() && isHere(one); });
+    const std::string ours(other == std::end(otherNames) ? "--" + nearest.name() : other->ours);
     if (ours.starts_with("--")) throw WrongUsage{unknown + "; did you mean " + ours + "?"};
     throw WrongUsage{unknown + "; the order is " + order()};
 }
@@ -147,11 +165,26 @@ std::vector<const Word*> CommandLine::expectedArguments() const {
     return expected;
 }
 
+// "--only ambient,diffuse" where it was given with a blank for the comma, and so "diffuse" is left over.
+std::string CommandLine::listWithCommas(std::span<const std::string> leftOver) const {
+    for (const auto& [word, text] : given_) {
+        const bool isList = word->isOption() && word->isMany;
+        if (!isList || std::ranges::find(word->choices, withoutComma(leftOver[0])) == word->choices.end())
+            continue;
+        std::string list = word->name + " " + withoutComma(text);
+        for (const std::string& name : leftOver) list += "," + withoutComma(name);
+        return list;
+    }
+    return {};
+}
+
 // Throws where there are too few arguments, too many, or they are in another order.
 void CommandLine::requireOrder() const {
     const std::vector<const Word*> expected = expectedArguments();
     const std::vector<std::size_t> places = placesInOrder(rest_, expected);
     const std::string theOrder = "the order is " + order();
+    const std::string blank = places.size() < rest_.size() ? fileWithBlank(rest_) : "";
+    if (!blank.empty()) throw WrongUsage{"there is a file " + inQuotes(blank) + ": write its name in quotes"};
     for (std::size_t i = 0; places.size() < rest_.size() && i < rest_.size(); ++i) {
         const Word* const here = i < expected.size() ? expected[i] : nullptr;
         if (const Word* const meant = meantInstead(rest_[i], here, expected))
@@ -167,8 +200,11 @@ void CommandLine::requireOrder() const {
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())
             throw WrongUsage{expected[i]->name + " is missing; " + theOrder, true};
-    if (places.size() < rest_.size())
-        throw WrongUsage{"unexpected argument " + inQuotes(rest_[places.size()]) + "; " + theOrder};
+    if (places.size() == rest_.size()) return;
+    const std::span<const std::string> more = std::span(rest_).subspan(places.size());
+    const std::string list = listWithCommas(more);
+    throw WrongUsage{"unexpected argument " + inQuotes(more[0]) + "; " +
+                     (list.empty() ? theOrder : "write " + list)};
 }
 
 }  // namespace raytracer::commands

@@ -53,9 +53,9 @@ struct CompareArguments {
     void addTo(CommandLine& line) {
         line.text("A", a, "A picture: PNG, JPEG or PFM", ArgumentKind::Picture);
         line.text("B", b, "A picture of the same size", ArgumentKind::Picture);
-        line.text("--diff", diff,
-                  "Write the difference as a picture: black where equal, 64 + 8 d where off by d",
-                  ArgumentKind::Picture);
+        line.output("--diff", diff,
+                    "Write the difference as a picture: black where equal, 64 + 8 d where off by d",
+                    ArgumentKind::Picture);
         line.flag("--json", json, "Print the numbers as JSON");
         addThresholds(line, thresholds);
         line.footer(compareFooter);
@@ -129,6 +129,17 @@ void printVerdict(const CompareArguments& arguments, const Picture& a, const Pic
                          : "the pictures are not the same\n");
 }
 
+std::string sizeInWords(const Picture& picture) {
+    const auto words = [](const auto& image) { return formatted("%d x %d", image.width, image.height); };
+    return std::visit(words, picture);
+}
+
+void requireSize(const std::string& name, const std::string& size, const std::string& other,
+                 const std::string& expected) {
+    if (size != expected)
+        throw Error({name}, "expected " + expected + " pixels, as in " + other + ", found " + size);
+}
+
 int comparePictures(const CompareArguments& arguments) {
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
@@ -138,6 +149,7 @@ int comparePictures(const CompareArguments& arguments) {
         diff.emplace(arguments.diff);
     }
     const Picture a = readPicture(arguments.a), b = readPicture(arguments.b);
+    requireSize(arguments.b, sizeInWords(b), arguments.a, sizeInWords(a));
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
     if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a), toBytes(b)));

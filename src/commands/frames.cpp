@@ -48,6 +48,21 @@ std::optional<Span> findRange(const std::string& text, std::size_t begin) {
     return std::nullopt;
 }
 
+// The "%04d" of a name, which has one.
+struct NumberPlace {
+    std::size_t begin, end;
+    int width;
+};
+
+std::optional<NumberPlace> frameNumberIn(const std::string& name) {
+    const std::size_t percent = name.find('%'), d = name.find('d', percent);
+    const bool isOne = percent != name.npos && d != name.npos && name.find('%', percent + 1) == name.npos;
+    const std::string digits = isOne ? name.substr(percent + 1, d - percent - 1) : "x";
+    const std::optional<int> width = digits.empty() ? 0 : numberOf<int>(digits);
+    if (!width || *width < 0 || *width > 9 || (*width > 0 && digits[0] != '0')) return std::nullopt;
+    return NumberPlace{percent, d + 1, *width};
+}
+
 }  // namespace
 
 Frames parseFrames(const std::string& text) {
@@ -59,13 +74,9 @@ Frames parseFrames(const std::string& text) {
 }
 
 std::string frameName(const std::string& name, int frame) {
-    const std::size_t percent = name.find('%'), d = name.find('d', percent);
-    const bool isOne = percent != name.npos && d != name.npos && name.find('%', percent + 1) == name.npos;
-    const std::string digits = isOne ? name.substr(percent + 1, d - percent - 1) : "x";
-    const std::optional<int> width = digits.empty() ? 0 : numberOf<int>(digits);
-    if (!width || *width < 0 || *width > 9 || (*width > 0 && digits[0] != '0'))
-        throw Error({name}, "expected a name with one %04d, for the frame's number");
-    return name.substr(0, percent) + formatted("%0*d", *width, frame) + name.substr(d + 1);
+    const auto place = frameNumberIn(name);
+    if (!place) throw Error({name}, "expected a name with one %04d, for the frame's number");
+    return name.substr(0, place->begin) + formatted("%0*d", place->width, frame) + name.substr(place->end);
 }
 
 std::string atFrame(const std::string& set, const Frames& frames, int frame) {
@@ -80,7 +91,11 @@ std::string atFrame(const std::string& set, const Frames& frames, int frame) {
     return value;
 }
 
-void refuseRanges(const std::vector<std::string>& sets) {
+void refuseFrames(const std::string& out, const std::vector<std::string>& sets) {
+    const auto place = frameNumberIn(out);
+    if (place && place->width > 0)
+        throw usageError("the picture " + printable(out) + " needs --frames, for " +
+                         out.substr(place->begin, place->end - place->begin));
     for (const std::string& set : sets)
         if (findRange(set, 0)) throw usageError("--set " + set + ": a range needs --frames");
 }

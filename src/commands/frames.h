@@ -21,7 +21,7 @@ std::string frameName(const std::string& name, int frame);
 // after the last.
 std::string atFrame(const std::string& set, const Frames& frames, int frame);
 
-// Throws Error where a value of --set has such a range.
-void refuseRanges(const std::vector<std::string>& sets);
+// Throws Error where the picture's name, or a value of --set, is for frames.
+void refuseFrames(const std::string& out, const std::vector<std::string>& sets);
 
 }  // namespace raytracer::commands

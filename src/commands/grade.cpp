@@ -93,13 +93,13 @@ struct GradeArguments {
     }
 
     void addFilesTo(CommandLine& line) {
-        line.text("--report", report,
-                  "Write a page with all pictures: .html; those of a class that are more than 20 MB lie in a "
-                  "folder beside it");
-        line.text("--csv", csv, "Write the scores as CSV, a row for each submission");
-        line.text("--json", json, "Write all results as JSON");
-        line.text("--junit", junit, "Write all results as JUnit's XML, for CI systems");
-        line.text("--gradescope", gradescope, "Write Gradescope's results.json, of one submission");
+        line.output("--report", report,
+                    "Write a page with all pictures: .html; those of a class that are more than 20 MB lie in "
+                    "a folder beside it");
+        line.output("--csv", csv, "Write the scores as CSV, a row for each submission");
+        line.output("--json", json, "Write all results as JSON");
+        line.output("--junit", junit, "Write all results as JUnit's XML, for CI systems");
+        line.output("--gradescope", gradescope, "Write Gradescope's results.json, of one submission");
         line.number("--points", points, above(0), "Gradescope's points for each picture");
         line.needs("--points", "--gradescope");
     }
@@ -280,6 +280,8 @@ int grade(int argc, char** argv) {
     arguments.addTo(line);
     line.lacks({"--size"}, "a picture has its reference's size, which a program is told");
     if (const auto status = line.parse(argc, argv)) return *status;
+    if (arguments.submissions.empty() && arguments.program.find("{}") != std::string::npos)
+        throw usageError("--program: {} is a submission's folder: it needs --submissions");
     if (!arguments.program.empty()) requirePrograms();
     requireUser(arguments.user);
     const GradePlan plan = planFor(arguments);

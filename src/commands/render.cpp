@@ -27,7 +27,6 @@ namespace {
 
 constexpr const char* renderFooter = R"(The other commands:
   raytracer assemble|compare|grade|explain|tradeoff --help
-  raytracer --print-schema     # the JSON schema of scenes, for editors
 
 The picture is written whole or not at all: as a new file, with the mode and the
 owner of the file that it replaces. A symbolic link is followed. A hard link is
@@ -60,10 +59,9 @@ Examples:
 // What only this command asks for.
 struct PictureArguments {
     std::string out;
-    bool stats = false, watch = false;
+    bool stats = false, watch = false, skipExisting = false;
     std::optional<double> targetError, targetTime;
-    std::string part;  // K/N; empty: the whole picture
-    bool skipExisting = false;
+    std::string part;                    // K/N; empty: the whole picture
     std::string frames;                  // A..B; empty: one picture
     std::string again;                   // the command line without --target-time
     const FileWatch* watched = nullptr;  // with --watch
@@ -193,6 +191,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
 // Renders again whenever a file has changed; an error waits for the change that mends it.
 [[noreturn]] void watchScene(const RenderArguments& arguments, PictureArguments wanted) {
     std::vector<std::string> files{arguments.scene};
+    openOutput(wanted);  // throws what no change of a file mends
     for (;;) {
         const auto start = FileWatch::Time::clock::now();
         FileWatch watch;
@@ -265,6 +264,7 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.flag("--watch", wanted.watch,
               "Render again whenever the scene or a file that it names changes; Ctrl+C ends");
+    line.alone("--print-schema", "Print the JSON schema of scenes, for editors");
     line.exclude("--watch", {"--frames", "--part", "--skip-existing"});
     line.exclude("--frames", {"--target-time"});
     line.exclude("--skip-existing", {"--stats"});
@@ -276,7 +276,7 @@ void check(const CommandLine& line, const RenderArguments& arguments, const Pict
     if (wanted.isPart()) parsePart(wanted.part);
     if (wanted.skipExisting && wanted.out == "-")
         throw usageError("--skip-existing has no effect with the picture -");
-    if (wanted.frames.empty()) refuseRanges(arguments.sets);
+    if (wanted.frames.empty()) refuseFrames(wanted.out, arguments.sets);
     if (wanted.watch && wanted.out == "-")
         throw usageError("--watch has no effect with the picture -: write to a file");
 }

@@ -20,15 +20,15 @@ namespace raytracer::commands {
 namespace {
 
 bool Terms::*termNamed(const std::string& name) {
-    std::vector<std::string> names;
     NearestName nearest(name);
     for (const TermName& known : termNames) {
         if (name == known.name) return known.term;
-        names.emplace_back(known.name);
         nearest.consider(known.name);
     }
-    if (nearest.found()) throw usageError("--only: no term " + inQuotes(name) + nearest.question());
-    throw usageError("--only: no term " + inQuotes(name) + "; there are " + listed(names, "and"));
+    if (name.find_first_of(" ;+|/") != name.npos)
+        throw usageError("--only: expected commas between the terms, found " + inQuotes(name));
+    throw usageError("--only: no term " + inQuotes(name) +
+                     (nearest.found() ? nearest.question() : "; --help lists them"));
 }
 
 // The parts of a comma-separated list, without the blanks around them.
@@ -43,14 +43,20 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
-PixelRectangle parseCrop(const std::string& text, const ImageSize& size) {
+PixelRectangle parseCrop(const std::string& text) {
     std::vector<std::optional<int>> numbers;
     for (const std::string& part : split(text)) numbers.push_back(numberOf<int>(part));
     if (numbers.size() != 4 || std::ranges::count(numbers, std::optional<int>()) > 0)
         throw usageError("--crop: expected four whole numbers x0,y0,x1,y1, found " + inQuotes(text));
     const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
-    if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > size.width || crop.y1 > size.height || crop.width() < 1 ||
-        crop.height() < 1)
+    if (crop.x0 >= crop.x1 || crop.y0 >= crop.y1)
+        throw usageError("--crop: expected x0,y0,x1,y1 with x0 < x1 and y0 < y1, found " + inQuotes(text));
+    return crop;
+}
+
+PixelRectangle cropOf(const std::string& text, const ImageSize& size) {
+    const PixelRectangle crop = parseCrop(text);
+    if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > size.width || crop.y1 > size.height)
         throw usageError("--crop: expected a rectangle inside of the " + std::to_string(size.width) + " x " +
                          std::to_string(size.height) + " picture, found " + inQuotes(text));
     return crop;
@@ -66,9 +72,11 @@ void RenderArguments::addTo(CommandLine& line) {
         "JSON; /lights/-={...} adds a light; may be repeated");
     line.number("--max-recursion", max_recursion, {0, mostRecursion},
                 "How many times a ray is reflected or refracted");
-    line.text("--only", only,
-              "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
-              "refraction, textures");
+    std::vector<std::string> terms;
+    for (const TermName& known : termNames) terms.emplace_back(known.name);
+    line.names("--only", only, terms,
+               "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
+               "refraction, textures");
     line.flag("--opaque", opaque, "Read every material as not refractive");
     line.choice("--precision", precision, {std::begin(precisionNames), std::end(precisionNames)},
                 "Arithmetic: float, double or extended (long double)");
@@ -102,6 +110,7 @@ void RenderArguments::check(const CommandLine& line) const {
     if (!chosen.ambient && !chosen.diffuse && !chosen.specular)
         throw usageError("--only " + only + ": there is no light without ambient, diffuse or specular");
     for (const std::string& set : sets) JsonEdit{set};
+    if (!crop.empty()) parseCrop(crop);
     const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> options) {
         for (const char* option : options)
             if (line.given(option)) throw usageError(option + (" has no effect with " + cause));
@@ -109,6 +118,7 @@ void RenderArguments::check(const CommandLine& line) const {
     if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff"});
     if (pass == "normals") refuse("--pass normals", {"--texture-filter"});
     if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff"});
+    if (!chosen.refraction && !chosen.shadows) refuse("--only " + only, {"--opaque"});
     if (!chosen.textures) refuse("--only " + only, {"--texture-filter"});
     if (max_recursion == 0 && cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});
     if (samples == 1 && adaptive > 0) refuse("--samples 1", {"--adaptive"});
@@ -167,7 +177,7 @@ RenderOptions RenderArguments::prepare(SceneDescription& description) const {
     RenderOptions options;
     options.size = imageSize(description.camera, longEdge);
     options.crop = crop.empty() ? PixelRectangle{0, 0, options.size.width, options.size.height}
-                                : parseCrop(crop, options.size);
+                                : cropOf(crop, options.size);
     options.max_recursion = max_recursion;
     options.pass = passNamed(pass);
     options.shadows = chosen.shadows;

@@ -49,15 +49,18 @@ void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, co
     if (samples < few || options.adaptive > 0) return;
     const double seconds = samples * timeOfSample(renderer, options) / threadCount(options.threads);
     if (seconds < longTime) return;
-    arguments.remark(formatted("%d × %d pixels of %d samples take about %s; ", options.crop.width(),
-                               options.crop.height(), options.samples, durationInWords(seconds).c_str()) +
-                     (options.samples > 1 ? "--adaptive 0.02 takes less" : "a smaller size takes less"));
+    const bool isSampled = options.samples > 1;
+    arguments.remark(formatted("%d × %d pixels", options.crop.width(), options.crop.height()) +
+                     (isSampled ? formatted(" of %d samples", options.samples) : "") + " take about " +
+                     durationInWords(seconds) + "; " +
+                     (isSampled ? "--adaptive 0.02 takes less" : "a smaller size takes less"));
 }
 
 }  // namespace
 
 std::string durationInWords(double seconds) {
-    if (seconds < 60) return formatted("%.2g s", seconds);
+    if (seconds < 0.01) return "under 0.01 s";
+    if (seconds < 60) return formatted("%.2f s", seconds);
     if (seconds < 3600) return formatted("%.0f min", seconds / 60);
     if (seconds < 48 * 3600) return formatted("%.1f h", seconds / 3600);
     return formatted("%.1f days", seconds / 86400);

@@ -10,7 +10,7 @@ namespace raytracer::commands {
 void remarkOnCost(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
                   const RenderOptions& options);
 
-// "45 s", "12 min", "3.5 h", "2.1 days".
+// "under 0.01 s", "4.50 s", "12 min", "3.5 h", "2.1 days".
 std::string durationInWords(double seconds);
 
 }  // namespace raytracer::commands

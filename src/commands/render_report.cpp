@@ -5,6 +5,7 @@
 #include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
+#include "render_cost.h"
 
 namespace raytracer::commands {
 
@@ -60,8 +61,8 @@ void tellDone(const std::string& out, const PixelRectangle& crop, const Timings&
     for (const Seconds* part :
          {&timings.load, &timings.build, &timings.choose, &timings.render, &timings.write})
         seconds += part->wall;
-    tell(formatted("%s: %d × %d, %s s", out.c_str(), crop.width(), crop.height(),
-                   shortNumber(seconds).c_str()));
+    tell(formatted("%s: %d × %d, %s", out.c_str(), crop.width(), crop.height(),
+                   durationInWords(seconds).c_str()));
 }
 
 TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
@@ -77,10 +78,10 @@ TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, dou
     options = withSetting(options, choice.setting);
     if (quiet) return choice;
     tell(head + commandLine(choice.setting));
-    tell(head + errorInWords(choice.sampleError, choice.depthError) +
-         (choice.reached     ? ""
-          : choice.isLimited ? ": perhaps not reached, since the rays beyond are too many to follow"
-                             : ": not reached"));
+    tell(head + errorInWords(choice.sampleError, choice.depthError));
+    if (!choice.reached)
+        tell(head + (choice.isLimited ? "perhaps not reached: the rays beyond are too many to follow"
+                                      : "not reached"));
     return choice;
 }
 
@@ -91,8 +92,8 @@ TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options
     if (command.empty()) return choice;
     Setting told = choice.setting;
     told.bilinear = false;  // the command says it already
-    tell("--target-time: the picture takes about " + shortNumber(choice.seconds) + " s; " +
-         errorInWords(choice.sampleError, choice.depthError));
+    tell("--target-time: the expected time is " + durationInWords(choice.seconds));
+    tell("--target-time: " + errorInWords(choice.sampleError, choice.depthError));
     tell("--target-time: the same picture again:");
     tellUnbroken(command + " " + commandLine(told));
     return choice;

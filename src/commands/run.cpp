@@ -39,11 +39,25 @@ constexpr Nameless nameless[] = {
     {"version", "--version"},
 };
 
-// A scene's name mostly has an ending, and else there is a file of that name.
-bool looksLikeCommand(const std::string& word) {
+// A scene's name mostly has an ending, and else there is a file of that name, perhaps with a blank in it.
+bool looksLikeCommand(const std::vector<std::string>& words) {
+    const std::string& word = words[0];
     std::error_code error;
+    const auto exists = [&](const std::string& file) {
+        return std::filesystem::exists(file, error) || error;
+    };
     return word.find_first_of("./\\") == word.npos && std::isalpha(static_cast<unsigned char>(word[0])) &&
-           !std::filesystem::exists(word, error) && !error;
+           !exists(word) && !(words.size() > 1 && exists(word + " " + words[1]));
+}
+
+// What is said of a command behind an option; empty where there is none.
+std::string lateCommand(const std::vector<std::string>& words) {
+    constexpr std::string_view answered[] = {"--help", "-h", "--version", "-V"};
+    if (words[0][0] != '-' || std::ranges::find(answered, words[0]) != std::end(answered)) return {};
+    for (const Command& command : commandTable)
+        if (std::ranges::find(words, command.name) != words.end())
+            return "raytracer: the command stands first: raytracer " + std::string(command.name) + " ...";
+    return {};
 }
 
 // Empty where a scene is meant.
@@ -56,9 +70,9 @@ std::string unknownCommand(const std::string& word) {
     if (nearest.found()) return unknown.substr(0, unknown.size() - 2) + nearest.question();
     if (!nearbyFile(word).empty()) return {};
     std::string names;
-    for (const Command& command : commandTable) names += " " + std::string(command.name) + ",";
-    names.pop_back();
-    return unknown + "there are" + names + ", or a scene's name first";
+    for (const Command& command : commandTable)
+        names += (names.empty() ? "" : ", ") + std::string(command.name);
+    return "raytracer: " + inQuotes(word) + " is no scene and no command (" + names + ")";
 }
 
 std::string replacedBlanks(std::string names) {
@@ -150,12 +164,15 @@ int called(const std::string& name, int (*command)(int, char**), int argc, char*
 }  // namespace
 
 int run(int argc, char** argv) {
+    const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     defaultInstructionSet();  // throws, in each command and before its work, where RAYTRACER_SIMD is wrong
     for (const Command& command : commandTable)
         if (argc > 1 && command.name == argv[1])
             return called("raytracer " + std::string(command.name), command.run, argc - 1, argv + 1);
     if (const auto status = printDocument(argc, argv)) return *status;
-    const std::string unknown = argc > 1 && looksLikeCommand(argv[1]) ? unknownCommand(argv[1]) : "";
+    const std::string unknown = words.empty()             ? ""
+                                : looksLikeCommand(words) ? unknownCommand(words[0])
+                                                          : lateCommand(words);
     if (unknown.empty()) return called("raytracer", render, argc, argv);
     tell(unknown);
     return 2;

@@ -38,7 +38,7 @@ struct TradeoffArguments {
 
     void addTo(CommandLine& line) {
         line.texts("SCENE", scenes, "Scenes: JSON files", ArgumentKind::Scene);
-        line.text("--out", out, "The folder to write to; made where there is none", ArgumentKind::Folder);
+        line.output("--out", out, "The folder to write to; made where there is none", ArgumentKind::Folder);
         line.number("--size", options.size, {16, 4096}, "Pixels along the longer side of the film");
         line.number("--samples", options.samples, {2, 256},
                     "The most samples of a pixel; the reference has four times as many");

@@ -35,7 +35,7 @@ constexpr Stage stageTable[] = {
 std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& folder) {
     std::error_code error;
     std::vector<fs::path> files = filesIn(folder, error);
-    if (error) throw Error({folder}, "cannot read the folder: " + error.message());
+    if (error) throw folderError(folder, error);
     std::erase_if(files, [&](const fs::path& file) { return file.extension() != ending; });
     return files;
 }

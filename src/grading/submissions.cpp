@@ -190,7 +190,7 @@ std::vector<Submission> submissionsIn(const std::string& folder) {
         if (entry->is_directory(ignored) && !entry->path().filename().string().starts_with('.'))
             submissions.push_back({entry->path().filename().string(), absolutePath(entry->path().string()),
                                    entry->path().string()});
-    if (error) throw Error({folder}, "cannot read the folder: " + error.message());
+    if (error) throw folderError(folder, error);
     if (submissions.empty()) throw Error({folder}, "expected a folder for each submission, found none");
     std::ranges::sort(submissions, {}, &Submission::name);
     return submissions;

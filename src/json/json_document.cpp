@@ -37,7 +37,8 @@ bool JsonDocument::isEdited(std::uint32_t node) const {
 }
 
 Error JsonDocument::error(std::uint32_t node, const std::string& message, std::uint32_t where) const {
-    if (isEdited(where)) return {{path_}, pointer(node) + ", by --set: " + message};
+    if (isEdited(where))
+        return {{path_}, (node == 0 ? "the scene" : pointer(node)) + ", by --set: " + message};
     Place at = place(static_cast<std::size_t>(begin(where) - text_.data()));
     at.pointer = pointer(node);
     return {at, message};

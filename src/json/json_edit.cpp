@@ -55,7 +55,7 @@ std::string missing(const JsonDocument& document, const PointerEnd& end) {
         case Kind::Array: {
             const std::size_t count = JsonView(document, end.node).size();
             return here + " has " + std::to_string(count) + (count == 1 ? " element" : " elements") +
-                   ", from 0: " + isNot;
+                   ", from 0: " + isNot + "; " + document.pointer(end.node) + "/- adds one";
         }
         default: return here + " is no object and no list";
     }
@@ -128,6 +128,8 @@ std::string whyNoJson(std::string_view text) {
 
 JsonEdit::JsonEdit(const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
+    if (equals != assignment.npos && equals > 0 && !assignment.starts_with('/'))
+        throw Error({"raytracer"}, "--set: a pointer begins with /: write " + inQuotes("/" + assignment));
     if (equals == assignment.npos || !assignment.starts_with('/'))
         throw Error({"raytracer"}, "--set: expected /pointer=value, found " + inQuotes(assignment));
     pointer = assignment.substr(0, equals);

@@ -143,9 +143,11 @@ void decodePaletted(const FileBytes& file, const std::vector<std::string_view>& 
 Texture decode(const FileBytes& file) {
     const std::string_view text = file.text();
     if (text.size() > std::numeric_limits<int>::max() / 2) file.fail("cannot decode: the file is over 1 GiB");
+    const bool isPng = text.starts_with(pngSignature);
     if (isJpeg(file)) requireSoundJpeg(file);
+    else if (!isPng) file.fail("it is no PNG and no JPEG");
     std::vector<std::string_view> chunks{{}};
-    if (text.starts_with(pngSignature)) {
+    if (isPng) {
         chunks = readChunks(file);
         requireFewInflated(file, chunks);
     }

@@ -21,7 +21,11 @@ constexpr std::size_t mostRead = 1U << 30;  // in one call
 
 FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     const auto require = [&](bool done) {
-        if (!done) throw systemError(path, "cannot read", errno == ENOENT ? hintAt(path) : "");
+        if (!done)
+            throw systemError(path, "cannot read",
+                              errno == ENOENT   ? hintAt(path)
+                              : errno == EISDIR ? "; name a file in it"
+                                                : "");
     };
     const Descriptor file = openToRead(path, kind != FileKind::Regular);
     require(static_cast<bool>(file));

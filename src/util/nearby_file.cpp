@@ -20,12 +20,15 @@ bool isFile(const fs::path& path) {
     return fs::is_regular_file(path, error);
 }
 
+// The nearest first.
 std::vector<fs::path> filesNear(const fs::path& folder, int depth) {
     constexpr std::size_t most = 1000;
     std::error_code ignored;
     std::vector<fs::path> files = filesIn(folder.empty() ? "." : folder, ignored, depth, most);
     if (folder.empty())
         for (fs::path& file : files) file = file.lexically_relative(".");
+    std::ranges::stable_sort(files, {},
+                             [](const fs::path& file) { return std::distance(file.begin(), file.end()); });
     return files;
 }
 
@@ -48,6 +51,22 @@ fs::path likeName(const fs::path& name, const std::vector<fs::path>& files) {
     const std::string stem = name.stem().string();
     const bool hasStem = stem != name.string();
     return hasStem ? named(stem, files) : fs::path();
+}
+
+fs::path nearbyFolder(const fs::path& path) {
+    const fs::path wanted = path.has_filename() ? path : path.parent_path(), above = wanted.parent_path();
+    std::vector<std::string> names;
+    std::error_code error;
+    const auto add = [&](const fs::directory_entry& entry) {
+        std::string name = entry.path().filename().string();
+        if (entry.is_directory(error) && !name.starts_with('.')) names.push_back(std::move(name));
+    };
+    fs::directory_iterator entry(above.empty() ? "." : above, error), end;
+    for (; !error && entry != end; entry.increment(error)) add(*entry);
+    std::ranges::sort(names);
+    NearestName nearest(wanted.filename().string());
+    for (const std::string& name : names) nearest.consider(name);
+    return nearest.found() ? above / nearest.name() : fs::path();
 }
 
 }  // namespace
@@ -84,6 +103,9 @@ std::string nearbyFile(const std::string& path) {
     const std::vector<fs::path> here = filesNear(folder, 0);
     if (fs::path found = named(name, here); !found.empty()) return found.generic_string();
     if (fs::path found = likeName(name, here); !found.empty()) return found.generic_string();
+    const fs::path like = hasFolder ? fs::path() : nearbyFolder(folder);
+    if (!like.empty())
+        if (fs::path found = named(name, filesNear(like, 0)); !found.empty()) return found.generic_string();
     const bool isSearched = hasFolder || above != "/";
     if (!isSearched) return {};
     return named(name, filesNear(hasFolder ? folder : above, 2)).generic_string();
@@ -94,6 +116,22 @@ std::string hintAt(const std::string& path) {
     const std::string nearby = nearbyFile(path);
     errno = before;
     return nearby.empty() ? "" : "; there is " + inQuotes(nearby);
+}
+
+Error folderError(const std::string& folder, std::error_code error) {
+    const bool isMissing = error == std::errc::no_such_file_or_directory;
+    const fs::path nearby = isMissing ? nearbyFolder(folder) : fs::path();
+    const std::string hint = nearby.empty() ? "" : "; there is " + inQuotes(nearby.generic_string());
+    return {{folder}, "cannot read the folder: " + error.message() + hint};
+}
+
+std::string missingFolder(const std::string& path) {
+    const int before = errno;
+    const fs::path folder = fs::path(path).parent_path();
+    std::error_code error;
+    const bool isMissing = before == ENOENT && !folder.empty() && !fs::exists(folder, error);
+    errno = before;
+    return isMissing ? "; there is no folder " + inQuotes(folder.generic_string()) : "";
 }
 
 }  // namespace raytracer

@@ -46,18 +46,22 @@ bool endsInWord(std::string_view name, std::string_view part) {
     return std::isalnum(static_cast<unsigned char>(name[name.size() - part.size() - 1])) == 0;
 }
 
+// Whether the name is the beginning of the candidate.
+bool isShortened(std::string_view name, std::string_view candidate) {
+    constexpr std::size_t least = 3;  // letters
+    return name.size() >= least && candidate.size() > name.size() &&
+           std::ranges::equal(name, candidate.substr(0, name.size()), {}, lower, lower);
+}
+
 }  // namespace
 
 NearestName::NearestName(std::string_view name)
-    : name_(name), limit_(std::max<std::size_t>(1, name.size() / 3) + 1) {
-    if (name.size() > longestName) limit_ = 0;
-}
+    : name_(name), limit_(std::min(std::max<std::size_t>(1, name.size() / 3) + 1, name.size())) {}
 
 void NearestName::consider(std::string_view candidate) {
-    if (name_.size() <= longestName && (endsInWord(candidate, name_) || endsInWord(name_, candidate))) {
-        ++kin_;
-        kinName_ = candidate;
-    }
+    if (name_.size() > longestName) return;
+    if (endsInWord(candidate, name_) || endsInWord(name_, candidate)) last_.add(candidate);
+    if (isShortened(name_, candidate)) first_.add(candidate);
     if (lengthDifference(name_, candidate) >= limit_) return;
     const std::size_t errors = distance(name_, candidate);
     if (errors >= limit_) return;

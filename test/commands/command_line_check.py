@@ -131,13 +131,22 @@ def check_other_refusals():
     check_refused([*render, "--accelerator", "BHV"],
                   '--accelerator: expected bvh or none, found "BHV"; did you mean "bvh"?')
     check_refused(["grade", "/no", "--stage", "difuse"],
-                  '--stage: expected a name that --help lists, found "difuse"; did you mean "diffuse"?',
+                  '--stage: expected a name in --help, found "difuse"; did you mean "diffuse"?',
                   "raytracer grade")
     check_refused([*render, "--colour"], "unknown option --colour (see --help)")
     check_refused([*render, "--sample", 4], "unknown option --sample; did you mean --samples?")
     check_refused(["--recursion", 4], "unknown option --recursion; did you mean --max-recursion?")
     check_refused(["--quite", "/no.json"], "unknown option --quite; did you mean --quiet?")
     check_refused(["--depth=4"], "unknown option --depth; did you mean --max-recursion?")
+    for option, meant in (("-help", "--help"), ("--halp", "--help"), ("-v", "--version"),
+                          ("--print-shema", "--print-schema"), ("--sam", "--samples"),
+                          ("--silence", "--quiet"), ("--recursion-depth", "--max-recursion"),
+                          ("\u2013samples", "--samples"), ("\u2014watch", "--watch")):
+        check_refused([*render, option], f"unknown option {option}; did you mean {meant}?")
+    for option in ("--target", "-x"):
+        check_refused([*render, option], f"unknown option {option} (see --help)")
+    check_refused(["--help=foo"], '--help: expected no value, found "foo"')
+    check_refused([*render, "--print-schema"], "--print-schema stands alone")
     check_refused(["/no.json", "-o", "out.png", 600], "unknown option -o; the order is " + ORDER)
     check_refused([*render, "--samples"], "--samples: expected a whole number from 1 to 65536, found nothing")
     check_refused([*render, "--crop", "--stats"], "--crop: expected a text, found nothing")
@@ -179,8 +188,7 @@ def check_commands():
     check_refused(["render", "a.json"], 'unknown command "render"; write raytracer ' + ORDER)
     check_refused(["help"], 'unknown command "help"; write raytracer --help')
     check_refused(["frobnicate"],
-                  "unknown command \"frobnicate\"; there are assemble, compare, explain, grade, tradeoff, or "
-                  "a scene's name first")
+                  '"frobnicate" is no scene and no command (assemble, compare, explain, grade, tradeoff)')
     check_refused(["/frobnicate"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
 
 
@@ -200,7 +208,18 @@ def check_without_effect():
                   "--cutoff has no effect with --only ambient,textures")
     check_refused([*render, "--only", "ambient,refraction", "--texture-filter", "bilinear"],
                   "--texture-filter has no effect with --only ambient,refraction")
+    check_refused([*render, "--only", "ambient", "--opaque"], "--opaque has no effect with --only ambient")
+    done = run(*render, "--only", "ambient,shadows", "--opaque", "--max-recursion", 5)
+    check("--opaque acts on shadows", False, "no effect" in done.stderr)
     check_refused([*render, "--samples", 1, "--adaptive", 0.1], "--adaptive has no effect with --samples 1")
+    check_refused(["grade", "/no", "--program", "{}/x"],
+                  "--program: {} is a submission's folder: it needs --submissions", "raytracer grade")
+    for command, option in (("grade /no", "--json"), ("grade /no", "--csv"), ("grade /no", "--junit"),
+                            ("grade /no", "--report"), ("grade /no", "--gradescope"),
+                            ("compare a b", "--diff"), ("tradeoff a", "--out")):
+        check_refused([*command.split(), option, "-"],
+                      f'{option}: expected a name, found "-": only a render writes to stdout',
+                      "raytracer " + command.split()[0])
     check_refused(["grade", "/no", "--timeout", 1], "--timeout has no effect without --program",
                   "raytracer grade")
     for option in ("--pass", "--samples", "--adaptive", "--crop"):
@@ -221,8 +240,12 @@ def check_only():
                       f"--only {terms}: there is no light without ambient, diffuse or specular")
     check_refused([*render, "--only", ""], '--only: expected a text, found ""')
     check_refused([*render, "--only", "diffuse,"],
-                  '--only: no term ""; there are ambient, diffuse, specular, shadows, '
-                                                  "reflections, refraction and textures")
+                  '--only: no term ""; --help lists them')
+    for terms in ("ambient+diffuse", "diffuse specular"):
+        check_refused([*render, "--only", terms],
+                      f'--only: expected commas between the terms, found "{terms}"')
+    check_refused([*render, "--only", "ambient", "diffuse"],
+                  'unexpected argument "diffuse"; write --only ambient,diffuse')
     check_refused([*render, "--only", "difuse, specular"],
                   '--only: no term "difuse"; did you mean "diffuse"?')
     with tempfile.TemporaryDirectory() as folder:

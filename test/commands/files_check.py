@@ -59,7 +59,8 @@ def check_links(folder):
     refused("a loop", f"{folder}/loop.png: cannot write: Too many levels of symbolic links",
             render(folder / "loop.png"))
     (folder / "lost.png").symlink_to("no/x.png")
-    refused("into no folder", f"{folder}/lost.png: cannot write: No such file or directory",
+    refused("into no folder",
+            f'{folder}/lost.png: cannot write: No such file or directory; there is no folder "{folder}/no"',
             render(folder / "lost.png"))
     check("nothing else", ["link.png", "loop.png", "lost.png", "sub"], names(folder))
     check("nor behind the links", ["next.png", "x.png"], names(folder / "sub"))
@@ -120,14 +121,19 @@ def check_before_rendering(folder):
     (folder / "d.png").mkdir()
     refused("a folder", f"{folder}/d.png: cannot write: Is a directory",
             render(folder / "d.png", 65536, *hours))
-    refused("no folder", f"{folder}/no/x.png: cannot write: No such file or directory",
+    refused("no folder",
+            f'{folder}/no/x.png: cannot write: No such file or directory; there is no folder "{folder}/no"',
             render(folder / "no/x.png", 65536, *hours))
     check("a file that is no folder", 0, render(folder / "x.png")[0])
     check("nothing else", ["d.png", "x.png"], names(folder))
     for command in (("grade", "test", "--report"), ("compare", SCENE, SCENE, "--diff")):
-        refused(command[0], f"{folder}/no/r.png: cannot write: No such file or directory",
+        refused(command[0],
+                f"{folder}/no/r.png: cannot write: No such file or directory; "
+                f'there is no folder "{folder}/no"',
                 run(*command, folder / "no/r.png"))
-    refused("--diff -", "-: expected a name that ends in .png", run("compare", SCENE, SCENE, "--diff", "-"))
+    refused("--diff -",
+            'raytracer compare: --diff: expected a name, found "-": only a render writes to stdout',
+            run("compare", SCENE, SCENE, "--diff", "-"))
     (folder / "out").mkdir()
     (folder / "out/tradeoff.svg").mkdir()
     check("tradeoff", (2, b"", f"{folder}/out/tradeoff.svg: cannot write: Is a directory\n"),

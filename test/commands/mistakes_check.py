@@ -63,9 +63,32 @@ COMMANDS = [
     ("scene.json out.png 8 --crop 0,0,9,9",
      'raytracer: --crop: expected a rectangle inside of the 8 x 8 picture, found "0,0,9,9"'),
     ("scene.json out.jpg 8", "out.jpg: expected a name that ends in .png or .pfm"),
-    ("scene.json nowhere/out.png 8", "nowhere/out.png: cannot write: No such file or directory"),
+    ("scene.json nowhere/out.png 8",
+     'nowhere/out.png: cannot write: No such file or directory; there is no folder "nowhere"'),
     ("explain scene.json 8 8 8",
-     "raytracer explain: expected a pixel of the 8 x 8 picture, columns 0 to 7 and rows 0 to 7, found 8, 8"),
+     "raytracer explain: expected X from 0 to 7 and Y from 0 to 7, found 8 and 8"),
+    ("scene.json out.png 8 --crop 4,4,2,2",
+     'raytracer: --crop: expected x0,y0,x1,y1 with x0 < x1 and y0 < y1, found "4,4,2,2"'),
+    ("scene.json f-%04d.png 8", "raytracer: the picture f-%04d.png needs --frames, for %04d"),
+    ("scene.json out.png 8 --only ambient;diffuse",
+     'raytracer: --only: expected commas between the terms, found "ambient;diffuse"'),
+    ("scene.json out.png 8 --only ambient, diffuse, specular",
+     'raytracer: unexpected argument "diffuse,"; write --only ambient,diffuse,specular'),
+    ("my scene.json out.png 8", 'raytracer: there is a file "my scene.json": write its name in quotes'),
+    ("./my scene.json out.png 8", 'raytracer: there is a file "./my scene.json": write its name in quotes'),
+    ("--quiet compare a.png b.png", "raytracer: the command stands first: raytracer compare ..."),
+    ("scene.json out.png 8 --set camera/eye=[0,1,5]",
+     'raytracer: --set: a pointer begins with /: write "/camera/eye=[0,1,5]"'),
+    ("scene.json out.png 8 --set /lights/={}",
+     'scene.json: --set /lights/: /lights has 1 elements, from 0: there is no ""; /lights/- adds one'),
+    ("more out.png 8", "more: cannot read: Is a directory; name a file in it"),
+    ("grade More", 'More: cannot read the folder: No such file or directory; there is "more"'),
+    ("scene.json out.jpg 8 --watch", "out.jpg: expected a name that ends in .png or .pfm"),
+    ("scene.json out.png 8 --watch --crop 1,2",
+     'raytracer: --crop: expected four whole numbers x0,y0,x1,y1, found "1,2"'),
+    ("compare - out.png", "-: cannot read: No such file or directory"),
+    ("compare out.png scene.json", "scene.json: it is no PNG and no JPEG"),
+    ("compare out.png small.png", "small.png: expected 4 x 4 pixels, as in out.png, found 8 x 8"),
     ("sceen.json out.png 8", 'sceen.json: cannot read: No such file or directory; there is "scene.json"'),
     ("scene out.png 8", 'scene: cannot read: No such file or directory; there is "scene.json"'),
     ("other.json out.png 8",
@@ -186,7 +209,8 @@ WARNINGS = [
 def answered(folder, words):
     out = pathlib.Path(folder, "out.png")
     out.unlink(missing_ok=True)
-    done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder, check=False)
+    done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder, check=False,
+                          timeout=60)
     lines = done.stderr.splitlines()
     for line in lines:
         names = len("scene.json:11:11: Textures\\\\wood.png textures/wood.png")
@@ -210,7 +234,10 @@ def check_all(folder):
     shutil.copy("test/bad/files/check.png", folder / "reference.png")
     shutil.copy("test/bad/files/check.png", folder / "out.png")
     (folder / "more/other.json").write_text("{}", encoding="utf-8")
+    (folder / "my scene.json").write_text("{}", encoding="utf-8")
+    (folder / "e").write_text("", encoding="utf-8")
     check_change(folder, ("red", "red"), 0, [])
+    shutil.copy(folder / "out.png", folder / "small.png")
     for line, answer in COMMANDS:
         if line.startswith("compare"):
             shutil.copy("test/bad/files/check.png", folder / "out.png")

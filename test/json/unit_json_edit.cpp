@@ -55,6 +55,8 @@ TEST_CASE("An error about a value that is set says so; the others keep their pla
     };
     for (const char* pointer : {"/a", "/a/0", "/a/1", "/a/1/x", "/c", "/b/1"})
         CHECK(message(pointer) == "s.json: " + std::string(pointer) + ", by --set: bad");
+    const JsonDocument set("s.json", "{\"c\": 77}", std::vector<TextRange>{{1, 8}});
+    CHECK(std::string(set.error(0, "unknown key", 1).what()) == "s.json: the scene, by --set: unknown key");
     CHECK(message("/b") == "s.json:2:6: /b: bad");
     CHECK(message("/b/0") == "s.json:2:7: /b/0: bad");
 }
@@ -80,16 +82,20 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
           "s.json: --set /camera/a~1b~0d/0: there is no \"a~1b~0d\" in /camera; did you mean "
           "/camera/a~1b~0c/0?");
     check("/zzzz/0=1", "s.json: --set /zzzz/0: there is no \"zzzz\" in the scene");
-    check("/list/2=1", "s.json: --set /list/2: /list has 2 elements, from 0: there is no \"2\"");
-    check("/list/01=1", "s.json: --set /list/01: /list has 2 elements, from 0: there is no \"01\"");
+    check("/list/2=1",
+          "s.json: --set /list/2: /list has 2 elements, from 0: there is no \"2\"; /list/- adds one");
+    check("/list/01=1",
+          "s.json: --set /list/01: /list has 2 elements, from 0: there is no \"01\"; /list/- adds one");
     check("/a/b=1", "s.json: --set /a/b: there is no \"a\" in the scene");
     check(
         "/camera/a~1b~c/0=1",
         "s.json: --set /camera/a~1b~c/0: there is no \"a~1b~c\" in /camera; did you mean /camera/a~1b~0c/0?");
-    check("/list/-/0=1", "s.json: --set /list/-/0: /list has 2 elements, from 0: there is no \"-\"");
+    check("/list/-/0=1",
+          "s.json: --set /list/-/0: /list has 2 elements, from 0: there is no \"-\"; /list/- adds one");
     CHECK_THROWS_WITH(after("/a/3=1", "{\"a\":[1]}"),
-                      "s.json: --set /a/3: /a has 1 element, from 0: there is no \"3\"");
+                      "s.json: --set /a/3: /a has 1 element, from 0: there is no \"3\"; /a/- adds one");
     check("/camera/on/x=1", "s.json: --set /camera/on/x: /camera/on is no object and no list");
-    check("camera=1", "raytracer: --set: expected /pointer=value, found \"camera=1\"");
+    check("camera=1", "raytracer: --set: a pointer begins with /: write \"/camera=1\"");
+    check("=1", "raytracer: --set: expected /pointer=value, found \"=1\"");
     check("/camera", "raytracer: --set: expected /pointer=value, found \"/camera\"");
 }

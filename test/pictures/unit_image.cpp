@@ -169,8 +169,8 @@ TEST_CASE("A picture that cannot be read is told") {
         CHECK_THROWS_WITH(readImage(folder.write("a.png", bytes)), folder.file("a.png") + ": " + message);
     };
     const std::string png = pngOf(20, 20, 3, testPicture(20, 20).pixels), jpeg = jpegOf(testPicture(20, 20));
-    check("", "cannot decode as PNG or JPEG: Image not of any known type, or corrupt");
-    check("GIF89a", "cannot decode as PNG or JPEG: Image not of any known type, or corrupt");
+    check("", "it is no PNG and no JPEG");
+    check("GIF89a", "it is no PNG and no JPEG");
     check(png.substr(0, png.size() / 2), "broken PNG picture: it is cut short, or a checksum in it is wrong");
     check(jpeg.substr(0, jpeg.size() - 10), "broken JPEG picture: it has no end marker");
     std::string huge = png;
@@ -178,7 +178,8 @@ TEST_CASE("A picture that cannot be read is told") {
     check(checksummed(huge), "cannot decode as PNG or JPEG: Image too large to decode");
     CHECK_THROWS_WITH(readImage(folder.file("nowhere.png")),
                       folder.file("nowhere.png") + ": cannot read: No such file or directory");
-    CHECK_THROWS_WITH(readImage(folder.file("")), folder.file("") + ": cannot read: Is a directory");
+    CHECK_THROWS_WITH(readImage(folder.file("")),
+                      folder.file("") + ": cannot read: Is a directory; name a file in it");
     CHECK_THROWS_AS(readImage(folder.file("")), Error);
 }
 
@@ -420,7 +421,9 @@ TEST_CASE("A picture is written whole or not at all") {
     SECTION("the folder is missing") {
         CHECK_THROWS_AS(writePng(folder.file("no/a.png"), image), Error);
         CHECK_THROWS_WITH(writePng(folder.file("no/a.png"), image),
-                          folder.file("no/a.png") + ": cannot write: No such file or directory");
+                          folder.file("no/a.png") +
+                              ": cannot write: No such file or directory; there is no folder \"" +
+                              folder.file("no") + "\"");
         CHECK(folder.fileCount() == 0);
     }
     SECTION("a folder has the name") {

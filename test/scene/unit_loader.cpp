@@ -93,7 +93,7 @@ TEST_CASE("A scene file that cannot be read") {
     const InSourceFolder here;
     CHECK(errorOf("test/bad/nowhere.json", false) ==
           "test/bad/nowhere.json: cannot read: No such file or directory");
-    CHECK(errorOf("test/bad", false) == "test/bad: cannot read: Is a directory");
+    CHECK(errorOf("test/bad", false) == "test/bad: cannot read: Is a directory; name a file in it");
     CHECK(errorOf("test/bad/files/check.png", false) ==
           "test/bad/files/check.png:1:1: expected JSON, found what is no text");
 }

@@ -264,7 +264,7 @@ TEST_CASE("An OBJ from a file") {
     }
     SECTION("that is a folder") {
         CHECK_THROWS_WITH(raytracer::loadObj(folder.file("")),
-                          folder.file("") + ": cannot read: Is a directory");
+                          folder.file("") + ": cannot read: Is a directory; name a file in it");
     }
     SECTION("of many chunks") {
         std::string text = square;

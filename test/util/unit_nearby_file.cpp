@@ -30,9 +30,25 @@ TEST_CASE("a file is found near a name that leads nowhere") {
     CHECK(near("/textures/checker.jpg") == "/textures/checker.png");
     CHECK(near("\\textures\\checker.png") == "/textures/checker.png");
     CHECK(near("/texture/checker.png") == "/textures/checker.png");
+    CHECK(near("/texture/wood") == "/textures/old/wood.jpg");
+    CHECK(nearbyFile(folder.file("checker")) == scenes + "/textures/checker.png");
+    std::ofstream(scenes + "/textures/old/checker.json") << "x";
+    std::ofstream(folder.file("zoo.json")) << "x";
+    std::ofstream(scenes + "/zoo.png") << "x";
+    CHECK(nearbyFile(folder.file("checker")) == scenes + "/textures/checker.png");  // the nearest
+    CHECK(nearbyFile(folder.file("scene/ball.json")) == scenes + "/ball.json");
     CHECK(near("/hidden.png").empty());
     CHECK(near("/tree.json").empty());
     CHECK(nearbyFile("/frobnicate.json").empty());
     CHECK(hintAt(scenes + "/ball") == "; there is \"" + scenes + "/ball.json\"");
     CHECK(hintAt(scenes + "/tree.json").empty());
+    const auto missing = std::make_error_code(std::errc::no_such_file_or_directory);
+    CHECK(std::string(folderError(folder.file("Scenes"), missing).what()) ==
+          folder.file("Scenes") + ": cannot read the folder: No such file or directory; there is \"" +
+              scenes + "\"");
+    CHECK(std::string(folderError(folder.file("tests"), missing).what()) ==
+          folder.file("tests") + ": cannot read the folder: No such file or directory");
+    errno = ENOENT;
+    CHECK(missingFolder(scenes + "/a.png").empty());
+    CHECK(missingFolder(folder.file("no/a.png")) == "; there is no folder \"" + folder.file("no") + "\"");
 }

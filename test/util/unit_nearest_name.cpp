@@ -24,6 +24,10 @@ TEST_CASE("the nearest name has the fewest errors, or the same last words") {
     CHECK(questionFor("diffuse", {"diffuse_texture", "color_diffuse"}) ==
           "; did you mean \"color_diffuse\"?");
     CHECK(questionFor("edge", {"left_edge", "right_edge"}) == "");  // either could be meant
+    CHECK(questionFor("sam", {"samples", "only"}) == "; did you mean \"samples\"?");
+    CHECK(questionFor("target", {"target-time", "target-error"}) == "");
+    CHECK(questionFor("-", {"e", "-a"}) == "");  // a name of one letter is like no other
+    CHECK(questionFor("ab", {"b"}) == "; did you mean \"b\"?");
     CHECK(questionFor("use", {"color_use", "diffuse"}) == "");
     CHECK(questionFor("fuse_", {"color_diffuse"}) == "");
 }

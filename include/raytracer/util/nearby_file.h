@@ -8,6 +8,8 @@
 #include <system_error>
 #include <vector>
 
+#include "raytracer/util/error.h"
+
 namespace raytracer {
 
 // The regular files in a folder, and with `depth` in the folders of it, but hidden ones, in alphabetical
@@ -21,11 +23,18 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, 
 std::string absolutePath(const std::string& path);
 
 // A regular file like the one that `path` should be: with slashes for backslashes, in other letters (case,
-// misspelled), with an ending that the path lacks or another one, in a folder below the path's or beside it.
-// Empty where there is none, or where too many files are there to look at.
+// misspelled), with an ending that the path lacks or another one, in a folder with a name like the path's,
+// below the path's, or beside it. Empty where there is none, or where too many files are there to look at.
 std::string nearbyFile(const std::string& path);
 
 // `; there is "NEARBY"`, or nothing. Leaves errno as it is.
 std::string hintAt(const std::string& path);
+
+// Why a folder cannot be read, and where it is missing, which one has a name like its.
+Error folderError(const std::string& folder, std::error_code error);
+
+// `; there is no folder "FOLDER"` where errno says that a file cannot be made, for want of its folder; else
+// nothing. Leaves errno as it is.
+std::string missingFolder(const std::string& path);
 
 }  // namespace raytracer

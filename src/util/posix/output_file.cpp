@@ -14,6 +14,7 @@
 #include "../leftover.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/nearby_file.h"
 #include "raytracer/util/text.h"
 #include "signals.h"
 
@@ -72,7 +73,7 @@ struct OutputFile::State {
     ~State() { discardBeside(); }
 
     void require(bool done) const {
-        if (!done) throw systemError(name, purpose);
+        if (!done) throw systemError(name, purpose, missingFolder(target));
     }
     void open();
     void openBeside(mode_t mode);

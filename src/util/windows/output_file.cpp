@@ -13,6 +13,7 @@
 #include "../leftover.h"
 #include "open_file.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/nearby_file.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
@@ -30,7 +31,7 @@ struct OutputFile::State {
         if (leftover) leftover->clear();
     }
     void require(bool done) const {
-        if (!done) throw systemError(name, purpose);
+        if (!done) throw systemError(name, purpose, missingFolder(name));
     }
     void open();
     void openBeside();
