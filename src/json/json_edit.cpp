@@ -11,9 +11,12 @@
 namespace raytracer {
 namespace {
 
+// A number that is too large is JSON, too: not a text, which would be quoted.
 bool isJson(const std::string& text) {
     try {
         const JsonDocument document("", text);
+        return true;
+    } catch (const NotFinite&) {
         return true;
     } catch (const Error&) {
         return false;
