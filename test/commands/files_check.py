@@ -20,8 +20,8 @@ from checks import RAYTRACER, check, conclude
 
 SCENE = str(pathlib.Path("test/good/least.json").resolve())
 # They end a program, too.
-RARE_SIGNALS = (signal.SIGPWR, signal.SIGVTALRM, signal.SIGPROF, signal.SIGIO, signal.SIGUSR1, signal.SIGRTMIN,
-                signal.SIGRTMIN + 1, signal.SIGRTMAX, 16)  # 16: SIGSTKFLT
+RARE_SIGNALS = (signal.SIGPWR, signal.SIGVTALRM, signal.SIGPROF, signal.SIGIO, signal.SIGUSR1,
+                signal.SIGRTMIN, signal.SIGRTMIN + 1, signal.SIGRTMAX, 16)  # 16: SIGSTKFLT
 NOBODY = ["setpriv", "--reuid", "65534", "--regid", "65534", "--clear-groups"]
 
 
