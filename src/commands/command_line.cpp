@@ -1,6 +1,7 @@
 #include "command_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -28,8 +29,11 @@ std::string inWords(const Range& range) {
 }
 
 template <class Number>
-std::string expectedNumber(const Range& range) {
-    return (std::is_integral_v<Number> ? "a whole number" : "a number") + inWords(range);
+std::string expectedNumber(const Range& range, bool isFinite = true) {
+    const char* const kind = std::is_integral_v<Number> ? "a whole number"
+                             : isFinite                 ? "a number"
+                                                        : "a finite number";
+    return kind + inWords(range);
 }
 
 template <class Number>
@@ -37,7 +41,8 @@ Number numberIn(const char* name, const std::string& text, const Range& range) {
     const std::optional<Number> number = numberOf<Number>(text);
     const double value = number ? static_cast<double>(*number) : range.least - 1;
     if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
-        refuse(name, expectedNumber<Number>(range), inQuotes(text));
+        refuse(name, expectedNumber<Number>(range, std::isfinite(value) || range.most < Range().most),
+               inQuotes(text));
     return *number;
 }
 

@@ -9,6 +9,7 @@
 
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/file_bytes.h"
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/temporary_folder.h"
 
@@ -36,6 +37,8 @@ std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& fold
     std::error_code error;
     std::vector<fs::path> files = filesIn(folder, error);
     if (error) throw folderError(folder, error);
+    for (const fs::path& file : fs::directory_iterator(folder, error))
+        if (file.extension() == ending) requireRegularFile(file.string());
     std::erase_if(files, [&](const fs::path& file) { return file.extension() != ending; });
     return files;
 }
@@ -85,8 +88,7 @@ std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c)
 }
 
 // An Error here is the program's.
-ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference,
-                         const std::string& picture) {
+ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
     const FileBytes file(picture, FileKind::Regular);
     if (const auto size = sizeInHeader(file))
         requireSameSize(*size, {reference.image.width, reference.image.height});

@@ -120,6 +120,8 @@ std::string whyNoJson(std::string_view text) {
     try {
         const JsonDocument document("", text);
         return {};
+    } catch (const NotFinite&) {
+        return {};  // JSON, but for its size
     } catch (const Error& error) {
         const std::string& message = error.inFile();
         return error.place().column > 0 ? message.substr(message.find(": ") + 2) : message;

@@ -222,7 +222,8 @@ bool JsonReader::parse_error(std::size_t, const std::string& token, const nlohma
     constexpr int numberOverflow = 406;  // nlohmann's documentation: json.exception.out_of_range.406
     if (error.id == numberOverflow) {
         number(0);  // a node in the number's place
-        fail(count() - 1, "expected a finite number, found " + token.substr(0, 40));
+        throw NotFinite(
+            document_.error(count() - 1, "expected a finite number, found " + token.substr(0, 40)));
     }
     requireNoNul();
     const SyntaxMistake mistake = syntaxMistake(state());
@@ -231,7 +232,8 @@ bool JsonReader::parse_error(std::size_t, const std::string& token, const nlohma
 
 JsonDocument::JsonDocument(std::string path, std::string_view text, std::vector<TextRange> edits)
     : path_(std::move(path)), text_(text), edits_(std::move(edits)) {
-    if (isUtf16(text)) throw Error({path_}, "expected UTF-8, found UTF-16: save it as UTF-8");
+    if (const auto wide = wideEncoding(text); !wide.empty())
+        throw Error({path_}, "expected UTF-8, found " + wide + ": save it as UTF-8");
     JsonReader(*this).read();
 }
 

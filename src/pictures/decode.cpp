@@ -42,6 +42,59 @@ std::string_view firstChunk(std::string_view text) {
 
 std::string_view typeOf(std::string_view chunk) { return chunk.substr(4, 4); }
 
+// What the header says, after width and height, and the values that there are.
+struct HeaderField {
+    std::size_t place;
+    const char* name;
+    std::string_view values;
+};
+using namespace std::string_view_literals;
+constexpr HeaderField colorType{17, "colour type", "\0\2\3\4\6"sv};
+constexpr HeaderField otherFields[] = {
+    {18, "compression method", "\0"sv}, {19, "filter method", "\0"sv}, {20, "interlace method", "\0\1"sv}};
+
+HeaderField bitDepth(char ofColorType) {
+    const std::string_view values = "\x10\x8\4\2\1";
+    const bool isGrey = ofColorType == 0, hasPalette = ofColorType == 3;
+    return {16, "bit depth", isGrey ? values : hasPalette ? values.substr(1) : values.substr(0, 2)};
+}
+
+bool isPaletted(std::string_view header) { return header[colorType.place] == 3; }
+
+void requireSoundHeader(const FileBytes& file, std::string_view header) {
+    const auto fail = [&](const std::string& name, std::uint32_t value, const char* none) {
+        file.fail("broken PNG picture: its " + name + " is " + std::to_string(value) + ", which " + none +
+                  " has");
+    };
+    const auto require = [&](const HeaderField& field, const char* none) {
+        const char value = header[field.place];
+        if (field.values.find(value) == field.values.npos)
+            fail(field.name, static_cast<unsigned char>(value), none);
+    };
+    for (const auto& [place, name] : {std::pair{8U, "width"}, {12U, "height"}}) {
+        const std::uint32_t size = bigEndian(header.substr(place));
+        if (size == 0 || size >> 31 != 0) fail(name, size, "no PNG");
+    }
+    require(colorType, "no PNG");
+    require(bitDepth(header[colorType.place]), "no PNG of its colour type");
+    for (const HeaderField& field : otherFields) require(field, "no PNG");
+}
+
+void requirePaletteAndPixels(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+    bool hasPalette = !isPaletted(chunks.front());
+    for (const std::string_view chunk : chunks) {
+        const std::size_t size = chunk.size() - chunkFrame;
+        if (typeOf(chunk) == "PLTE" && (size == 0 || size % 3 != 0 || size > std::size_t{3} * 256))
+            file.fail("broken PNG picture: its palette has " + std::to_string(size) +
+                      " bytes, not 3 for each of 1 to 256 colours");
+        if (typeOf(chunk) == "PLTE") hasPalette = true;
+        if (typeOf(chunk) != "IDAT") continue;
+        if (!hasPalette) file.fail("broken PNG picture: it has no palette before its pixels");
+        return;
+    }
+    file.fail("broken PNG picture: it has no pixels (no chunk IDAT)");
+}
+
 std::vector<std::string_view> readChunks(const FileBytes& file) {
     std::string_view png = file.text();
     std::vector<std::string_view> chunks;
@@ -56,6 +109,8 @@ std::vector<std::string_view> readChunks(const FileBytes& file) {
     constexpr std::size_t headerSize = 13;
     if (typeOf(chunks.front()) != "IHDR" || chunks.front().size() != chunkFrame + headerSize)
         file.fail("broken PNG picture: it does not begin with its header");
+    requireSoundHeader(file, chunks.front());
+    requirePaletteAndPixels(file, chunks);
     return chunks;
 }
 
@@ -100,11 +155,6 @@ void requireFewInflated(const FileBytes& file, const std::vector<std::string_vie
     if (libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
                                    inflated.size(), &size) == LIBDEFLATE_INSUFFICIENT_SPACE)
         file.fail("broken PNG picture: it has more data than pixels");
-}
-
-bool hasPalette(std::string_view header) {
-    constexpr std::size_t colorType = 17;
-    return header.size() > colorType && (header[colorType] & 3) == 3;
 }
 
 bool hasDeepTexels(std::string_view header) {
@@ -152,7 +202,7 @@ Texture decode(const FileBytes& file) {
         requireFewInflated(file, chunks);
     }
     Texture image;
-    if (hasPalette(chunks.front())) decodePaletted(file, chunks, image);
+    if (isPng && isPaletted(chunks.front())) decodePaletted(file, chunks, image);
     else if (hasDeepTexels(chunks.front()))
         image.deepTexels = decode(file, text, rgb, image, &stbi_load_16_from_memory);
     else image.texels = decode(file, text, rgb, image, &stbi_load_from_memory);

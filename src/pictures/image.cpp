@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <limits>
@@ -59,6 +60,8 @@ PfmHeader readPfmHeader(const FileBytes& file) {
     header.width = takeNumber<int>(file, text, "width");
     header.height = takeNumber<int>(file, text, "height");
     const auto scale = takeNumber<double>(file, text, "scale");
+    if (!std::isfinite(scale)) file.fail("not a PFM picture: its scale is no finite number");
+    if (scale == 0) file.fail("not a PFM picture: its scale is 0, which has no sign to tell the byte order");
     if (header.width < 1 || header.height < 1) file.fail("not a PFM picture: it has no pixels");
     header.order = scale < 0 ? std::endian::little : std::endian::big;
     header.rows = text.substr(std::min<std::size_t>(1, text.size()));

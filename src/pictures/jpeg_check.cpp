@@ -19,11 +19,13 @@ enum Marker : std::uint8_t {
     endOfImage = 0xd9,
     startOfScan = 0xda,
     quantisationTables = 0xdb,
+    losslessFrame = 0xf7,  // of JPEG-LS
 };
 
 // Frame headers, but for three of these that mean other things.
 bool isFrame(std::uint8_t marker) {
-    return marker >= 0xc0 && marker <= 0xcf && marker != huffmanTables && marker != 0xc8 && marker != 0xcc;
+    const bool isOther = marker == huffmanTables || marker == 0xc8 || marker == 0xcc;
+    return (marker >= 0xc0 && marker <= 0xcf && !isOther) || marker == losslessFrame;
 }
 
 std::uint8_t byteAt(std::string_view text, std::size_t at) { return static_cast<std::uint8_t>(text[at]); }

@@ -169,7 +169,8 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const s
 }
 
 MeshData parseObj(std::string_view text, const std::string& path) {
-    if (isUtf16(text)) throw Error({path}, "expected UTF-8, found UTF-16");
+    if (const auto wide = wideEncoding(text); !wide.empty())
+        throw Error({path}, "expected UTF-8, found " + wide);
     if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     return parseObjInChunks(text, text.size() / chunkBytes + 1, path);
 }

@@ -1,6 +1,7 @@
 // A polygon of a mesh in a plane, in whole numbers, so that what is left or right of what is exact.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,7 +12,7 @@ namespace raytracer {
 
 struct PlanePoint {
     std::int64_t x, y;  // at most 2^51
-    bool operator==(const PlanePoint&) const = default;
+    auto operator<=>(const PlanePoint&) const = default;
 };
 
 // On which side of the line from a to b the point c lies: 1 left, -1 right, 0 on it; exactly, or but for the

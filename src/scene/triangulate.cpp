@@ -10,6 +10,7 @@
 
 #include "plane_polygon.h"
 #include "point_tree.h"
+#include "spokes.h"
 
 namespace raytracer {
 namespace {
@@ -22,7 +23,10 @@ class EarClipping {
         : polygon_(polygon),
           corners_(polygon.size()),
           left_(static_cast<std::uint32_t>(polygon.size())),
-          blocking_(linkCorners()) {}
+          blocking_(linkCorners()) {
+        for (const Corner& corner : corners_)
+            if (corner.blocker != 0) addSpokes(corner);
+    }
 
     std::vector<Triangle> clipAll() {
         for (strictness_ = Strictness::Clear; left_ > 3; weaken()) clipEars();
@@ -41,20 +45,31 @@ class EarClipping {
 
     struct Corner {
         std::uint32_t previous, next;
-        std::uint32_t blocker = 0;  // its place in blocking_, counted from 1; 0: it is convex
+        std::uint32_t blocker = 0;  // its place in blockers_, counted from 1; 0: it is convex
         bool isClipped = false;
     };
 
+    // Returns the places in the way, each once.
     std::vector<PlanePoint> linkCorners() {
-        std::vector<PlanePoint> blocking;
         for (std::uint32_t i = 0; i < left_; ++i) corners_[i] = {(i + left_ - 1) % left_, (i + 1) % left_};
+        std::vector<std::uint32_t> reflex;
         for (std::uint32_t i = 0; i < left_; ++i)
-            if (!isLeftTurn(i)) {
-                blocking.push_back(polygon_[i]);
-                blockers_.push_back(i);
-                corners_[i].blocker = static_cast<std::uint32_t>(blocking.size());
+            if (!isLeftTurn(i)) reflex.push_back(i);
+        std::ranges::sort(reflex, {}, [&](std::uint32_t corner) { return polygon_[corner]; });
+        std::vector<PlanePoint> blocking;
+        for (const std::uint32_t corner : reflex) {
+            if (blocking.empty() || blocking.back() != polygon_[corner]) {
+                blocking.push_back(polygon_[corner]);
+                blockers_.emplace_back(polygon_[corner]);
             }
+            corners_[corner].blocker = static_cast<std::uint32_t>(blocking.size());
+        }
         return blocking;
+    }
+
+    void addSpokes(const Corner& corner) {
+        for (const std::uint32_t end : {corner.previous, corner.next})
+            blockers_[corner.blocker - 1].add(polygon_[end]);
     }
 
     Triangle earAt(std::uint32_t corner) const {
@@ -95,23 +110,31 @@ class EarClipping {
     }
 
     void clip(std::uint32_t corner) {
-        const auto [previous, ear, next] = earAt(corner);
-        triangles_.push_back({previous, ear, next});
-        corners_[ear].isClipped = true;
+        const Triangle ear = earAt(corner);
+        const auto [previous, clipped, next] = ear;
+        triangles_.push_back(ear);
+        const Corner before[] = {corners_[previous], corners_[clipped], corners_[next]};
+        corners_[clipped].isClipped = true;
         corners_[previous].next = next;
         corners_[next].previous = previous;
         --left_;
-        for (const std::uint32_t changed : {previous, ear, next})
-            if (corners_[changed].blocker != 0 && (changed == ear || isLeftTurn(changed))) {
-                blocking_.remove(corners_[changed].blocker - 1);
-                corners_[changed].blocker = 0;
-            }
+        for (std::size_t i = 0; i < 3; ++i)
+            if (before[i].blocker != 0) changeSpokes(ear[i], before[i]);
+    }
+
+    void changeSpokes(std::uint32_t changed, const Corner& before) {
+        Corner& corner = corners_[changed];
+        if (corner.isClipped || isLeftTurn(changed)) corner.blocker = 0;
+        else addSpokes(corner);
+        Spokes& spokes = blockers_[before.blocker - 1];
+        for (const std::uint32_t end : {before.previous, before.next}) spokes.remove(polygon_[end]);
+        if (spokes.isEmpty()) blocking_.remove(before.blocker - 1);
     }
 
     bool isEar(std::uint32_t corner) const {
         if (strictness_ == Strictness::Any || isSpike(corner)) return true;
         const Triangle ear = earAt(corner);
-        if (strictness_ == Strictness::Touching && side(ear, 0, ear[2]) == 0) return true;
+        if (strictness_ == Strictness::Touching && side(ear, 0, polygon_[ear[2]]) == 0) return true;
         return isLeftTurn(corner) &&
                !blocking_.any([&](const PlaneBox& box) { return mayMeet(box, ear); },
                               [&](std::uint32_t point) { return blocks(blockers_[point], ear); });
@@ -133,22 +156,24 @@ class EarClipping {
     }
 
     // Of the ear's side i, but for roundings.
-    int side(const Triangle& ear, std::size_t i, std::uint32_t corner) const {
-        return clearSideOf(polygon_[ear[i]], polygon_[ear[(i + 1) % 3]], polygon_[corner]);
+    int side(const Triangle& ear, std::size_t i, const PlanePoint& point) const {
+        return clearSideOf(polygon_[ear[i]], polygon_[ear[(i + 1) % 3]], point);
     }
 
-    bool blocks(std::uint32_t corner, const Triangle& ear) const {
-        const int sides[] = {side(ear, 0, corner), side(ear, 1, corner), side(ear, 2, corner)};
-        if (std::ranges::min(sides) < 0 || std::ranges::find(ear, corner) != ear.end()) return false;
-        const auto isHere = [&](std::uint32_t other) { return polygon_[other] == polygon_[corner]; };
-        if (strictness_ == Strictness::Clear && std::ranges::none_of(ear, isHere)) return true;
+    bool blocks(const Spokes& blocker, const Triangle& ear) const {
+        const PlanePoint& here = blocker.hub();
+        const int sides[] = {side(ear, 0, here), side(ear, 1, here), side(ear, 2, here)};
+        if (std::ranges::min(sides) < 0) return false;
         // Inside the ear it is in the way; on its border, if the polygon goes in from there.
-        const auto goesIn = [&](std::uint32_t neighbour) {
+        const auto goesIn = [&](const PlanePoint& end) {
             for (std::size_t i = 0; i < 3; ++i)
-                if (sides[i] == 0 && side(ear, i, neighbour) <= 0) return false;
+                if (sides[i] == 0 && side(ear, i, end) <= 0) return false;
             return true;
         };
-        return goesIn(corners_[corner].previous) || goesIn(corners_[corner].next);
+        for (std::size_t i = 0; i < 3; ++i)
+            if (polygon_[ear[i]] == here)
+                return blocker.anyBetween(polygon_[ear[(i + 1) % 3]], polygon_[ear[(i + 2) % 3]], goesIn);
+        return strictness_ == Strictness::Clear || blocker.any(goesIn);
     }
 
     void weaken() { strictness_ = strictness_ == Strictness::Clear ? Strictness::Touching : Strictness::Any; }
@@ -161,8 +186,9 @@ class EarClipping {
     std::span<const PlanePoint> polygon_;
     std::vector<Corner> corners_;
     std::uint32_t left_;
-    std::vector<std::uint32_t> blockers_;  // the corners that do not turn left: only they can be in the way
-    PointTree blocking_;                   // where they are
+    // By place, the sides at the corners that do not turn left: only such corners can be in the way.
+    std::vector<Spokes> blockers_;
+    PointTree blocking_;  // where they are
     Strictness strictness_ = Strictness::Clear;
     std::vector<Triangle> triangles_;
 };

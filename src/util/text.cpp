@@ -61,10 +61,17 @@ std::string formatted(const char* format, ...) {
     return text;
 }
 
-bool isUtf16(std::string_view text) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
-    if (text.size() < 4 || (text[0] == 0) != (text[2] == 0)) return false;
-    return text[0] == 0 ? text[1] != 0 && text[3] != 0 : text[1] == 0 && text[3] == 0;
+std::string wideEncoding(std::string_view text) {
+    const auto hasZeros = [&](std::string_view pattern) {  // 0 where it has 0
+        return text.size() >= pattern.size() &&
+               std::ranges::equal(text.substr(0, pattern.size()), pattern,
+                                  [](char c, char zero) { return (c == 0) == (zero == '0'); });
+    };
+    using namespace std::string_view_literals;
+    if (text.starts_with("\xff\xfe\0\0"sv) || hasZeros("x000") || hasZeros("000x")) return "UTF-32";
+    if (text.starts_with("\0\0\xfe\xff"sv)) return "UTF-32";
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return "UTF-16";
+    return hasZeros("x0x0") || hasZeros("0x0x") ? "UTF-16" : "";
 }
 
 std::string printable(std::string_view text, std::string_view kept) {

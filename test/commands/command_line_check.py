@@ -118,7 +118,9 @@ def check_numbers(command, name, expected, good):
     full = " ".join(["raytracer", *COMMANDS[command]])
     for text in just_outside(expected) + ["nan", "inf", "-inf", "0x10", "1e", "", " 1", "1 ", "1,5", "++1",
                                           "ten"]:
-        check_refused(with_number(command, name, text), f'{name}: expected {expected}, found "{text}"', full)
+        is_endless = text in ("1e999", "nan", "inf", "-inf") and re.match("a number (not|above)", expected)
+        wanted = expected.replace("a number", "a finite number") if is_endless else expected
+        check_refused(with_number(command, name, text), f'{name}: expected {wanted}, found "{text}"', full)
     for text in good:
         done = run(*with_number(command, name, text))
         if done.returncode != 2 or name in done.stderr or "--help" in done.stderr:

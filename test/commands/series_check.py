@@ -46,6 +46,11 @@ def check_set(folder):
     check("--set to what does not fit",
           (2, f'{SCENE}: /camera/eye, by --set: expected 3 numbers, found "here"\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye=here"))
+    for pointer, value, found in (("/camera/eye/0", "1e999", "1e999"),
+                                  ("/camera/eye", "[-1e999, 0, 1]", "-1e999")):
+        check(f"--set {pointer}={value}",
+              (2, f"{SCENE}: /camera/eye/0, by --set: expected a finite number, found {found}\n"),
+              run(SCENE, folder / "c.png", 40, "--set", f"{pointer}={value}"))
     check("--set without a value", (2, 'raytracer: --set: expected /pointer=value, found "/camera/eye"\n'),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye"))
     check("a range without frames", (2, "raytracer: --set /camera/eye/0={0..1}: a range needs --frames\n"),

@@ -4,6 +4,7 @@ mends it.
 Usage: watch_check.py RAYTRACER, from the source folder.
 """
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -61,6 +62,13 @@ def watch(folder):
         out.unlink()
         shutil.copy("test/bad/files/check.png", folder / "check.png")
         expect("a texture that is mended", lambda: out.exists() and out.read_bytes() == first)
+        os.mkfifo(folder / "pipe")
+        (folder / "pipe").replace(scene)
+        expect("a pipe for a scene", lambda: said.read_text(encoding="utf-8").endswith(
+            f"{scene}: cannot read: it is no regular file\n"))
+        out.unlink()
+        save(scene, json.dumps(SCENE))
+        expect("a scene again", lambda: out.exists() and out.read_bytes() == first)
         if process.poll() is not None:
             failures.append("it has ended")
     finally:

@@ -192,6 +192,9 @@ def check_files(folder, failing):
             *program,
             "--csv", "x", "--json", "one/../x")
     check(not (folder / "x").exists(), "no file where the line is wrong")
+    (folder / "pipes").mkdir()
+    os.mkfifo(folder / "pipes/a.json")
+    failing("a pipe for a scene", "pipes/a.json: cannot read: it is no regular file\n", "pipes", *program)
     failing("--size", "raytracer grade: there is no --size: a picture has its reference's size, which a "
                       "program is told\n",
             "one", *program, "--size", 20)

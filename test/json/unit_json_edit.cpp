@@ -28,6 +28,8 @@ TEST_CASE("A value of a JSON text is replaced, and nothing else") {
     CHECK(after("/camera/on=false") == with("true", "false"));
     CHECK(after("/list/0=\"=\"") == with("[1, {\"z\": null}]", "\"=\""));
     CHECK(after("/list/0/1/z={\"k\": []}") == with("null", "{\"k\": []}"));
+    for (const std::string name : {"nan", "inf"})
+        CHECK(after("/list/1=" + name) == with("\"last\"", '"' + name + '"'));
     CHECK(after("/list/1=") == with("\"last\"", "\"\""));
     CHECK(after("/list=[]") == with("[[1, {\"z\": null}], \"last\"]", "[]"));
     CHECK(after("/a=2", "{\"a\":1}") == "{\"a\":2}");

@@ -288,9 +288,11 @@ TEST_CASE("A JPEG is read if its segments are sound") {
         jpeg.frame = segmentOf(0xc2, {"\x8\0\x8\0\x8\1\1\x11\0", 9});
         jpeg.scan = segmentOf(0xda, {"\1\1\0\1\x3f\0", 6});  // its first scan without the constant terms
         refused(jpeg, "its scans are not in order");
-        jpeg.frame = segmentOf(0xc9, "");
-        CHECK_THROWS_WITH(
-            read(jpeg), folder.file("a.jpg") + ": cannot decode: neither a baseline nor a progressive JPEG");
+        for (const int lossless : {0xc9, 0xf7}) {
+            jpeg.frame = segmentOf(lossless, "");
+            CHECK_THROWS_WITH(read(jpeg), folder.file("a.jpg") +
+                                              ": cannot decode: neither a baseline nor a progressive JPEG");
+        }
     }
     SECTION("no frame") {
         jpeg.frame = jpeg.scan = "";
@@ -307,6 +309,35 @@ TEST_CASE("A PNG with any bit flipped is refused") {
         INFO("bit " << bit % 8 << " of byte " << bit / 8);
         CHECK_THROWS_AS(readImage(folder.write("a.png", flipped)), Error);
     }
+}
+
+TEST_CASE("What is wrong with a PNG's header, or missing behind it, is named") {
+    const TestFolder folder;
+    const auto check = [&](const std::string& header, const std::string& behind, const std::string& why) {
+        const std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+        const std::string path = folder.write(
+            "a.png", checksummed(png + header + "@@@@" + behind + std::string("\0\0\0\0IEND@@@@", 12)));
+        CHECK_THROWS_WITH(readImage(path), path + ": broken PNG picture: " + why);
+    };
+    const std::string sound("\0\0\0\4\0\0\0\4\x8\2\0\0\0", 13);
+    const auto changed = [&](std::size_t place, char value) {
+        std::string header = sound;
+        header[place] = value;
+        return header;
+    };
+    check(changed(3, 0), "", "its width is 0, which no PNG has");
+    check(changed(7, 0), "", "its height is 0, which no PNG has");
+    check(changed(0, '\x80'), "", "its width is 2147483652, which no PNG has");
+    check(changed(8, 4), "", "its bit depth is 4, which no PNG of its colour type has");
+    check(changed(9, 5), "", "its colour type is 5, which no PNG has");
+    check(changed(10, 1), "", "its compression method is 1, which no PNG has");
+    check(changed(11, 1), "", "its filter method is 1, which no PNG has");
+    check(changed(12, 2), "", "its interlace method is 2, which no PNG has");
+    check(sound, "", "it has no pixels (no chunk IDAT)");
+    const std::string palette("\0\0\0\3PLTEabc@@@@", 15), four("\0\0\0\4PLTEabcd@@@@", 16),
+        pixels("\0\0\0\0IDAT@@@@", 12);
+    check(changed(9, 3), pixels + palette, "it has no palette before its pixels");
+    check(changed(9, 3), four + pixels, "its palette has 4 bytes, not 3 for each of 1 to 256 colours");
 }
 
 TEST_CASE("A PNG with a palette") {
@@ -403,6 +434,12 @@ TEST_CASE("A PFM that is broken is told") {
     check("Pf\n1 1\n-1.0\n1234", "not a colour PFM picture: it does not begin with \"PF\"");
     check("PF\n1 x\n-1.0\n", "not a PFM picture: its height is no number");
     check("PF\n1 1", "not a PFM picture: its scale is no number");
+    for (const char* scale : {"0", "-0.0", "-1e-400"})
+        check(std::string("PF\n1 1\n") + scale + "\n123456789012",
+              "not a PFM picture: its scale is 0, which has no sign to tell the byte order");
+    for (const char* scale : {"nan", "inf", "-inf", "-1e400"})
+        check(std::string("PF\n1 1\n") + scale + "\n123456789012",
+              "not a PFM picture: its scale is no finite number");
     check("PF\n0 1\n-1.0\n", "not a PFM picture: it has no pixels");
     check("PF\n1 1\n-1.0", "broken PFM picture: it ends before its last pixel");
     check("PF\n1 1\n-1.0\n12345678901", "broken PFM picture: it ends before its last pixel");

@@ -200,6 +200,17 @@ TEST_CASE("A broken OBJ is told with the line") {
              {utf16("\xff\xfe", 1), utf16("\xfe\xff", 0), utf16("", 1), utf16("", 0)})
             check(text, "expected UTF-8, found UTF-16");
     }
+    SECTION("UTF-32, with a byte order mark or without") {
+        const std::string zeros(3, '\0');
+        std::string little, big;
+        for (const char c : square + "f 1 2 3") {
+            little += c + zeros;
+            big += zeros + c;
+        }
+        const std::string mark("\xff\xfe\0\0", 4), bigMark("\0\0\xfe\xff", 4);
+        for (const std::string& text : {mark + little, bigMark + big, little, big})
+            check(text, "expected UTF-8, found UTF-32");
+    }
     SECTION("a line among carriage returns") {
         check("v 0 0 0\rv x\rf 1 1 1", "line 2: expected a number, found \"x\"");
     }

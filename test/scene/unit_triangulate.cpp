@@ -151,6 +151,20 @@ Outline withHole(Outline outline, Outline hole, std::size_t from, std::size_t to
     return outline;
 }
 
+// Petals that meet in one point.
+Outline flower(std::size_t petals) {
+    Outline outline;
+    for (std::size_t i = 0; i < petals; ++i) {
+        outline.push_back({0, 0});
+        for (const double side : {0.0, 0.75}) {
+            const double angle =
+                glm::two_pi<double>() * (static_cast<double>(i) + side) / static_cast<double>(petals);
+            outline.push_back({std::cos(angle), std::sin(angle)});
+        }
+    }
+    return outline;
+}
+
 const Outline aSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 }  // namespace
@@ -243,4 +257,14 @@ TEST_CASE("polygons of very many corners are covered, too") {
     constexpr int corners = 100'000 / test::slowness;
     for (const Outline& outline : {star(corners, random), staircase(corners / 2, random), spiral(corners)})
         checkCovered(outline, triangulateConcave(Placement{dvec3(1), {0.6, 0, 0.8}, {0, 1, 0}}(outline)));
+}
+
+TEST_CASE("very many corners at one point take no longer than elsewhere") {
+    checkAnyFirst(flower(40), {});
+    checkCovered(flower(60'000 / test::slowness),
+                 triangulateConcave(Placement{}(flower(60'000 / test::slowness))));
+    Outline repeated;
+    for (int i = 0; i < 50'000 / test::slowness; ++i)
+        repeated.insert(repeated.end(), {{0, 0}, {1, 0}, {0.2, 0.2}, {0, 1}});
+    CHECK(triangulateConcave(Placement{}(repeated)).size() == repeated.size() - 2);
 }

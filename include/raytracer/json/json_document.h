@@ -23,6 +23,11 @@ struct TextRange {
     std::size_t begin = 0, end = 0;
 };
 
+// What is wrong is a number that a double cannot hold.
+struct NotFinite : Error {
+    explicit NotFinite(const Error& error) : Error(error) {}
+};
+
 class JsonDocument {
   public:
     // A member of an object is two nodes: its key, then its value.

@@ -18,9 +18,9 @@ namespace raytracer {
 
 constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8, without meaning
 
-// By its byte order mark, or by the zeros of two ASCII characters at its beginning (RFC 4627, section 3).
-// Windows calls UTF-16 "Unicode".
-bool isUtf16(std::string_view text);
+// "UTF-16" (which Windows calls "Unicode"), "UTF-32" or nothing: by its byte order mark, or by the zeros of
+// ASCII characters at its beginning (RFC 4627, section 3).
+std::string wideEncoding(std::string_view text);
 
 // The bytes of the character that the text, which is not empty, begins with. 0 where that is a control
 // character (those of U+0080 to U+009F too), no character, or not UTF-8 (RFC 3629).

@@ -7,14 +7,19 @@
 namespace raytracer {
 namespace {
 
-// All that end a program that does not handle them and that a handler can be told of.
-constexpr int endingSignals[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGTERM, SIGALRM, SIGUSR1, SIGUSR2,
-                                 SIGXCPU, SIGABRT, SIGBUS,  SIGFPE,  SIGILL,  SIGSEGV};
+// Those that end no program, and those that no handler can be told of.
+constexpr int otherSignals[] = {
+    SIGKILL, SIGSTOP, SIGTSTP, SIGTTIN, SIGTTOU, SIGCONT, SIGCHLD, SIGURG, SIGWINCH,
+#if defined(SIGINFO)
+    SIGINFO, SIGIO  // BSD, macOS
+#endif
+};
 
+// All others, those without a name (SIGRTMIN to SIGRTMAX) too.
 sigset_t endingSet() {
     sigset_t set;
-    sigemptyset(&set);
-    for (const int signal : endingSignals) sigaddset(&set, signal);
+    sigfillset(&set);
+    for (const int signal : otherSignals) sigdelset(&set, signal);
     return set;
 }
 
@@ -37,10 +42,11 @@ void handleEndingSignals() {
     struct sigaction clearing {};
     clearing.sa_handler = clearAndEnd;
     clearing.sa_mask = endingSet();
-    for (const int signal : endingSignals) {
+    for (int signal = 1; signal < NSIG; ++signal) {
         struct sigaction before {};
-        ::sigaction(signal, nullptr, &before);
-        if (before.sa_handler == SIG_DFL) ::sigaction(signal, &clearing, nullptr);
+        const bool ends =
+            sigismember(&clearing.sa_mask, signal) == 1 && ::sigaction(signal, nullptr, &before) == 0;
+        if (ends && before.sa_handler == SIG_DFL) ::sigaction(signal, &clearing, nullptr);
     }
 }
 
