@@ -101,8 +101,8 @@ bool fits(const Scene& scene) {
         if (shape.type() == ShapeType::Mesh)
             flattest = std::min(flattest, static_cast<Real>(shape.triangles().data().finest));
     }
-    return scene.frame.eyeDistance <= farthestEye && finest * farthest <= widestRange && flattest * flattest >= 1 / widestRange &&
-           brightestOf(scene) <= brightestFactor;
+    return scene.frame.eyeDistance <= farthestEye && finest * farthest <= widestRange &&
+           flattest * flattest >= 1 / widestRange && brightestOf(scene) <= brightestFactor;
 }
 
 }  // namespace

@@ -99,9 +99,8 @@ SceneFrame chooseFrame(const SceneDescription& scene) {
     }
     if (shapes.size() > 0)
         for (int axis = 0; axis < 3; ++axis)
-            frame.eyeDistance =
-                std::max(frame.eyeDistance,
-                         std::abs(scene.camera.eye[axis] - shapes.middle(axis)) / shapes.size());
+            frame.eyeDistance = std::max(
+                frame.eyeDistance, std::abs(scene.camera.eye[axis] - shapes.middle(axis)) / shapes.size());
     return frame;
 }
 

@@ -25,9 +25,10 @@ inline constexpr std::size_t usualStack = std::size_t{1} << 20;
 // What the main thread's stack surely has.
 std::size_t mainStack();
 
-// Calls work(queue) on up to `threads` threads (0: one for each processor), of which the caller is one, unless
-// its stack is less than work needs (0: any is enough); work takes jobs until none is left. Fewer threads where the system gives no more. Returns when all have ended, and then throws what the
-// lowest job has thrown, if any has. False, with nothing done, where there is no thread with this stack.
+// Calls work(queue) on up to `threads` threads (0: one for each processor), of which the caller is one,
+// unless its stack is less than work needs (0: any is enough); work takes jobs until none is left. Fewer
+// threads where the system gives no more. Returns when all have ended, and then throws what the lowest job
+// has thrown, if any has. False, with nothing done, where there is no thread with this stack.
 bool onThreads(std::uint32_t jobs, int threads, const std::function<void(JobQueue&)>& work,
                std::size_t stack = 0);
 
