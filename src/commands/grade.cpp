@@ -280,7 +280,7 @@ int grade(int argc, char** argv) {
     arguments.addTo(line);
     line.lacks({"--size"}, "a picture has its reference's size, which a program is told");
     if (const auto status = line.parse(argc, argv)) return *status;
-    if (arguments.submissions.empty() && arguments.program.find("{}") != std::string::npos)
+    if (arguments.submissions.empty() && arguments.program.starts_with("{}"))
         throw usageError("--program: {} is a submission's folder: it needs --submissions");
     if (!arguments.program.empty()) requirePrograms();
     requireUser(arguments.user);

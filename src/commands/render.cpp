@@ -12,7 +12,6 @@
 #include "raytracer/explain/black_picture.h"
 #include "raytracer/pictures/picture.h"
 #include "raytracer/pictures/picture_writer.h"
-#include "raytracer/util/file_bytes.h"
 #include "raytracer/util/file_watch.h"
 #include "raytracer/util/output_file.h"
 #include "raytracer/util/progress_bar.h"
@@ -161,7 +160,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     OutputFile out = openOutput(wanted);
     Timings timings;
     Stopwatch watch;
-    SceneDescription description = arguments.load(&files);
+    SceneDescription description = arguments.load(&files, wanted.watch ? FileKind::Regular : FileKind::Any);
     refuseInput(wanted.file(), files);
     timings.load = watch.lap();
     RenderOptions options = arguments.prepare(description);
@@ -199,7 +198,6 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
         for (const std::string& file : files) watch.add(file);
         wanted.watched = &watch;
         try {
-            requireRegularFile(arguments.scene);  // where nobody writes to a pipe, opening it has no end
             renderPicture(arguments, wanted, files);
         } catch (const OutOfDate&) {  // wait() returns at once
         } catch (const UsageError& error) {

@@ -160,8 +160,8 @@ void RenderArguments::warnAll(const std::vector<std::string>& warnings) const {
     if (strict) throw Error(warnings.back());
 }
 
-SceneDescription RenderArguments::load(std::vector<std::string>* files) const {
-    LoadedScene loaded = loadScene(scene, false, sets, files);
+SceneDescription RenderArguments::load(std::vector<std::string>* files, FileKind kind) const {
+    LoadedScene loaded = loadScene(scene, false, sets, files, kind);
     if (!warns()) return std::move(loaded.description);
     std::vector<std::string> remarks = sceneSlips(loaded.description);
     std::ranges::move(sceneAdvice(loaded.description), std::back_inserter(remarks));

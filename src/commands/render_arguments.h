@@ -8,6 +8,7 @@
 
 #include "arguments.h"
 #include "raytracer/tracer/renderer.h"
+#include "raytracer/util/file_bytes.h"
 
 namespace raytracer::commands {
 
@@ -45,7 +46,7 @@ struct RenderArguments {
     // Where `strict`, all are told as errors, and the last one is thrown.
     // `files` gets the names of the scene and of all files that it names, also where this
     // throws.
-    SceneDescription load(std::vector<std::string>* files = nullptr) const;
+    SceneDescription load(std::vector<std::string>* files = nullptr, FileKind kind = FileKind::Any) const;
 
     // Whether anyone hears what `warn` is told.
     bool warns() const { return strict || !quiet; }

@@ -37,8 +37,9 @@ std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& fold
     std::error_code error;
     std::vector<fs::path> files = filesIn(folder, error);
     if (error) throw folderError(folder, error);
-    for (const fs::path& file : fs::directory_iterator(folder, error))
-        if (file.extension() == ending) requireRegularFile(file.string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+        if (entry.path().extension() == ending && entry.is_other(error))
+            FileBytes(entry.path().string(), FileKind::Regular);  // throws
     std::erase_if(files, [&](const fs::path& file) { return file.extension() != ending; });
     return files;
 }

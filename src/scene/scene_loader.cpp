@@ -151,7 +151,7 @@ std::vector<Error> remarksOn(const std::string& path, const std::vector<std::str
 }
 
 LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits,
-                      std::vector<std::string>* named) {
+                      std::vector<std::string>* named, FileKind kind) {
     SceneReader reader(path, strict);
     const auto files = [&] {
         std::vector<std::string> all = reader.files();
@@ -159,7 +159,7 @@ LoadedScene loadScene(const std::string& path, bool strict, std::span<const std:
         return all;
     };
     try {
-        const FileBytes file(path);
+        const FileBytes file(path, kind);
         EditedJson json;
         if (!edits.empty()) json = edited(path, file.text(), edits);
         const JsonDocument document(path, edits.empty() ? file.text() : json.text, json.edits);

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "descriptor.h"
 #include "raytracer/util/error.h"
@@ -17,7 +16,6 @@ namespace {
 
 constexpr std::size_t pipeSize = 1 << 16;   // on Linux
 constexpr std::size_t mostRead = 1U << 30;  // in one call
-constexpr const char* notRegular = "cannot read: it is no regular file";
 
 }  // namespace
 
@@ -34,7 +32,8 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     struct stat status {};
     require(::fstat(file.get(), &status) == 0);
     const bool isRegular = S_ISREG(status.st_mode);
-    if (kind == FileKind::Regular && !isRegular && !S_ISDIR(status.st_mode)) fail(notRegular);
+    if (kind == FileKind::Regular && !isRegular && !S_ISDIR(status.st_mode))
+        fail("cannot read: it is no regular file");
     if (S_ISCHR(status.st_mode) && ::isatty(file.get()) == 0)
         fail("cannot read: it is a device");  // some have no end
     // One more byte than there should be: a read of nothing is the end. Files of /proc have size 0.
@@ -53,12 +52,6 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
 void FileBytes::resize(std::size_t size) {
     requireMemory(path_, {{"what is in it", static_cast<double>(size)}});
     bytes_.resize(size);
-}
-
-void requireRegularFile(const std::string& path) {
-    std::error_code isMissing;
-    const auto status = std::filesystem::status(path, isMissing);
-    if (std::filesystem::is_other(status)) throw Error({path}, notRegular);
 }
 
 void FileBytes::fail(const std::string& message) const { throw Error({path_}, message); }

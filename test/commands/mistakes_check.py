@@ -80,7 +80,7 @@ COMMANDS = [
     ("scene.json out.png 8 --set camera/eye=[0,1,5]",
      'raytracer: --set: a pointer begins with /: write "/camera/eye=[0,1,5]"'),
     ("scene.json out.png 8 --set /lights/={}",
-     'scene.json: --set /lights/: /lights has 1 elements, from 0: there is no ""; /lights/- adds one'),
+     'scene.json: --set /lights/: /lights has 1 element, from 0: there is no ""; /lights/- adds one'),
     ("more out.png 8", "more: cannot read: Is a directory; name a file in it"),
     ("grade More", 'More: cannot read the folder: No such file or directory; there is "more"'),
     ("scene.json out.jpg 8 --watch", "out.jpg: expected a name that ends in .png or .pfm"),

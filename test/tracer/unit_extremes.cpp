@@ -1,5 +1,6 @@
 // A picture depends neither on the unit of length nor on where the origin lies; and no number that a scene
 // may hold makes it anything but a picture.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "../support/described.h"
@@ -54,7 +55,7 @@ struct Tally {
 
     void add(const SceneDescription& scene, const ByteImage& reference,
              Precision precision = Precision::Double) {
-        const ByteImage image = bytesOf(scene, 60, precision);
+        const ByteImage image = bytesOf(scene, std::max(reference.width, reference.height), precision);
         wrong += differingPixels(image, reference, 1);
         pixels += image.width * image.height;
     }

@@ -7,6 +7,7 @@
 
 #include "raytracer/scene/scene_description.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/file_bytes.h"
 
 namespace raytracer {
 
@@ -22,7 +23,7 @@ struct LoadedScene {
 // (syntax errors: without the pointer). `named` gets LoadedScene::files, as far as they are known also where
 // this throws.
 LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits = {},
-                      std::vector<std::string>* named = nullptr);
+                      std::vector<std::string>* named = nullptr, FileKind kind = FileKind::Any);
 
 // What is said about values of a scene, "/json/pointer: ...", as Errors about the file, with lines and
 // columns as far as it can be read again and the value is not one of the edits'. Without a pointer, it is

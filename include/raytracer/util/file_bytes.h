@@ -31,7 +31,4 @@ class FileBytes {
     std::size_t size_ = 0;  // of the file; bytes_ may be longer
 };
 
-// Throws Error where a pipe or a device has this name.
-void requireRegularFile(const std::string& path);
-
 }  // namespace raytracer
