@@ -112,6 +112,27 @@ TEST_CASE("a scene times a power of ten is what extended precision makes of it")
     inFloat.check();
 }
 
+// An orthographic picture does not depend on how far away the camera is.
+TEST_CASE("a far camera sees what a near one sees, or it is told that it may not") {
+    SceneDescription scene;
+    scene.camera.type = CameraDescription::Type::Orthographic;
+    scene.camera.look = {0, 0, -1};
+    scene.lights = {{{2, 3, 4}, glm::dvec3(0.8), glm::dvec3(0.2)}};
+    scene.materials.resize(1);
+    scene.transforms.resize(1);
+    scene.shapes = {{ShapeType::Sphere, 0, 0, nullptr}};
+    scene.camera.eye = {0, 0, 5};
+    const ByteImage near = bytesOf(scene, 24);
+    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})
+        for (int exponent = 1; exponent <= 30; ++exponent) {
+            CAPTURE(exponent);
+            scene.camera.eye.z = std::pow(10, exponent);
+            const bool fits = makeRenderer(scene, precision)->fits();
+            CHECK(fits == (exponent <= 15));
+            if (fits) CHECK(differingPixels(bytesOf(scene, 24, precision), near, 1) == 0);
+        }
+}
+
 TEST_CASE("a scene moved far away is what extended precision makes of it") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
