@@ -269,11 +269,10 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
         primitives[i] = references_[range.begin + i].primitive();
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
             const glm::dvec3 point = framePoint(3 * primitives[i] + corner);
-            for (int axis = 0; axis < 3; ++axis) {
+            for (std::uint32_t axis = 0; axis < 3; ++axis) {
                 // Not below 0, for the box is rounded outwards.
                 const double step = (point[axis] - static_cast<double>(block.base[axis])) * scale + 0.5;
-                grid[(3 * corner + static_cast<std::uint32_t>(axis)) * count + i] =
-                    static_cast<std::uint16_t>(static_cast<std::int32_t>(std::min(step, 65535.0)));
+                grid[(3 * corner + axis) * count + i] = static_cast<std::uint16_t>(std::min(step, 65535.0));
             }
         }
     }
