@@ -331,7 +331,7 @@ def check_hostile(raytracer, folder):
     check(found[0] == 2 and re.fullmatch(line, found[1]) and found[2:] == (0, {}), f"what is kept: {found}")
     if os.geteuid() != 0:
         return
-    empties = "sleep 0.2; for d in ../raytracer-* ../../raytracer-*; do rm -rf $d/*; done"
+    empties = "sleep 0.2; for d in ../raytracer-* ../../raytracer-*; do rm -rf $d/*; done; true"
     found = graded({"ada": empties, "bob": hand_in + "sleep 0.4"}, "--user", "nobody", "--jobs", 2)
     check(found == (0, "", 0, {"ada": ("0", "wrote no picture"), "bob": ("100", "")}),
           f"the folder of another run: {found}")
