@@ -93,7 +93,7 @@ std::string aboutWord(std::string_view word) {
         return "expected a finite number, found " + text;
     if (word[0] == '(') return "a list stands in [ and ], not in ( and )";
     if (isConstant(withoutSign(word))) return "JSON has no constants: write the number for " + text;
-    if (const auto about = aboutNumber(word); !about.empty()) return about;
+    if (std::string about = aboutNumber(word); !about.empty()) return about;
     if (static_cast<unsigned char>(word[0]) < ' ' || static_cast<unsigned char>(word[0]) == 0x89)
         return "expected JSON, found what is no text";
     const std::string likely = truth(lower), found = "expected a value, found " + text + "; ";

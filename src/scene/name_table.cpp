@@ -22,7 +22,7 @@ std::size_t NameTable::find(JsonView name) {
     if (next_ == entries_.size() || entries_[next_].name != wanted) next_ = slotOf(wanted).index;
     if (next_ != none) return next_++;
     const std::string unknown = std::string("no ") + kind_ + " named " + inQuotes(wanted);
-    if (entries_.size() == 0) name.fail(unknown + ": the scene has no " + kind_ + "s");
+    if (entries_.empty()) name.fail(unknown + ": the scene has no " + kind_ + "s");
     NearestName nearest(wanted);
     for (const Entry& entry : entries_) {
         if (entry.owner.isString(wanted)) name.fail(unknown + "; it is the path of " + inQuotes(entry.name));

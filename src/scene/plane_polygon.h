@@ -12,8 +12,11 @@ namespace raytracer {
 
 struct PlanePoint {
     std::int64_t x, y;  // at most 2^51
-    auto operator<=>(const PlanePoint&) const = default;
+    bool operator==(const PlanePoint&) const = default;
 };
+
+// Any order of points.
+inline bool isBefore(const PlanePoint& a, const PlanePoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 // On which side of the line from a to b the point c lies: 1 left, -1 right, 0 on it; exactly, or but for the
 // roundings of projectPolygon.

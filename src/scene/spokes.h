@@ -53,7 +53,7 @@ class Spokes {
         bool operator()(const PlanePoint& a, const PlanePoint& b) const {
             if (half(a) != half(b)) return half(a) < half(b);
             const int side = sideOf(hub, a, b);
-            return side != 0 ? side > 0 : a < b;
+            return side != 0 ? side > 0 : isBefore(a, b);
         }
     };
 

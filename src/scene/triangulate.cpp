@@ -55,7 +55,7 @@ class EarClipping {
         std::vector<std::uint32_t> reflex;
         for (std::uint32_t i = 0; i < left_; ++i)
             if (!isLeftTurn(i)) reflex.push_back(i);
-        std::ranges::sort(reflex, {}, [&](std::uint32_t corner) { return polygon_[corner]; });
+        std::ranges::sort(reflex, isBefore, [&](std::uint32_t corner) { return polygon_[corner]; });
         std::vector<PlanePoint> blocking;
         for (const std::uint32_t corner : reflex) {
             if (blocking.empty() || blocking.back() != polygon_[corner]) {

@@ -158,7 +158,7 @@ class Folder:
             if out.exists() or not done.stderr:
                 raise Failure("refused without a word, or with a picture")
             # Of no file, no option, and no instruction set that is not there: an exception that nobody expected.
-            if re.search("^raytracer: (?!--|RAYTRACER_SIMD)", done.stderr, re.MULTILINE):
+            if re.search("^raytracer: (?!--|RAYTRACER_SIMD)", done.stderr, re.M):
                 raise Failure(f"refused by chance: {done.stderr[-300:]}")
             return None
         data = out.read_bytes()
