@@ -157,7 +157,7 @@ class Folder:
         if done.returncode == 2:
             if out.exists() or not done.stderr:
                 raise Failure("refused without a word, or with a picture")
-            # Of no file, no option, and no instruction set that is not there: an exception that nobody expected.
+            # Of no file, no option, no instruction set: an exception that nobody expected.
             if re.search("^raytracer: (?!--|RAYTRACER_SIMD)", done.stderr, re.M):
                 raise Failure(f"refused by chance: {done.stderr[-300:]}")
             return None
