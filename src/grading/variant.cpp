@@ -103,11 +103,12 @@ std::vector<std::optional<Rgb>> Variant::bytes(const Pixels& pixels, Trees& righ
         for (std::size_t i = 0; i < colors.size(); ++i) result[i] = toBytes(colors[i]);
         return result;
     }
-    if (colorsOf(pixels).empty()) return result;  // their trees would fill the memory
     Trees own;
     Trees& trees = made_ == right_ ? rightTrees : own;
-    if (trees.empty())
+    if (trees.empty()) {
+        if (colorsOf(pixels).empty()) return result;  // their trees would fill the memory
         for (const PixelPlace& pixel : pixels) trees.push_back(scene.explain(pixel));
+    }
     const CastRay cast = [&](const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion) {
         return scene.cast(origin, direction, max_recursion);
     };
