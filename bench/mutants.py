@@ -3,12 +3,12 @@
 
     bench/mutants.py [--count N] [--seed N] [--only PART]
 
-A mutant is the core with one operator, constant or comparison changed. Each is compiled (double, one
-translation unit), linked with the rest of build/release, and run through the tests that see pictures; one
-that they all pass goes through the core's own tests, too. Prints each mutant with what became of it, the
-survivors last. Ends with 1 where one survived. A survivor is to be killed by a test, or to be explained in
-bench/README.md: some changes make no difference.
-Takes half a minute a mutant, and needs `./run test` to have built build/release.
+A mutant is the core with one operator, constant or comparison changed. Each is compiled (double: the core,
+and the packets for SSE2), linked with the rest of build/release, and run through the tests that see pictures,
+with packets and with single rays; one that they all pass goes through the core's own tests, too. Prints each
+mutant with what became of it, the survivors last. Ends with 1 where one survived. A survivor is to be killed
+by a test, or to be explained in bench/README.md: some changes make no difference.
+Needs `./run test` to have built build/release.
 """
 import argparse
 import json
@@ -67,10 +67,10 @@ def candidates():
                         yield path.relative_to(top), number, found.start(), found.end(), after
 
 
-def core_command():
-    """Compiler, flags and sources of the core in double."""
+def compile_command(target):
+    """Compiler and flags of this target of the build."""
     entries = json.loads((release / "compile_commands.json").read_text())
-    entry = next(e for e in entries if "core_double.dir" in e["command"])
+    entry = next(e for e in entries if target + ".dir" in e["command"])
     words = [w for w in shlex.split(entry["command"])
              if not w.startswith(("-O", "-Winvalid")) and "ccache" not in w]
     flags, skip = [], False
@@ -79,9 +79,17 @@ def core_command():
             skip = word in ("-o", "-c", "-include", "-MT", "-MF") and not skip
             continue
         flags.append(word.replace(str(top), str(tree)))
-    listed = re.search(r"set\(core_sources(.*?)\)", (top / "CMakeLists.txt").read_text(),
-                       re.S).group(1).split()
-    return [words[0], *flags, "-O1", "-w"], listed
+    return [words[0], *flags, "-O1", "-w"]
+
+
+def core_sources():
+    return re.search(r"set\(core_sources(.*?)\)", (top / "CMakeLists.txt").read_text(), re.S).group(1).split()
+
+
+def compile_core():
+    """Whether the core and its packets compile, as core.o and packets.o."""
+    return (compile_to(compile_command("core_double"), core_sources(), "core") and
+            compile_to(compile_command("packets_double_sse2"), ["src/tracer/packet_tracer.cpp"], "packets"))
 
 
 def compile_to(command, sources, target):
@@ -100,36 +108,37 @@ def compile_each(command, sources):
     return [pathlib.Path(source).stem for source in sources]
 
 
-def passes(compiler, objects, name):
-    """Whether the tests in these objects pass with the mutant's core."""
+def passes(compiler, objects, name, instruction_sets):
+    """Whether the tests in these objects pass with the mutant's core, with each of these sets."""
     libraries = [str(release / "libraytracer_core.a"), str(next(release.glob("third_party/libstb.a"))),
                  "-ldeflate", "-lpthread"]
     program = str(work / name)
     subprocess.run([compiler, "-o", program, *[str(work / (o + ".o")) for o in objects], *libraries],
                    check=True)
     try:
-        # Single rays: the packets are not compiled again, and would hide the mutant.
-        environment = {**os.environ, "RAYTRACER_SIMD": "scalar"}
-        return subprocess.run([program, "--abort", left_out], env=environment, cwd=top, capture_output=True,
-                              timeout=seconds_to_hang).returncode == 0
+        # sse2: most rays in the mutant's packets, the others alone; scalar: all alone.
+        return all(subprocess.run([program, "--abort", left_out], env={**os.environ, "RAYTRACER_SIMD": set_},
+                                  cwd=top, capture_output=True, timeout=seconds_to_hang).returncode == 0
+                   for set_ in instruction_sets)
     except subprocess.TimeoutExpired:
         return False
 
 
-def fate(command, sources, mutant, pictures):
+def fate(command, mutant, pictures):
     path, number, start, end, after = mutant
     text = (top / path).read_text()
     lines = text.split("\n")
     lines[number] = lines[number][:start] + after + lines[number][end:]
     (tree / path).write_text("\n".join(lines))
     try:
-        if not compile_to(command, sources, "core"):
+        if not compile_core():
             return "does not compile", lines[number]
-        if not passes(command[0], ["core", "catch_main", *pictures], "pictures"):
+        tests = ["core", "packets", "catch_main", *pictures]
+        if not passes(command[0], tests, "pictures", ["sse2", "scalar"]):
             return "killed by a picture", lines[number]
         if not compile_to(command, core_tests, "core_tests"):
             raise SystemExit("bench/mutants.py: the core's tests do not compile")
-        ok = passes(command[0], ["core", "catch_main", "core_tests"], "known")
+        ok = passes(command[0], ["core", "packets", "catch_main", "core_tests"], "known", ["sse2"])
         return ("SURVIVED" if ok else "killed by a known answer"), lines[number]
     finally:
         (tree / path).write_text(text)
@@ -145,17 +154,18 @@ def main():
     shutil.rmtree(tree, ignore_errors=True)
     for part in ("src", "include", "test"):
         shutil.copytree(top / part, tree / part)
-    command, sources = core_command()
+    command = compile_command("core_double")
     pictures = compile_each([*command, '-DSOURCE_DIR="."'], picture_tests)
     compile_each(command, ["test/support/catch_main.cpp"])
-    compile_to(command, sources, "core")
-    if not passes(command[0], ["core", "catch_main", *pictures], "pictures"):
+    compile_core()
+    tests = ["core", "packets", "catch_main", *pictures]
+    if not passes(command[0], tests, "pictures", ["sse2", "scalar"]):
         raise SystemExit("bench/mutants.py: the tests fail without a mutant")
     order = [mutant for mutant in candidates() if arguments.only in str(mutant[0])]
     random.Random(arguments.seed).shuffle(order)
     fates = {}
     for mutant in order:
-        became, line = fate(command, sources, mutant, pictures)
+        became, line = fate(command, mutant, pictures)
         if became != "does not compile":
             fates.setdefault(became, []).append(f"{mutant[0]}:{mutant[1] + 1}: {line.strip()}")
             print(f"{became}: {fates[became][-1]}", flush=True)
