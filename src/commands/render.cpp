@@ -101,7 +101,6 @@ struct RenderJob {
 void renderBand(PixelSink& sink, RenderJob& job, const PixelRectangle& band, StepProgress& progress) {
     RenderOptions options = job.options;
     options.crop = band;
-    options.part = job.part.part;
     const bool hasFirst = job.choice && !job.choice->first.colors.empty();
     WatchedProgress watched(progress, job.wanted.watched);
     job.counts += job.renderer.render(options, sink, &watched, hasFirst ? &job.choice->first : nullptr);
@@ -169,7 +168,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     requirePictureFits(wanted.out, options.crop, wanted.isPfm());
     const auto renderer = arguments.makeRenderer(description);
     timings.build = watch.lap();
-    if (!wanted.targetError && !wanted.targetTime) remarkOnCost(arguments, description, *renderer, options);
+    if (!wanted.targetError && !wanted.targetTime) remarkOnRays(arguments, description, *renderer, options);
     RenderJob job{arguments, wanted, description, *renderer, options, timings};
     if (wanted.isPart()) job.part = partHead(arguments, options, parsePart(wanted.part), files);
     choose(job);
@@ -179,13 +178,14 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
         job.part.isReached = !job.choice || job.choice->reached;
         if (wanted.skipExisting && isPart(wanted.file(), job.part)) return tellSkipped(arguments, wanted);
     }
+    options.part = job.part.part;
+    if (!wanted.targetTime) remarkOnTime(arguments, *renderer, options);
     if (wanted.isPfm()) renderTo<FloatSink>(job, out, pfmWriter(out, options.crop));
     else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, arguments.threads));
-    if (!arguments.quiet) tellLimited(job.counts, options, options.crop.area() / job.part.part.count);
+    if (!arguments.quiet) tellLimited(job.counts, options, options.crop.area() / options.part.count);
     if (wanted.stats) printStats(job.counts, timings, options);
     if (!arguments.quiet && terminalColumns() > 0) tellDone(wanted.file(), options.crop, timings);
-    const bool isMissed = job.choice && !job.choice->reached;
-    return isMissed && !wanted.isPart() ? 1 : 0;  // assemble tells it of a picture in parts
+    return job.choice && !job.choice->reached && !wanted.isPart() ? 1 : 0;  // assemble tells it of parts
 }
 
 // Renders again whenever a file has changed; an error waits for the change that mends it.

@@ -12,48 +12,28 @@ namespace raytracer::commands {
 
 namespace {
 
-void remarkOnRays(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
-                  const RenderOptions& options) {
-    const auto rays = excessiveRays(scene, renderer, options);
-    if (!rays) return;
-    arguments.remark(
-        formatted("--max-recursion %d takes about %.1g reflected and refracted rays a sample: they "
-                  "double with each bounce where a material is both; a lower one takes fewer, or a --cutoff "
-                  "where color_reflect and color_refract are less than 1",
-                  options.max_recursion, *rays));
-}
+class NoPicture final : public PixelSink {
+    void write(int, int, std::span<const glm::dvec3>) override {}
+};
 
-// Of one sample on one thread, in seconds: by a small picture of the same view.
-double timeOfSample(const Renderer& renderer, RenderOptions options) {
-    constexpr int longEdge = 64;  // some milliseconds
-    const int longer = std::max(options.size.width, options.size.height);
-    const auto shortened = [&](int edge) { return std::max(1, edge * longEdge / longer); };
-    options.size = {shortened(options.size.width), shortened(options.size.height)};
-    options.crop = {0, 0, options.size.width, options.size.height};
-    options.samples = 1;
+// What one thread takes, in seconds: by some tiles from all over the picture, and by one sample where all
+// pixels have equally many.
+double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
+    constexpr int tiles = 64, samples = 64;  // 65,536 pixels: some milliseconds a sample
+    RenderOptions options = wanted;
+    const double pixels = static_cast<double>(options.crop.area());
+    options.part = {1, std::clamp(static_cast<int>(pixels / (tileEdge * tileEdge * tiles)), 1, mostParts)};
+    options.samples = options.adaptive > 0 ? std::min(options.samples, samples) : 1;
     options.threads = 1;
     const auto once = [&] {
-        ByteSink sink(options.crop);
+        NoPicture sink;
         Stopwatch watch;
         renderer.render(options, sink);
         return watch.lap().cpu;  // other programs take no part
     };
     once();  // fetches the scene into the caches
-    return once() / static_cast<double>(options.crop.area());
-}
-
-void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options) {
-    constexpr double few = 3e7;  // samples: of any of our scenes they take less than a minute
-    constexpr double longTime = 60;
-    const double samples = static_cast<double>(options.crop.area()) * options.samples;
-    if (samples < few || options.adaptive > 0) return;
-    const double seconds = samples * timeOfSample(renderer, options) / threadCount(options.threads);
-    if (seconds < longTime) return;
-    const bool isSampled = options.samples > 1;
-    arguments.remark(formatted("%d × %d pixels", options.crop.width(), options.crop.height()) +
-                     (isSampled ? formatted(" of %d samples", options.samples) : "") + " take about " +
-                     durationInWords(seconds) + "; " +
-                     (isSampled ? "--adaptive 0.02 takes less" : "a smaller size takes less"));
+    const double times = wanted.adaptive > 0 ? 1 : wanted.samples;
+    return once() * times * options.part.count / wanted.part.count;
 }
 
 }  // namespace
@@ -66,11 +46,36 @@ std::string durationInWords(double seconds) {
     return formatted("%.1f days", seconds / 86400);
 }
 
-void remarkOnCost(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
+void remarkOnRays(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
                   const RenderOptions& options) {
     if (arguments.quiet) return;
-    remarkOnRays(arguments, scene, renderer, options);
-    remarkOnTime(arguments, renderer, options);
+    const auto rays = excessiveRays(scene, renderer, options);
+    if (!rays) return;
+    arguments.remark(
+        formatted("--max-recursion %d takes about %.1g reflected and refracted rays a sample: they "
+                  "double with each bounce where a material is both; a lower one takes fewer, or a --cutoff "
+                  "where color_reflect and color_refract are less than 1",
+                  options.max_recursion, *rays));
+}
+
+void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options) {
+    constexpr double few = 3e7;  // samples: of any of our scenes they take less than a minute
+    constexpr double longTime = 60;
+    constexpr int adaptiveSamples = 4;  // at least, in the mean of a picture that takes long
+    if (arguments.quiet) return;
+    const bool isAdaptive = options.adaptive > 0;
+    const double samples = static_cast<double>(options.crop.area()) / options.part.count *
+                           (isAdaptive ? std::min(options.samples, adaptiveSamples) : options.samples);
+    if (samples < few) return;
+    const double seconds = timeOnOneThread(renderer, options) / threadCount(options.threads);
+    if (seconds < longTime) return;
+    const bool isSampled = options.samples > 1 && !isAdaptive;
+    arguments.remark(formatted("%d × %d pixels", options.crop.width(), options.crop.height()) +
+                     (isSampled    ? formatted(" of %d samples", options.samples)
+                      : isAdaptive ? formatted(" with --adaptive %g", options.adaptive)
+                                   : "") +
+                     " take about " + durationInWords(seconds) + "; " +
+                     (isSampled ? "--adaptive 0.02 takes less" : "a smaller size takes less"));
 }
 
 }  // namespace raytracer::commands
