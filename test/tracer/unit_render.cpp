@@ -32,7 +32,7 @@ std::vector<PixelRectangle> quarters(const ImageSize& size) {
 TEST_CASE("pictures are the same bytes with any number of threads") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         const auto renderer = makeRenderer(scene, Precision::Double);
         RenderOptions options = wholePicture(scene, smallEdge);
         options.threads = 1;
@@ -47,7 +47,7 @@ TEST_CASE("pictures are the same bytes with any number of threads") {
 TEST_CASE("crops put together are the whole picture") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         const auto renderer = makeRenderer(scene, Precision::Double);
         RenderOptions options = wholePicture(scene, smallEdge);
         const ByteImage whole = renderBytes(*renderer, options);
@@ -65,7 +65,7 @@ TEST_CASE("the terms of the light model add up") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
         const auto floatsWith = [&](const Terms& terms) {
-            SceneDescription scene = loadScene(file, true).description;
+            SceneDescription scene = loadScene(file).description;
             keepTerms(scene, terms);
             RenderOptions options = wholePicture(scene, smallEdge);
             options.shadows = terms.shadows;
@@ -122,4 +122,57 @@ TEST_CASE("the long edge goes to the longer film side") {
     camera.film_left = camera.film_bottom, camera.film_right = camera.film_top;
     CHECK(imageSize(camera, 7).width == 7);
     CHECK(imageSize(camera, 7).height == 7);
+}
+
+namespace {
+
+std::shared_ptr<const Texture> diagonals(int shift) {
+    constexpr std::uint8_t greys[] = {0, 250, 90, 170};
+    auto texture = std::make_shared<Texture>();
+    texture->width = texture->height = 4;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            for (int channel = 0; channel < 3; ++channel)
+                texture->texels.push_back(greys[(column + row + 4 - shift) % 4]);
+    return texture;
+}
+
+// The shape seen from the side, so that no cap is; the light shines from there.
+SceneDescription striped(ShapeType type, const TransformDescription& transform, int shift) {
+    SceneMaker make;
+    if (type != ShapeType::Plane) {
+        make.scene.camera.eye = {10, 0, 0};
+        make.scene.camera.look = {-1, 0, 0};
+        make.scene.camera.up = {0, 0, 1};
+    }
+    MaterialDescription& material = make.material(glm::dvec3(0));
+    material.color_diffuse = glm::dvec3(1);
+    material.use_diffuse_texture = true;
+    make.scene.textures.push_back({"diagonals", diagonals(shift)});
+    make.shape(type, transform);
+    make.light(10.0 * make.scene.camera.eye);
+    return make.scene;
+}
+
+ByteImage bilinear(ShapeType type, const TransformDescription& transform, int shift) {
+    return bytesOf(striped(type, transform, shift), 60, Precision::Double,
+                   [](RenderOptions& options) { options.bilinear = true; });
+}
+
+}  // namespace
+
+TEST_CASE("bilinear look-ups go round: a seam is like any place between two columns") {
+    for (const ShapeType type : {ShapeType::Sphere, ShapeType::Cylinder, ShapeType::Cone})
+        for (const int quarters : {1, 2, 3}) {
+            INFO(static_cast<int>(type) << ", " << quarters << " quarters");
+            TransformDescription turned;
+            turned.rotate = {{90.0 * quarters, {0, 0, 1}}};
+            CHECK(differingPixels(bilinear(type, turned, 0), bilinear(type, {}, quarters), 1) == 0);
+        }
+    TransformDescription right, up;
+    right.translate = {0.5, 0, 0};  // a quarter of the period
+    up.translate = {0, 0.5, 0};
+    const ByteImage still = bilinear(ShapeType::Plane, {}, 0);
+    CHECK(differingPixels(bilinear(ShapeType::Plane, right, 3), still, 1) == 0);
+    CHECK(differingPixels(bilinear(ShapeType::Plane, up, 1), still, 1) == 0);
 }
