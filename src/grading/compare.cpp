@@ -59,10 +59,8 @@ Totals totalsOf(const Image& a, const Image& b) {
 
 void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImage& b) {
     for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
-        int largest = 0;
-        for (std::size_t c = 0; c < 3; ++c)
-            largest = std::max(largest, std::abs(a.pixels[i + c] - b.pixels[i + c]));
-        ++comparison.pixelsByDifference[static_cast<std::size_t>(largest)];
+        const int difference = largestDifference(&a.pixels[i], &b.pixels[i]);
+        ++comparison.pixelsByDifference[static_cast<std::size_t>(difference)];
     }
 }
 

@@ -1,18 +1,11 @@
 #include "picture_fit.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <random>
 
 namespace raytracer {
 
 namespace {
-
-int difference(const std::uint8_t* a, const std::uint8_t* b) {
-    int largest = 0;
-    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a[c] - b[c]));
-    return largest;
-}
 
 const std::uint8_t* at(const ByteImage& image, std::size_t pixel) { return &image.pixels[3 * pixel]; }
 
@@ -29,9 +22,9 @@ std::vector<std::size_t> someOf(std::vector<std::size_t> all, std::size_t count)
 // An equal pixel counts 1. One that is off by 1 is rounding, unless all are.
 double likeness(const std::uint8_t* picture, const std::uint8_t* right, const Rgb& variant) {
     constexpr double offByOne = 0.8;
-    const int off = difference(picture, variant.data());
+    const int off = largestDifference(picture, variant.data());
     if (off == 0) return 1;
-    return off == 1 && difference(picture, right) > 2 ? offByOne : 0;
+    return off == 1 && largestDifference(picture, right) > 2 ? offByOne : 0;
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ SplitPixels::SplitPixels(const ByteImage& picture, const ByteImage& right) {
     std::vector<std::size_t> offByOne;
     const std::size_t count = picture.pixels.size() / 3;
     for (std::size_t i = 0; i < count; ++i) {
-        const int off = difference(at(picture, i), at(right, i));
+        const int off = largestDifference(at(picture, i), at(right, i));
         differing += off != 0;
         (off == 0 ? rightPixels : off == 1 ? offByOne : wrongPixels).push_back(i);
     }
@@ -69,7 +62,7 @@ Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, 
         const std::uint8_t* pixel = at(picture, sample.numbers[i]);
         (i < sample.wrongCount ? wrong : rights) += 1;
         if (i < sample.wrongCount) explained += likeness(pixel, at(right, sample.numbers[i]), *bytes[i]);
-        else contradicted += difference(pixel, bytes[i]->data()) > 1;
+        else contradicted += largestDifference(pixel, bytes[i]->data()) > 1;
     }
     constexpr double leastKnown = 0.25;  // of the wrong pixels
     if (wrong < leastKnown * static_cast<double>(sample.wrongCount)) return {};
@@ -87,10 +80,10 @@ Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels
         explained += likeness(at(picture, i), at(right, i), {made[0], made[1], made[2]});
     }
     for (const std::size_t i : split.rightPixels)
-        contradicted += difference(at(picture, i), at(whole, i)) > 1;
+        contradicted += largestDifference(at(picture, i), at(whole, i)) > 1;
     std::uint64_t off = 0;
     for (std::size_t i = 0; i < whole.pixels.size() / 3; ++i)
-        off += difference(at(picture, i), at(whole, i)) != 0;
+        off += largestDifference(at(picture, i), at(whole, i)) != 0;
     const auto wrong = static_cast<double>(split.wrongPixels.size());
     return {explained / wrong, contradicted / wrong, whole.pixels.size() / 3, 0, off};
 }

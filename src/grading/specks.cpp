@@ -12,10 +12,7 @@ constexpr double leastSpecks = 0.005;
 constexpr double leastOfSpecks = 0.9;  // of the wrong pixels
 
 int offBy(const ByteImage& a, std::size_t pixelA, const ByteImage& b, std::size_t pixelB) {
-    int largest = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-        largest = std::max(largest, std::abs(a.pixels[3 * pixelA + c] - b.pixels[3 * pixelB + c]));
-    return largest;
+    return largestDifference(&a.pixels[3 * pixelA], &b.pixels[3 * pixelB]);
 }
 
 std::size_t indexIn(const ByteImage& image, int x, int y) {
@@ -64,11 +61,8 @@ bool isInShadow(const ByteImage& picture, std::size_t pixel, const RayExplanatio
         glm::dvec3 color = tree.color;
         for (std::size_t i = 0; i < lit.size(); ++i)
             if (shadowed >> i & 1) color -= lit[i];
-        int off = 0;
-        for (int c = 0; c < 3; ++c)
-            off = std::max(
-                off, std::abs(toByte(color[c]) - picture.pixels[3 * pixel + static_cast<std::size_t>(c)]));
-        if (off <= 1) return true;
+        const std::uint8_t bytes[] = {toByte(color.x), toByte(color.y), toByte(color.z)};
+        if (largestDifference(bytes, &picture.pixels[3 * pixel]) <= 1) return true;
     }
     return false;
 }

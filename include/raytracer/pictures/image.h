@@ -1,7 +1,9 @@
 // Pictures in files: PNG (8-bit RGB) and PFM (32-bit float RGB, linear, unclamped).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +35,13 @@ struct FloatImage {
 inline std::uint8_t toByte(double channel) {
     const double raised = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0) + 0.5;
     return static_cast<std::uint8_t>(static_cast<int>(raised));
+}
+
+// By how much the channel differs most: the arguments point at red, green and blue.
+inline int largestDifference(const std::uint8_t* a, const std::uint8_t* b) {
+    int largest = 0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a[c] - b[c]));
+    return largest;
 }
 
 // PNG or JPEG as RGB: without alpha, grey as three equal channels. Throws Error where the file is missing,
