@@ -13,10 +13,6 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// More than a reflection or refraction takes of the stack (test/tracer/core_stack.cpp measures it): 6 KB for
-// a packet, 2 KB for a ray alone; several times as much where nothing is inlined, or a sanitizer guards it.
-constexpr std::size_t recursionStack = std::size_t{64} << 10;
-
 constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
 
 // What pilot samples may cast: the outcome is the same for any number of threads, whose work together is at

@@ -60,7 +60,7 @@ void checkStack(const StackWatch& watch) {
     INFO(watch.eachRay() << " bytes");
     CHECK(watch.rays() == reflections);
     CHECK(watch.eachRay() > 0);
-    CHECK(watch.eachRay() < std::ptrdiff_t{64} << 10);
+    CHECK(watch.eachRay() < static_cast<std::ptrdiff_t>(recursionStack));
 }
 
 }  // namespace

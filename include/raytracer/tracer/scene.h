@@ -26,6 +26,11 @@ struct RayPath {
     }
 };
 
+// Bytes: more than a reflection or refraction takes of a thread's stack (test/tracer/core_stack.cpp measures
+// it): 6 KB for a packet, 2 KB for a ray alone; several times as much where nothing is inlined, or a
+// sanitizer guards it.
+inline constexpr std::size_t recursionStack = std::size_t{64} << 10;
+
 // What is kept for a camera ray beside its colour.
 struct SampleTrace {
     double truncationBound = 0;  // an upper bound on what rays terminated by the cutoff change it by
@@ -60,6 +65,9 @@ struct Scene {
     bool hasRefractiveShape = false;
     bool fits = true;  // in Real, as numerics.h has it; where not, the picture may be wrong
     const PacketKernel* packets = nullptr;  // null: each ray alone
+
+    Scene() = default;
+    Scene(const Scene&) = delete;  // shapes point to materials
 
     // The nearest intersection with t >= 0; where surfaces coincide, with the one listed first.
     Intersection closestIntersection(const Ray& ray, const RenderContext& context) const;
