@@ -132,7 +132,7 @@ RenderArguments argumentsOf(const GradeCase& test, int longEdge) {
 Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out) {
     SceneDescription scene;
     try {
-        scene = loadScene(test.scene, false).description;
+        scene = loadScene(test.scene).description;
     } catch (const Error& error) {
         return {true, error.what(), ""};
     }
@@ -147,7 +147,7 @@ Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out)
 // What our pictures of a case are held against.
 std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& size) {
     try {
-        SceneDescription scene = loadScene(test.scene, false).description;
+        SceneDescription scene = loadScene(test.scene).description;
         const SceneDescription whole = scene;
         const RenderArguments arguments = argumentsOf(test, std::max(size.width, size.height));
         const RenderOptions options = arguments.prepare(scene);

@@ -161,7 +161,7 @@ void RenderArguments::warnAll(const std::vector<std::string>& warnings) const {
 }
 
 SceneDescription RenderArguments::load(std::vector<std::string>* files, FileKind kind) const {
-    LoadedScene loaded = loadScene(scene, false, sets, files, kind);
+    LoadedScene loaded = loadScene(scene, sets, files, kind);
     if (!warns()) return std::move(loaded.description);
     std::vector<std::string> remarks = sceneSlips(loaded.description);
     std::ranges::move(sceneAdvice(loaded.description), std::back_inserter(remarks));

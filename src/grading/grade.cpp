@@ -65,7 +65,7 @@ void planScene(GradePlan& plan, const fs::path& scene, const fs::path& reference
 void requireFilesOf(const std::string& scene) {
     std::vector<std::string> named;
     try {
-        loadScene(scene, false, {}, &named);
+        loadScene(scene, {}, &named);
     } catch (const Error&) {
         if (named.size() > 1) throw;
     }

@@ -53,7 +53,7 @@ int stepsUp(const files::path& relative) {
 std::string copyScene(const std::string& scene, const std::string& folder) {
     std::vector<std::string> named;
     try {
-        named = loadScene(scene, false).files;
+        named = loadScene(scene).files;
     } catch (const Error&) {
         named = {scene};
     }

@@ -42,7 +42,7 @@ JsonObject KnownKeys::check(JsonView json, std::span<const std::string_view> kno
     const JsonObject object(json, known);
     for (const JsonView member : json.members()) {
         if (object.knows(member.key())) continue;
-        if (strict_ || warnings_.size() < mostWarnings) report(object, member);
+        if (member.hasEditedKey() || warnings_.size() < mostWarnings) report(object, member);
         else ++notShown_;
     }
     return object;
@@ -53,7 +53,7 @@ void KnownKeys::report(const JsonObject& object, JsonView member) {
     NearestName nearest(key);
     for (const std::string_view name : object.known()) nearest.consider(name);
     const std::string message = "unknown key " + inQuotes(key) + nearest.question();
-    if (strict_ || member.hasEditedKey()) throw object.json().errorAtKey(member, message);
+    if (member.hasEditedKey()) throw object.json().errorAtKey(member, message);
     warnings_.emplace_back(object.json().errorAtKey(member, message).what());
 }
 

@@ -1,5 +1,5 @@
-// Checks the keys of objects. An unknown key is a warning with the nearest known one, or an Error if
-// `strict`. A required key that is missing is an Error with the unknown key that may have been meant.
+// Checks the keys of objects. An unknown key is a warning with the nearest known one, or an Error in a
+// value of --set. A required key that is missing is an Error with the unknown key that may have been meant.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,6 @@ class JsonObject {
 
 class KnownKeys {
   public:
-    explicit KnownKeys(bool strict) : strict_(strict) {}
-
     // `known` must outlive the result.
     JsonObject check(JsonView json, std::span<const std::string_view> known);
 
@@ -44,7 +42,6 @@ class KnownKeys {
   private:
     void report(const JsonObject& object, JsonView member);
 
-    bool strict_;
     std::vector<std::string> warnings_;
     std::size_t notShown_ = 0;
 };

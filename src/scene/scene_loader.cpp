@@ -22,7 +22,7 @@ constexpr std::string_view defaultMaterialName = "default";  // as in MaterialDe
 // Reads the whole scene and resolves its names. Strings and views belong to the document.
 class SceneReader {
   public:
-    SceneReader(const std::string& path, bool strict) : files_(path), keys_(strict) {}
+    explicit SceneReader(const std::string& path) : files_(path) {}
 
     void read(JsonView scene);
 
@@ -150,9 +150,9 @@ std::vector<Error> remarksOn(const std::string& path, const std::vector<std::str
     return errors;
 }
 
-LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits,
+LoadedScene loadScene(const std::string& path, std::span<const std::string> edits,
                       std::vector<std::string>* named, FileKind kind) {
-    SceneReader reader(path, strict);
+    SceneReader reader(path);
     const auto files = [&] {
         std::vector<std::string> all = reader.files();
         all.insert(all.begin(), path);

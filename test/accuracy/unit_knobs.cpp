@@ -46,7 +46,7 @@ template <class Test>
 void withEveryRenderer(int longEdge, Test test) {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         test(*makeRenderer(scene, Precision::Double), wholePicture(scene, longEdge));
     }
 }
@@ -119,7 +119,7 @@ TEST_CASE("facing mirrors, 64 deep, with a cutoff cost what their visible bounce
 }
 
 TEST_CASE("the mirror corridor, 64 deep, with a cutoff costs what its visible bounces cost") {
-    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/mirror_corridor.json", true).description;
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/mirror_corridor.json").description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     const RenderOptions options = wholePicture(scene, 64);
     const Shot deep = shoot(*renderer, options, {.max_recursion = 64});

@@ -22,7 +22,7 @@ template <class Test>
 void forEveryScene(int longEdge, Test test) {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         test(scene, *makeRenderer(scene, Precision::Double), wholePicture(scene, longEdge));
     }
 }
@@ -74,7 +74,7 @@ TEST_CASE("the error falls with the samples at the rate that the chart claims") 
     for (const char* name : {"spheres_cylinder", "checker_horizon"}) {
         INFO(name);
         const SceneDescription scene =
-            loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json", true).description;
+            loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json").description;
         const SceneTradeoff chart = measureTradeoff(
             name, scene,
             {.size = 24, .samples = 16, .repeats = 1, .referencePrecision = Precision::Double, .report = {}});
@@ -88,7 +88,7 @@ TEST_CASE("the error falls with the samples at the rate that the chart claims") 
 }
 
 TEST_CASE("one number of samples tells no rate, and none is claimed") {
-    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json").description;
     const SceneTradeoff chart = measureTradeoff(
         "one", scene,
         {.size = 12, .samples = 1, .repeats = 1, .referencePrecision = Precision::Double, .report = {}});
@@ -98,7 +98,7 @@ TEST_CASE("one number of samples tells no rate, and none is claimed") {
 }
 
 TEST_CASE("a chart shows errors of any size, and none at all") {
-    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json").description;
     SceneTradeoff chart =
         measureTradeoff("small", scene, {.size = 12, .samples = 4, .repeats = 1, .report = {}});
     const auto heights = [&] {
@@ -129,7 +129,7 @@ TEST_CASE("the front has what no other point beats") {
 TEST_CASE(
     "a measured scene: its front is one, its errors are apart, its reference is trusted no more than it "
     "says") {
-    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json", true).description;
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json").description;
     const SceneTradeoff measured =
         measureTradeoff("spheres", scene, {.size = 24, .samples = 9, .repeats = 3, .report = {}});
     const Trial* last = nullptr;
@@ -201,7 +201,7 @@ TEST_CASE("ray trees tell what every depth costs and leaves out") {
 }
 
 TEST_CASE("ray trees of huge colours stay finite") {
-    SceneDescription scene = loadScene(SOURCE_DIR "/scenes/refraction.json", true).description;
+    SceneDescription scene = loadScene(SOURCE_DIR "/scenes/refraction.json").description;
     for (LightDescription& light : scene.lights) light.color = glm::dvec3(1e300);
     const RenderOptions options = wholePicture(scene, 16);
     RayTrees trees;
@@ -234,7 +234,7 @@ TEST_CASE("target-error: the error is estimated without bias") {
     double estimated = 0;  // parts of the measured squared errors
     for (const char* name : {"cone_cube", "texture", "extreme_scale", "mesh"}) {
         const SceneDescription scene =
-            loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json", true).description;
+            loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json").description;
         const auto renderer = makeRenderer(scene, Precision::Double);
         RenderOptions options = wholePicture(scene, 64);
         RenderOptions others = withSetting(options, {4096, 0.005, 4, 0.005});
@@ -256,7 +256,7 @@ TEST_CASE("target-error: the error is estimated without bias") {
 }
 
 TEST_CASE("target-error: where nothing reaches it, no promise") {
-    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/checker_horizon.json", true).description;
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/checker_horizon.json").description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     CHECK(!chooseSetting(*renderer, wholePicture(scene, 2), 1e-7).reached);
 }
@@ -282,7 +282,7 @@ TEST_CASE(
 }
 
 TEST_CASE("target-error: the choice is the whole picture's, whatever the crop and the threads") {
-    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/texture.json", true).description;
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/texture.json").description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     RenderOptions options = wholePicture(scene, 60), part = options;
     part.crop = {7, 3, 20, 33};
@@ -292,7 +292,7 @@ TEST_CASE("target-error: the choice is the whole picture's, whatever the crop an
 }
 
 TEST_CASE("target-error: the texture filter stays the one that was asked for") {
-    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/texture.json", true).description;
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/texture.json").description;
     const auto renderer = makeRenderer(scene, Precision::Double);
     RenderOptions options = wholePicture(scene, 24);
     options.bilinear = true;

@@ -109,14 +109,14 @@ std::shared_ptr<const MeshData> ball(std::uint32_t n) {
 TEST_CASE("the scenes are the same with and without a tree") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        checkAll(loadScene(file, true).description, shortened(16));
+        checkAll(loadScene(file).description, shortened(16));
     }
 }
 
 TEST_CASE("packets are the same whatever the samples, the depth and the terms") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         const auto without = makeRenderer(scene, Precision::Double, {Accelerator::None, 0});
         std::vector<std::unique_ptr<Renderer>> with;
         for (const InstructionSet set : supportedInstructionSets())

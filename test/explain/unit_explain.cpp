@@ -116,7 +116,7 @@ bool equalButForUnit(const RayExplanation& a, const RayExplanation& b, double un
 TEST_CASE("an explanation's colours are the render's, and add up, to the bit") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         const auto renderer = makeRenderer(scene, Precision::Double);
         const RenderOptions options = wholePicture(scene, 40);
         ColorSink sink(options.crop);
@@ -133,7 +133,7 @@ TEST_CASE("an explanation's colours are the render's, and add up, to the bit") {
 }
 
 TEST_CASE("an explanation's colours are the render's in every precision") {
-    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/nested_glass.json", true).description;
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/nested_glass.json").description;
     for (const Precision precision : {Precision::Float, Precision::Extended}) {
         const auto renderer = makeRenderer(scene, precision);
         const RenderOptions options = wholePicture(scene, 40);
@@ -151,7 +151,7 @@ TEST_CASE("an explanation's colours are the render's in every precision") {
 TEST_CASE("an explanation is the same in any unit of length") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         const RenderOptions options = wholePicture(scene, 16);
         const auto renderer = makeRenderer(scene, Precision::Double);
         for (const int exponent : {-300, 7, 300}) {

@@ -6,7 +6,7 @@
 extern "C" int LLVMFuzzerTestOneInput(Bytes data, std::size_t size) {
     static const MemoryFile file;
     try {
-        raytracer::loadScene(file.write(data, size), false);
+        raytracer::loadScene(file.write(data, size));
     } catch (const raytracer::Error&) {
     }
     return 0;

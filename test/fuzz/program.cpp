@@ -181,7 +181,7 @@ extern "C" int LLVMFuzzerTestOneInput(Bytes data, std::size_t size) {
     try {
         meshFile.write(meshOf(choose));
         const SceneDescription scene =
-            loadScene(sceneFile.write(sceneOf(choose, meshFile.path(), texture)), true).description;
+            loadScene(sceneFile.write(sceneOf(choose, meshFile.path(), texture))).description;
         const auto renderer =
             makeRenderer(scene, static_cast<Precision>(choose.whole(0, 2)), buildOptionsOf(choose));
         const RenderOptions options = optionsOf(choose, scene.camera);

@@ -200,7 +200,7 @@ TEST_CASE("coincidence: glass that touches water") {
 TEST_CASE("coincidence: every shape of every scene listed twice") {
     for (const std::string& file : sceneFiles())
         for (const Precision precision : {Precision::Float, Precision::Double}) {
-            SceneDescription scene = loadScene(file, true).description;
+            SceneDescription scene = loadScene(file).description;
             const ByteImage once = bytesOf(scene, 60, precision);
             const auto shapes = scene.shapes;
             scene.shapes.insert(scene.shapes.end(), shapes.begin(), shapes.end());

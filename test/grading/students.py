@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
         if (known == std::end(names)) return 9;
         mistaken[known - std::begin(names)] = true;
     }
-    const auto scene = raytracer::loadScene(argv[1], false).description;
+    const auto scene = raytracer::loadScene(argv[1]).description;
     raytracer::writePng(argv[2], raytracer::plain::Tracer(scene).render(std::stoi(argv[3])));
 }
 """

@@ -18,7 +18,7 @@ namespace {
 constexpr int edge = 80;
 
 SceneDescription courseScene(const std::string& name) {
-    return loadScene(SOURCE_DIR "/scenes/" + name + ".json", false).description;
+    return loadScene(SOURCE_DIR "/scenes/" + name + ".json").description;
 }
 
 std::string nameOf(const SceneDescription& scene, const ByteImage& picture) {

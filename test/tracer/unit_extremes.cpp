@@ -19,7 +19,7 @@ std::vector<int> exponentsBetween(int first, int last, int step) {
 
 void checkPowersOfTwo(Precision precision, const std::vector<int>& exponents, int longEdge) {
     for (const std::string& file : sceneFiles()) {
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         const ByteImage plain = bytesOf(scene, longEdge, precision);
         for (const int exponent : exponents) {
             INFO(file << " times 2^" << exponent << " in " << precisionName(precision));
@@ -80,7 +80,7 @@ TEST_CASE("a scene times a power of two is the same picture in float") {
 TEST_CASE("a scene times a power of two is the same picture beside what stays as it is") {
     const auto check = [](Precision precision, double distance, const std::vector<int>& exponents) {
         for (const std::string& file : sceneFiles()) {
-            const SceneDescription scene = loadScene(file, true).description;
+            const SceneDescription scene = loadScene(file).description;
             const ByteImage plain = bytesOf(scene, 24, precision);
             for (const int exponent : exponents) {
                 INFO(file << " times 2^" << exponent << " in " << precisionName(precision));
@@ -99,7 +99,7 @@ TEST_CASE("a scene times a power of ten is what extended precision makes of it")
     Tally inFloat;
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         Tally tally;
         for (int exponent = -12; exponent <= 12; exponent += slowness > 1 ? 6 : 1) {
             const SceneDescription other = scaled(scene, std::pow(10, exponent));
@@ -136,7 +136,7 @@ TEST_CASE("a far camera sees what a near one sees, or it is told that it may not
 TEST_CASE("a scene moved far away is what extended precision makes of it") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         Tally tally;
         for (int exponent = 0; exponent <= 8; ++exponent) {
             const SceneDescription other =

@@ -184,7 +184,7 @@ class RandomScene {
 TEST_CASE("the scenes look as a plain tracer of the model has them") {
     Comparison comparison;
     for (const std::string& file : sceneFiles()) {
-        const SceneDescription scene = loadScene(file, true).description;
+        const SceneDescription scene = loadScene(file).description;
         const double pixels = (triangleCount(scene) > 500 ? 1500.0 : 15000.0) / slowness;
         comparison.add(file, scene, static_cast<int>(std::sqrt(pixels)));
     }

@@ -18,11 +18,11 @@ struct LoadedScene {
 };
 
 // Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). An
-// unknown key is a warning, or an Error if `strict`. `edits` ("/pointer=value", JsonEdit) are made before,
-// one after the other. Throws Error: "FILE:LINE:COLUMN: /json/pointer: what was expected, what was found"
-// (syntax errors: without the pointer). `named` gets LoadedScene::files, as far as they are known also where
-// this throws.
-LoadedScene loadScene(const std::string& path, bool strict, std::span<const std::string> edits = {},
+// unknown key is a warning, or an Error in one of the `edits` ("/pointer=value", JsonEdit), which are made
+// before, one after the other. Throws Error: "FILE:LINE:COLUMN: /json/pointer: what was expected, what was
+// found" (syntax errors: without the pointer). `named` gets LoadedScene::files, as far as they are known also
+// where this throws.
+LoadedScene loadScene(const std::string& path, std::span<const std::string> edits = {},
                       std::vector<std::string>* named = nullptr, FileKind kind = FileKind::Any);
 
 // What is said about values of a scene, "/json/pointer: ...", as Errors about the file, with lines and
