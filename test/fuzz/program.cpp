@@ -144,9 +144,9 @@ std::string sceneOf(Choices& choose, const std::string& meshPath, const std::str
 // Rays double at each bounce where a material both reflects and refracts: so few bounces, samples and pixels.
 RenderOptions optionsOf(Choices& choose, const CameraDescription& camera) {
     RenderOptions options;
-    options.size = imageSize(camera, choose.whole(1, 5));
+    options.size = imageSize(camera, choose.whole(1, 3));
     options.crop = {0, 0, options.size.width, options.size.height};
-    options.max_recursion = choose.chance(4) ? choose.whole(0, 6) : 2;
+    options.max_recursion = choose.chance(4) ? choose.whole(0, 4) : 2;
     options.pass = static_cast<Pass>(choose.chance(4) ? choose.whole(0, 2) : 0);
     options.shadows = !choose.chance(4);
     options.refraction = !choose.chance(4);
