@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "raytracer/geometry/cone.h"
+#include "raytracer/geometry/cube.h"
 #include "raytracer/geometry/cylinder.h"
 #include "raytracer/geometry/sphere.h"
 
@@ -51,5 +52,22 @@ TEST_CASE("chord: t counts in a direction of any size") {
         CHECK(cone.hit);
         CHECK(std::abs(cone.entry - 2 * unit) <= gamma(8) * 2 * unit);
         CHECK(std::abs(cone.exit - 3 * unit) <= gamma(8) * 3 * unit);
+    }
+}
+
+TEST_CASE("chord: where two faces are met at once, the first one is") {
+    for (const Real x : {Real(-1), Real(1)})
+        for (const Real y : {Real(-1), Real(1)}) {
+            const ObjectRay ray{Real(-3) * Vec3(x, y, 0), Vec3(x, y, 0)};
+            const Chord<Real> cube = Cube::chord(ray),
+                              corner = Cube::chord(ObjectRay{Vec3(0), Vec3(x, y, 1)});
+            CHECK(cube.entryFace == (x < 0 ? 0 : 1));  // of +x, -x, +y, -y, +z, -z
+            CHECK(cube.exitFace == (x > 0 ? 0 : 1));
+            CHECK(corner.exitFace == (x > 0 ? 0 : 1));
+        }
+    for (const Real z : {Real(-1), Real(1)}) {
+        const Chord<Real> rim = Cylinder::chord(ObjectRay{Vec3(0, 0, Real(0.5)), Vec3(2, 0, z)});
+        CHECK(rim.exit == Real(0.5));
+        CHECK(rim.exitFace == 0);  // the body
     }
 }
