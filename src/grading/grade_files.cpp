@@ -116,9 +116,9 @@ std::string gradeSummary(std::span<const GradeResult> results, const GradePlan& 
 
 namespace {
 
-// To so many characters, not bytes.
+// To so many columns of a terminal.
 std::string padded(std::string text, std::size_t width) {
-    text.append(width - std::min(width, characterCount(text)), ' ');
+    text.append(width - std::min(width, columnCount(text)), ' ');
     return text;
 }
 
@@ -127,7 +127,7 @@ std::string padded(std::string text, std::size_t width) {
 std::string classTable(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
     std::size_t width = 10;
     for (const GradedSubmission& submission : graded)
-        width = std::max(width, characterCount(printable(submission.name)));
+        width = std::max(width, columnCount(printable(submission.name)));
     std::string table = " mean   right  " + padded("submission", width) + "  what is wrong\n";
     for (const GradedSubmission& submission : graded) {
         const std::size_t right = submission.rightCount(thresholds), all = submission.results.size();

@@ -41,15 +41,18 @@ Error::Error(Place place, const std::string& message, std::string_view line)
       line_(line) {}
 
 std::vector<std::string> Error::excerpt(std::size_t columns) const {
-    constexpr std::size_t indent = 4, context = 20;  // characters before the mark, where not all fit
+    constexpr std::size_t indent = 4, context = 20;  // columns before the mark, where not all fit
     const std::vector<std::string> all = characters(line_);
     if (all.empty() || place_.column == 0 || columns <= indent + context) return {};
     const std::size_t mark = std::min(place_.column - 1, all.size()), most = columns - indent;
-    const std::size_t last = std::min(mark + most - context, all.size());
-    const std::size_t first = mark < most ? 0 : mark - context;
+    std::vector<std::size_t> start{0};  // of each character, and the end
+    for (const std::string& character : all) start.push_back(start.back() + columnCount(character));
+    std::size_t first = 0;
+    if (start[mark] >= most)
+        while (start[mark] - start[first] > context) ++first;
     std::string text(indent, ' ');
-    for (std::size_t i = first; i < std::min(last, first + most); ++i) text += all[i];
-    return {text, std::string(indent + mark - first, ' ') + "^"};
+    for (std::size_t i = first; i < all.size() && start[i + 1] - start[first] <= most; ++i) text += all[i];
+    return {text, std::string(indent + start[mark] - start[first], ' ') + "^"};
 }
 
 Error systemError(const std::string& file, const std::string& purpose, const std::string& more) {

@@ -10,6 +10,45 @@ namespace raytracer {
 
 namespace {
 
+struct Character {
+    std::uint32_t code = 0;
+    std::size_t size = 0;  // bytes; 0: no character that can be shown
+};
+
+// What the text, which is not empty, begins with (RFC 3629).
+Character firstCharacter(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    if (lead < 0x80) return {lead, lead >= 0x20 && lead != 0x7f ? 1U : 0U};
+    const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return {};
+    std::uint32_t code = lead & (0x7fU >> size);
+    for (const char c : text.substr(1, size - 1)) {
+        if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return {};
+        code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
+    }
+    constexpr std::uint32_t least[] = {0, 0, 0xa0, 0x800, 0x10000};  // less is longer than it need be
+    const bool isSurrogate = code >> 11 == 0xd800 >> 11, isNoCharacter = (code & 0xfffe) == 0xfffe;
+    if (code < least[size] || code > 0x10ffff || isSurrogate || isNoCharacter) return {};
+    return {code, size};
+}
+
+struct CodeRange {
+    std::uint32_t first, last;
+    bool contains(std::uint32_t code) const { return first <= code && code <= last; }
+};
+
+// Of Unicode's EastAsianWidth.txt, by blocks: wide and fullwidth characters, emoji among them; and marks that
+// stand on the character before.
+constexpr CodeRange wide[] = {{0x1100, 0x115f},   {0x2e80, 0x303e},   {0x3041, 0xa4cf},   {0xac00, 0xd7a3},
+                              {0xf900, 0xfaff},   {0xfe30, 0xfe6f},   {0xff01, 0xff60},   {0xffe0, 0xffe6},
+                              {0x1f300, 0x1f64f}, {0x1f680, 0x1f6ff}, {0x1f900, 0x1f9ff}, {0x20000, 0x3fffd}};
+constexpr CodeRange marks[] = {{0x300, 0x36f}, {0x200b, 0x200f}, {0xfe00, 0xfe0f}};
+
+std::size_t columnsOf(std::uint32_t code) {
+    const auto has = [&](const CodeRange& range) { return range.contains(code); };
+    return std::ranges::any_of(marks, has) ? 0 : std::ranges::any_of(wide, has) ? 2 : 1;
+}
+
 std::string unicodeEscape(char c) { return formatted("\\u%04x", static_cast<unsigned char>(c)); }
 
 // Of the character that the text begins with, of which `size` bytes can be shown.
@@ -35,20 +74,7 @@ std::string quoted(std::string_view text, char escaped) {
 
 }  // namespace
 
-std::size_t printableBytes(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text[0]);
-    if (lead < 0x80) return lead >= 0x20 && lead != 0x7f;
-    const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return 0;
-    std::uint32_t code = lead & (0x7fU >> size);
-    for (const char c : text.substr(1, size - 1)) {
-        if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return 0;
-        code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
-    }
-    constexpr std::uint32_t least[] = {0, 0, 0xa0, 0x800, 0x10000};  // less is longer than it need be
-    const bool isSurrogate = code >> 11 == 0xd800 >> 11, isNoCharacter = (code & 0xfffe) == 0xfffe;
-    return code >= least[size] && code <= 0x10ffff && !isSurrogate && !isNoCharacter ? size : 0;
-}
+std::size_t printableBytes(std::string_view text) { return firstCharacter(text).size; }
 
 std::string formatted(const char* format, ...) {
     va_list values, again;
@@ -118,9 +144,14 @@ std::string listed(const std::vector<std::string>& names, const std::string& las
     return list;
 }
 
-std::size_t characterCount(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+std::size_t columnCount(std::string_view text) {
+    std::size_t columns = 0;
+    while (!text.empty()) {
+        const Character character = firstCharacter(text);
+        columns += columnsOf(character.code);
+        text.remove_prefix(std::max<std::size_t>(character.size, 1));
+    }
+    return columns;
 }
 
 std::string inShellQuotes(std::string_view word) {
@@ -137,7 +168,7 @@ std::string wrapped(std::string_view text, std::size_t columns, std::size_t inde
     for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
         end = std::min(text.find(' ', start), text.size());
         const std::string_view word = text.substr(start, end - start);
-        const std::size_t width = characterCount(word);
+        const std::size_t width = columnCount(word);
         const bool isFirst = start == 0, fits = used + !isFirst + width <= columns;
         if (!isFirst) lines += fits ? " " : "\n" + std::string(indent, ' ');
         used = (fits ? used + !isFirst : indent) + width;

@@ -286,4 +286,11 @@ TEST_CASE("an error of syntax shows its line, and a mark below") {
     CHECK(excerptOf("[" + std::string(200, ' ') + "+2" + std::string(200, ' ') + "]", 60) ==
           Lines{std::string(24, ' ') + "+2" + std::string(34, ' '), std::string(24, ' ') + "^"});
     CHECK(excerptOf("[1,\n", 80).empty());
+    // East Asian characters and emoji take two columns, a mark on a letter none.
+    CHECK(excerptOf("[\"\u7403\U0001f534u\u0308\", +2]", 80) ==
+          Lines{"    [\"\u7403\U0001f534u\u0308\", +2]", "              ^"});
+    std::string balls, ten;
+    for (int i = 0; i < 40; ++i) (i < 10 ? ten : balls) += "\u7403";
+    CHECK(excerptOf("[\"" + balls + ten + "\", +2" + balls + "]", 60) ==
+          Lines{"    " + ten.substr(0, 24) + "\", +2" + balls.substr(0, 51), std::string(23, ' ') + "^"});
 }

@@ -51,8 +51,9 @@ std::string wrapped(std::string_view text, std::size_t columns, std::size_t inde
 // "a, b or c".
 std::string listed(const std::vector<std::string>& names, const std::string& last = "or");
 
-// How many characters of UTF-8 the text has.
-std::size_t characterCount(std::string_view text);
+// How many columns of a terminal the text, of UTF-8, takes: two for an East Asian wide character or an emoji,
+// none for a mark on the one before it.
+std::size_t columnCount(std::string_view text);
 
 // Whether a file's name ends so, in large or small letters (ASCII).
 bool endsIn(std::string_view name, std::string_view ending);
