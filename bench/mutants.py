@@ -46,6 +46,7 @@ picture_tests = ["test/tracer/unit_plain_tracer.cpp", "test/tracer/unit_render.c
                  "test/tracer/unit_samples.cpp", "test/tracer/unit_extremes.cpp",
                  "test/geometry/unit_coincidence.cpp", "test/geometry/unit_range.cpp",
                  "test/explain/unit_explain.cpp"]
+late_tests = ["test/accuracy/unit_knobs.cpp"]  # of what passes those
 core_tests = sorted(str(path.relative_to(top)) for path in top.glob("test/*/core_*.cpp"))
 # These take a third of the time, to see what the powers of two see in less.
 left_out = "~*extended precision*"
@@ -122,7 +123,7 @@ def passes(compiler, objects, name, instruction_sets):
         return False
 
 
-def fate(command, mutant, pictures):
+def fate(command, mutant, pictures, late):
     path, number, start, end, after = mutant
     text = (top / path).read_text()
     lines = text.split("\n")
@@ -136,7 +137,8 @@ def fate(command, mutant, pictures):
             return "killed by a picture", lines[number]
         if not compile_to(command, core_tests, "core_tests"):
             raise SystemExit("bench/mutants.py: the core's tests do not compile")
-        ok = passes(command[0], ["core", "packets", "catch_main", "core_tests"], "known", ["sse2"])
+        tests = ["core", "packets", "catch_main", "core_tests", *late]
+        ok = passes(command[0], tests, "known", ["sse2"])
         return ("SURVIVED" if ok else "killed by a known answer"), lines[number]
     finally:
         (tree / path).write_text(text)
@@ -153,7 +155,8 @@ def main():
     for part in ("src", "include", "test"):
         shutil.copytree(top / part, tree / part)
     command = compile_command("core_double")
-    pictures = compile_each([*command, '-DSOURCE_DIR="."'], picture_tests)
+    seeing = [*command, '-DSOURCE_DIR="."']
+    pictures, late = compile_each(seeing, picture_tests), compile_each(seeing, late_tests)
     compile_each(command, ["test/support/catch_main.cpp"])
     compile_core()
     tests = ["core", "packets", "catch_main", *pictures]
@@ -163,7 +166,7 @@ def main():
     random.Random(arguments.seed).shuffle(order)
     fates = {}
     for mutant in order:
-        became, line = fate(command, mutant, pictures)
+        became, line = fate(command, mutant, pictures, late)
         if became != "does not compile":
             fates.setdefault(became, []).append(f"{mutant[0]}:{mutant[1] + 1}: {line.strip()}")
             print(f"{became}: {fates[became][-1]}", flush=True)

@@ -71,3 +71,18 @@ TEST_CASE("chord: where two faces are met at once, the first one is") {
         CHECK(rim.exitFace == 0);  // the body
     }
 }
+
+TEST_CASE("chord: a line in the plane of a cap passes, one in the plane of a cube's face meets other faces") {
+    for (const Real z : {Real(0), Real(1)}) {
+        CHECK_FALSE(Cylinder::chord(ObjectRay{Vec3(-3, 0, z), Vec3(1, 0, 0)}).hit);
+        CHECK(Cylinder::chord(ObjectRay{Vec3(-3, 0, Real(0.5) + z / 4), Vec3(1, 0, 0)}).hit);
+    }
+    CHECK_FALSE(Cone::chord(ObjectRay{Vec3(-3, 0, 0), Vec3(1, 0, 0)}).hit);
+    CHECK_FALSE(Cylinder::chord(ObjectRay{Vec3(1, 0, -3), Vec3(0, 0, 1)}).hit);  // along the body
+    for (const Real x : {Real(-1), Real(1)}) {
+        const Chord<Real> chord = Cube::chord(ObjectRay{Vec3(x, 0, 3), Vec3(0, 0, -1)});
+        CHECK(chord.hit);
+        CHECK(chord.entry == 2);
+        CHECK(chord.exit == 4);
+    }
+}
