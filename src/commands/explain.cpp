@@ -28,8 +28,8 @@ the symbols of the assignment:
 Options that change the picture change the explanation too.
 
 With --picture, the picture is held against those that known mistakes make of
-the scene. A mistake is named where it explains at least 90 % of the wrong
-pixels.
+the scene. A mistake is named where it explains at least 99 % of the wrong
+pixels; of specks, 90 %.
 
 Exit status: 0; 1 where the picture is not right; 2 for a wrong command line,
 scene or picture.

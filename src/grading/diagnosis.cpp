@@ -184,7 +184,7 @@ Diagnosis MistakeNamer::diagnose(const ByteImage& picture) const {
     if (!diagnosis.mistakes.empty()) return diagnosis;
     Sample sample(split, 1000, 0, picture.width);
     for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(state_->scene->explain(pixel));
-    const SpeckSample specks{sample.pixels, sample.trees};
+    const SpeckSample specks{state_->scene->scene(), sample.pixels, sample.trees};
     if (const auto name = specksIn(picture, state_->right, split.wrongPixels, specks))
         diagnosis.mistakes.push_back(*name);
     return diagnosis;

@@ -17,10 +17,6 @@ namespace raytracer {
 
 namespace {
 
-const MaterialDescription& materialOf(const SceneDescription& scene, std::size_t shape) {
-    return scene.materials[scene.shapes[shape].material];
-}
-
 LightTerm recordedTerm(const LitPoint& point) {
     const RayExplanation& ray = *point.ray;
     const LightDescription& light = point.scene->lights[point.light];

@@ -67,9 +67,11 @@ void addDepths(std::vector<Mistake>& mistakes, int depth) {
                             withRecursion([](int bounces) { return bounces - 1; })});
     mistakes.push_back({"with one bounce more" + text(depth + 1), hint, "depth",
                         withRecursion([](int bounces) { return bounces + 1; })});
-    for (const int other : {1, 2, 5, 8})
+    constexpr int most = 8;  // few scenes look different with more
+    for (int other = 1; other <= most; ++other)
         if (other < depth - 1 || other > depth + 1)
-            mistakes.push_back({.what = "with max_recursion " + std::to_string(other) + " instead of " +
+            mistakes.push_back({.what = "with max_recursion " + std::to_string(other) +
+                                        (other == most ? " or more" : "") + " instead of " +
                                         std::to_string(depth),
                                 .hint = hint,
                                 .kind = "depth",

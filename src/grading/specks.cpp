@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "mistake.h"
+
 namespace raytracer {
 
 namespace {
 
 // Of all pixels. Right programs differ at edges, which is no smooth place, and wrong areas have few corners.
-constexpr double leastSpecks = 0.005;
+constexpr double leastSpecks = 0.003;
 constexpr double leastOfSpecks = 0.9;  // of the wrong pixels
+constexpr double leastOfBoth = 0.98;   // what shadows or mirrors alone explain, of what both do
+constexpr double leastKnown = 0.25;    // of the wrong pixels: of glass it is not known what acne makes
 
 int offBy(const ByteImage& a, std::size_t pixelA, const ByteImage& b, std::size_t pixelB) {
     return largestDifference(&a.pixels[3 * pixelA], &b.pixels[3 * pixelB]);
@@ -41,33 +45,79 @@ bool isSpeck(const ByteImage& picture, const ByteImage& right, std::size_t pixel
     return off > similar && steepest <= similar && alike <= 3;
 }
 
+// A camera ray, what it is reflected to, and so on, up to glass or to the ray's end.
+std::vector<const RayExplanation*> mirrorsOf(const SceneDescription& scene, const RayExplanation& tree) {
+    std::vector<const RayExplanation*> mirrors;
+    const RayExplanation* ray = &tree;
+    for (; ray->hit && !materialOf(scene, ray->shape).refractive && !ray->rays.empty();
+         ray = &ray->rays.front())
+        mirrors.push_back(ray);
+    return mirrors;
+}
+
 // What shadows could take away from the pixel: each light's share that is not black, the largest first.
-void collectLit(const RayExplanation& ray, std::vector<glm::dvec3>& lit) {
+void collectLit(const RayExplanation& ray, const RayExplanation* end, std::vector<glm::dvec3>& lit) {
+    constexpr std::size_t most = 6;  // 64 ways to shadow them
     for (const LightExplanation& light : ray.lights) {
         const glm::dvec3 share = ray.weight * (light.diffuse + light.specular) * light.S_L;
         if (share != glm::dvec3(0)) lit.push_back(share);
     }
-    for (const RayExplanation& next : ray.rays) collectLit(next, lit);
-}
-
-bool isInShadow(const ByteImage& picture, std::size_t pixel, const RayExplanation& tree) {
-    constexpr std::size_t most = 6;  // 64 ways to shadow them
-    std::vector<glm::dvec3> lit;
-    collectLit(tree, lit);
+    if (&ray != end)
+        for (const RayExplanation& next : ray.rays) collectLit(next, end, lit);
     std::ranges::sort(lit, std::greater(),
                       [](const glm::dvec3& share) { return share.x + share.y + share.z; });
     if (lit.size() > most) lit.resize(most);
-    for (unsigned shadowed = 1; shadowed < 1u << lit.size(); ++shadowed) {
-        glm::dvec3 color = tree.color;
-        for (std::size_t i = 0; i < lit.size(); ++i)
-            if (shadowed >> i & 1) color -= lit[i];
-        const std::uint8_t bytes[] = {toByte(color.x), toByte(color.y), toByte(color.z)};
-        if (largestDifference(bytes, &picture.pixels[3 * pixel]) <= 1) return true;
-    }
-    return false;
 }
 
-bool sendsRays(const RayExplanation& ray) { return !ray.rays.empty(); }
+// The pixel, held against the colours that it has where secondary rays meet the surface that they leave.
+class AcnePixel {
+  public:
+    AcnePixel(const SceneDescription& scene, const RayExplanation& tree, const std::uint8_t* bytes)
+        : scene_(scene), tree_(tree), bytes_(bytes) {}
+
+    // Some shadow rays do.
+    bool hasShadows() const { return isLike(tree_.color, nullptr, true); }
+
+    // A reflected ray does, and perhaps some shadow rays. From inside, the surface has ambient light alone,
+    // and sends the ray on into a body whose far side is the same again.
+    bool isReflectedHere(bool shadows) const {
+        for (const RayExplanation* mirror : mirrorsOf(scene_, tree_)) {
+            const glm::dvec3 factor = materialOf(scene_, mirror->shape).color_reflect;
+            glm::dvec3 ambient(0), weight = mirror->weight * factor;
+            for (const LightExplanation& light : mirror->lights) ambient += light.ambient;
+            glm::dvec3 color = tree_.color - weight * mirror->rays.front().color;
+            for (int inside = mirror->max_recursion; inside > 0; --inside, weight *= factor) {
+                color += weight * ambient;
+                if (isLike(color, mirror, shadows)) return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    // Whether the bytes are the colour's, or those with a shadow on lights up to the ray `end`.
+    bool isLike(const glm::dvec3& whole, const RayExplanation* end, bool shadows) const {
+        std::vector<glm::dvec3> lit;
+        if (shadows) collectLit(tree_, end, lit);
+        for (unsigned shadowed = 0; shadowed < 1u << lit.size(); ++shadowed) {
+            glm::dvec3 color = whole;
+            for (std::size_t i = 0; i < lit.size(); ++i)
+                if (shadowed >> i & 1) color -= lit[i];
+            const std::uint8_t made[] = {toByte(color.x), toByte(color.y), toByte(color.z)};
+            if (largestDifference(made, bytes_) <= 1) return true;
+        }
+        return false;
+    }
+
+    const SceneDescription& scene_;
+    const RayExplanation& tree_;
+    const std::uint8_t* bytes_;
+};
+
+bool showsGlass(const SceneDescription& scene, const RayExplanation& ray) {
+    if (ray.hit && materialOf(scene, ray.shape).refractive) return true;
+    return std::ranges::any_of(ray.rays, [&](const RayExplanation& next) { return showsGlass(scene, next); });
+}
 
 constexpr const char* offset =
     "Is the secondary ray's origin moved by epsilon along its direction, so that it does not meet again the "
@@ -82,24 +132,32 @@ std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& 
         std::ranges::count_if(wrong, [&](std::size_t i) { return isSpeck(picture, right, i); });
     if (static_cast<double>(specks) < leastSpecks * static_cast<double>(picture.pixels.size()) / 3)
         return std::nullopt;
-    std::size_t shadows = 0, mirrors = 0;
+    std::size_t known = 0, shadows = 0, mirrors = 0, both = 0;
     for (std::size_t i = 0; i < sample.pixels.size(); ++i) {
-        const std::size_t pixel = indexIn(picture, sample.pixels[i].x, sample.pixels[i].y);
-        if (isInShadow(picture, pixel, sample.trees[i])) ++shadows;
-        else mirrors += sendsRays(sample.trees[i]);
+        const std::size_t number = indexIn(picture, sample.pixels[i].x, sample.pixels[i].y);
+        const AcnePixel pixel(sample.scene, sample.trees[i], &picture.pixels[3 * number]);
+        const bool isShadowed = pixel.hasShadows();
+        if (!isShadowed && showsGlass(sample.scene, sample.trees[i])) continue;
+        const bool isReflected = pixel.isReflectedHere(false);
+        ++known;
+        shadows += isShadowed;
+        mirrors += isReflected;
+        both += isShadowed || isReflected || pixel.isReflectedHere(true);
     }
-    const auto all = static_cast<double>(sample.pixels.size());
-    const double inShadow = static_cast<double>(shadows) / all,
-                 onMirrors = static_cast<double>(mirrors) / all;
-    const auto named = [&](const char* what, double explained) {
-        return NamedMistake{what, offset, explained, sample.pixels.size()};
+    const auto all = static_cast<double>(known);
+    const auto named = [&](const char* what, std::size_t explained) {
+        return NamedMistake{what, offset, static_cast<double>(explained) / all, known,
+                            sample.pixels.size() - known};
     };
-    if (inShadow >= leastOfSpecks) return named("with specks on lit surfaces (shadow acne)", inShadow);
-    if (onMirrors >= leastOfSpecks)
-        return named("with specks on mirrors and glass (reflection acne)", onMirrors);
-    if (inShadow + onMirrors < leastOfSpecks) return std::nullopt;
-    return named("with specks on lit surfaces and on mirrors (shadow and reflection acne)",
-                 inShadow + onMirrors);
+    if (all < leastKnown * static_cast<double>(sample.pixels.size()) ||
+        static_cast<double>(both) < leastOfSpecks * all)
+        return std::nullopt;
+    const auto nearlyAll = [&](std::size_t some) {
+        return static_cast<double>(some) >= leastOfBoth * static_cast<double>(both);
+    };
+    if (nearlyAll(shadows)) return named("with specks on lit surfaces (shadow acne)", shadows);
+    if (nearlyAll(mirrors)) return named("with specks on mirrors (reflection acne)", mirrors);
+    return named("with specks on lit surfaces and on mirrors (shadow and reflection acne)", both);
 }
 
 }  // namespace raytracer

@@ -1,5 +1,7 @@
 // Mistakes are named, and right pictures never. What programs changed by hand are called is measured by
 // bench/mistakes.py.
+#include <random>
+
 #include <catch2/catch.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -8,6 +10,7 @@
 #include "raytracer/grading/grade.h"
 #include "raytracer/pictures/color_sink.h"
 #include "raytracer/tracer/term_names.h"
+#include "raytracer/util/text.h"
 
 using namespace raytracer;
 using Catch::Matchers::Contains;
@@ -70,6 +73,39 @@ ByteImage normalsPicture(const SceneDescription& scene, glm::dvec3 (*change)(con
     for (const glm::dvec3& color : sink.colors())
         for (int c = 0; c < 3; ++c) picture.pixels.push_back(toByte(change(color)[c]));
     return picture;
+}
+
+// The right picture with every other pixel, at random, as `speck` makes it of its ray tree.
+ByteImage withSpecks(const SceneDescription& scene,
+                     const std::function<glm::dvec3(const RayExplanation&)>& speck) {
+    ByteImage picture = bytesOf(scene, edge);
+    const RenderOptions options = wholePicture(scene, edge);
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    std::mt19937 bits(1);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            if (bits() % 2 == 0) continue;
+            const glm::dvec3 color = speck(renderer->explain(options, x, y));
+            for (int c = 0; c < 3; ++c)
+                picture.pixels[static_cast<std::size_t>(3 * (y * picture.width + x) + c)] = toByte(color[c]);
+        }
+    return picture;
+}
+
+glm::dvec3 inShadow(const RayExplanation& ray) {
+    glm::dvec3 color = ray.color;
+    for (const LightExplanation& light : ray.lights) color -= (light.diffuse + light.specular) * light.S_L;
+    return color;
+}
+
+// The reflected ray meets the mirror from inside, where it has ambient light alone.
+glm::dvec3 seesItself(const RayExplanation& ray) {
+    glm::dvec3 color = ray.color;
+    for (const RayExplanation& next : ray.rays) {
+        color -= next.weight * next.color;
+        for (const LightExplanation& light : ray.lights) color += next.weight * light.ambient;
+    }
+    return color;
 }
 
 }  // namespace
@@ -266,14 +302,29 @@ TEST_CASE("mistakes: settings of a picture that is right otherwise") {
     const auto named = [](const SceneDescription& one, const std::function<void(RenderOptions&)>& change) {
         return nameOf(one, bytesOf(one, edge, Precision::Double, change));
     };
-    for (const int bounces : {1, 5, 8})
+    for (const auto& [bounces, said] : {std::pair{1, "1"}, {5, "5"}, {6, "6"}, {8, "8 or more"}})
         CHECK_THAT(named(scene, [=](RenderOptions& options) { options.max_recursion = bounces; }),
-                   Contains("with max_recursion " + std::to_string(bounces) + " instead of 3"));
+                   Contains(formatted("with max_recursion %s instead of 3", said)));
     CHECK(named(textured, [](RenderOptions& options) { options.bilinear = true; }) ==
           "with bilinear texture look-ups");
     for (const int samples : {4, 16})
         CHECK(named(textured, [=](RenderOptions& options) { options.samples = samples; }) ==
               "with " + std::to_string(samples) + " samples a pixel");
+}
+
+TEST_CASE("mistakes: specks that shadows or mirrors make are acne, others have no name") {
+    const SceneDescription scene = courseScene("cone_cube");
+    CHECK(nameOf(scene, withSpecks(scene, inShadow)) == "with specks on lit surfaces (shadow acne)");
+    CHECK(nameOf(scene, withSpecks(scene, seesItself)) == "with specks on mirrors (reflection acne)");
+    const auto both = [](const RayExplanation& ray) { return inShadow(ray) + seesItself(ray) - ray.color; };
+    CHECK(nameOf(scene, withSpecks(scene, both)) ==
+          "with specks on lit surfaces and on mirrors (shadow and reflection acne)");
+    const auto brighter = [](const RayExplanation& ray) {
+        return ray.rays.empty() ? ray.color : ray.color + ray.rays[0].weight * ray.rays[0].color;
+    };
+    CHECK(nameOf(scene, withSpecks(scene, brighter)).empty());
+    CHECK(
+        nameOf(scene, withSpecks(scene, [](const RayExplanation& ray) { return 0.5 * ray.color; })).empty());
 }
 
 TEST_CASE("mistakes: few pixels that are off by one are rounding") {
