@@ -91,6 +91,31 @@ Real brightestOf(const Scene& scene) {
     return maxComponent(brightest);
 }
 
+// How far a hit is from what makes its colour: the eye, or its nearest light.
+Real viewingDistance(const Scene& scene, const Ray& ray, const Vec3& position) {
+    const auto from = [&](const Vec3& place) { return maxComponent(abs(place - position)); };  // no squares
+    Real light = infinity;
+    for (const Light& one : scene.lights) light = std::min(light, from(one.position));
+    return std::max(light, from(ray.origin));
+}
+
+// Whether the hits of some camera rays are known well enough.
+bool isSharp(const Scene& scene) {
+    constexpr int rays = 8;  // along an edge
+    const RenderOptions options;
+    RenderCounts counts;
+    const RenderContext context{&options, nullptr, &counts};
+    for (int i = 0; i < rays * rays; ++i) {
+        const Real x = static_cast<Real>(i % rays) + Real(0.5), y = static_cast<Real>(i / rays) + Real(0.5);
+        const Ray ray = scene.camera.getRay(scene.camera.getPixelUV(x, y, rays, rays));
+        const Intersection hit = scene.closestIntersection(ray, context);
+        if (hit.valid &&
+            maxComponent(hit.positionError) > mostPositionError * viewingDistance(scene, ray, hit.position))
+            return false;
+    }
+    return true;
+}
+
 // Whether Real's exponents are enough for these numbers.
 bool fits(const Scene& scene) {
     Real finest = 1, farthest = std::max(Real(1), scene.camera.farthest()), flattest = 1;
@@ -120,7 +145,7 @@ std::unique_ptr<const Scene> buildScene(const SceneDescription& description, con
     scene->tree = ShapeTree(scene->shapes, options);
     scene->hasRefractiveShape = std::any_of(scene->shapes.begin(), scene->shapes.end(),
                                             [](const Shape& shape) { return shape.material().refractive; });
-    scene->fits = fits(*scene);
+    scene->fits = fits(*scene) && isSharp(*scene);
     if (options.accelerator == Accelerator::Bvh) scene->packets = packetKernel(options.instructionSet);
     return scene;
 }

@@ -5,6 +5,7 @@
 
 #include "../support/described.h"
 #include "../support/slowness.h"
+#include "raytracer/scene/mesh_file.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
@@ -131,6 +132,39 @@ TEST_CASE("a far camera sees what a near one sees, or it is told that it may not
             CHECK(fits == (exponent <= 15));
             if (fits) CHECK(differingPixels(bytesOf(scene, 24, precision), near, 1) == 0);
         }
+}
+
+// A plane is the same wherever along itself its origin lies, as is a floor of two triangles however large.
+TEST_CASE("a floor whose numbers are large is the same floor, or it is told that it may not be") {
+    SceneMaker make;
+    make.scene.camera.type = CameraDescription::Type::Perspective;
+    make.scene.camera.focal_length = 1.5;
+    make.scene.camera.eye = {0, 0, 4};
+    make.material(glm::dvec3(0)).color_diffuse = glm::dvec3(1);
+    make.shape(ShapeType::Plane, {});
+    make.light({-1, 1, 2});
+    const ByteImage plain = bytesOf(make.scene, 16);
+    const auto check = [&](const SceneDescription& scene, int exponent, int farthest) {
+        CAPTURE(exponent);
+        for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
+            const bool fits = makeRenderer(scene, precision)->fits();
+            CHECK(fits == (exponent <= farthest));
+            if (fits) CHECK(differingPixels(bytesOf(scene, 16, precision), plain, 1) == 0);
+        }
+    };
+    const auto floor = std::make_shared<MeshData>();
+    floor->positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    floor->positionIndex = {0, 1, 2, 0, 2, 3};
+    floor->findBounds();
+    for (int exponent = 1; exponent <= 30; ++exponent) {
+        const double size = std::pow(10, exponent);
+        SceneDescription moved = make.scene, mesh = make.scene;
+        moved.transforms[0].translate = {size, 0, 0};
+        check(moved, exponent, 15);
+        mesh.shapes[0] = {ShapeType::Mesh, 0, 0, floor};
+        mesh.transforms[0].scale = glm::dvec3(size);
+        check(mesh, exponent, 15);
+    }
 }
 
 TEST_CASE("a scene moved far away is what extended precision makes of it") {
