@@ -38,9 +38,7 @@ std::string commandLine(const Setting& setting) {
     return text.empty() ? "the defaults" : text;
 }
 
-double rayCount(const RenderCounts& counts) {
-    return static_cast<double>(counts.primary + counts.shadow + counts.reflection + counts.refraction);
-}
+double rayCount(const RenderCounts& counts) { return static_cast<double>(counts.all()); }
 
 std::vector<std::size_t> paretoFront(std::span<const CostAndError> points) {
     std::vector<std::size_t> order(points.size()), front;

@@ -29,7 +29,8 @@ constexpr double pilotPart = 0.3;
 // may miss.
 constexpr double finer = 1 / 1.09;
 constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
-constexpr std::size_t mostRequested = 1 << 20;  // samples that are taken at once: 50 MB
+constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
+constexpr double mostRaysOfPixel = 1 << 16;     // that pilot samples cast, for each pixel of the picture
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {
@@ -71,6 +72,7 @@ class Search {
         drawPixels(fewestPilots);
         choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
         chooseAdaptive();
+        if (isSpent()) endHere();
         choice_.reached = choice_.reached && !choice_.isLimited;
         if (choice_.setting.adaptive >= 0.25) {  // no pixel would take a second sample
             choice_.setting.samples = 1;
@@ -142,7 +144,7 @@ class Search {
             choice_.sampleError = std::sqrt(std::max(0.0, square));
             choice_.reached =
                 left >= (isLast ? 0 : standardErrors * std::hypot(deviation, depth_.standardError));
-            if (choice_.reached || isLast) return;
+            if (choice_.reached || isLast || isSpent()) return;
             if (left >= 0 && mayDrawMore()) {
                 drawPixels(count_);
                 continue;
@@ -150,6 +152,16 @@ class Search {
             adaptive = rounded(adaptive * finer);
             isLast = adaptive * errorMargin < target_;
         }
+    }
+
+    bool isSpent() const { return static_cast<double>(choice_.counts.all()) > mostRaysOfPixel * area_; }
+
+    // No pixel of the picture takes more samples than a pilot pixel has taken.
+    void endHere() {
+        choice_.setting.samples = 1;
+        for (const PilotPixel& pixel : pilots_)
+            choice_.setting.samples = std::max(choice_.setting.samples, pixel.own.samples());
+        choice_.isLimited = true;
     }
 
     // Whether twice the pilot samples are cheap beside the picture.
@@ -165,7 +177,7 @@ class Search {
 
     // Takes the pilot pixels to their end.
     void takeSamples(double adaptive) {
-        for (bool isEnd = false; !isEnd;) {
+        for (bool isEnd = false; !isEnd && !isSpent();) {
             isEnd = true;
             for (PilotPixel& pixel : pilots_) {
                 int samples = pixel.own.samples();

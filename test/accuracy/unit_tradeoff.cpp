@@ -298,3 +298,15 @@ TEST_CASE("target-error: the texture filter stays the one that was asked for") {
     options.bilinear = true;
     CHECK(chooseSetting(*renderer, options, 0.05).setting.bilinear);
 }
+
+TEST_CASE("a search casts at most 65536 rays for each pixel, and then says what it does not know") {
+    const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/refraction.json").description;
+    const RenderOptions options = wholePicture(scene, 4);
+    const TargetChoice choice = chooseSetting(*makeRenderer(scene, Precision::Double), options, 1e-8);
+    const auto bound = static_cast<std::uint64_t>(options.crop.area()) << 16;
+    CHECK(choice.counts.all() >= bound);
+    CHECK(choice.counts.all() < 2 * bound);  // what is asked for at once more
+    CHECK_FALSE(choice.reached);
+    CHECK(choice.isLimited);
+    CHECK(choice.setting.samples < mostSamples);
+}

@@ -65,6 +65,7 @@ struct RenderCounts {
     double cutoffBound = 0;
 
     std::uint64_t onwards() const { return reflection + refraction; }
+    std::uint64_t all() const { return primary + shadow + onwards(); }
     RenderCounts& operator+=(const RenderCounts& other);
 };
 
