@@ -80,15 +80,16 @@ std::string replacedBlanks(std::string names) {
     return names;
 }
 
-// Of all commands, that without a name first.
-void printAll(std::vector<std::string> words) {
-    const auto call = [&](std::string name, int (*command)(int, char**)) {
-        std::vector<char*> argv{name.data()};
-        for (std::string& word : words) argv.push_back(word.data());
-        command(static_cast<int>(argv.size()), argv.data());
-    };
-    call("raytracer", render);
-    for (const Command& command : commandTable) call(std::string(command.name), command.run);
+// Of a command.
+void printPart(std::string name, int (*command)(int, char**), std::vector<std::string> words) {
+    std::vector<char*> argv{name.data()};
+    for (std::string& word : words) argv.push_back(word.data());
+    command(static_cast<int>(argv.size()), argv.data());
+}
+
+// Of all commands with a name.
+void printParts(const std::vector<std::string>& words) {
+    for (const Command& command : commandTable) printPart(std::string(command.name), command.run, words);
 }
 
 std::string commandNames() {
@@ -108,7 +109,14 @@ void printManual() {
         "Turns a scene, a JSON file, into a picture; the commands compare pictures, grade programs, explain "
         "a\n"
         "pixel and measure what speed costs. Each command's section follows.\n");
-    printAll({"--print-manual"});
+    printPart("raytracer", render, {"--print-manual"});
+    printParts({"--print-manual"});
+}
+
+// The command without a name is what all others are not, so it comes last.
+void printCompletions(const std::string& shell) {
+    printParts({"--print-completion", shell});
+    printPart("raytracer", render, {"--print-completion", shell});
 }
 
 int printCompletion(const std::string& shell) {
@@ -122,7 +130,7 @@ int printCompletion(const std::string& shell) {
             commandNames() +
             "\"\n"
             "    case \"$command ${COMP_WORDS[COMP_CWORD - 1]}\" in\n");
-        printAll({"--print-completion", shell});
+        printCompletions(shell);
         print(
             "    esac\n    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n}\n"
             "complete -o default -F _raytracer raytracer\n");
@@ -130,11 +138,11 @@ int printCompletion(const std::string& shell) {
         print("#compdef raytracer\n_raytracer() {\n    if ((CURRENT == 2)); then compadd " + commandNames() +
               "; fi\n    case $words[2] in\n    " + replacedBlanks(commandNames()) +
               ") shift words; ((CURRENT--)) ;;\n    esac\n    case $words[1] in\n");
-        printAll({"--print-completion", shell});
+        printCompletions(shell);
         print("    esac\n}\n_raytracer \"$@\"\n");
     } else if (shell == "fish") {
         print("set -l names " + commandNames() + "\n");
-        printAll({"--print-completion", shell});
+        printCompletions(shell);
     } else {
         tell("raytracer: --print-completion: expected bash, zsh or fish, found " + inQuotes(shell));
         return 2;
