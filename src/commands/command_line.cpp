@@ -16,6 +16,8 @@ namespace raytracer::commands {
 
 namespace {
 
+constexpr std::size_t messageColumns = 100;  // a line's at most
+
 // Empty for any number.
 std::string inWords(const Range& range) {
     if (range.most < Range().most)
@@ -58,11 +60,15 @@ std::string expectedOf(const std::vector<std::string>& choices) {
     return list.size() <= longest ? list : "a name in --help";
 }
 
-std::string chosen(const char* name, const std::string& text, const std::vector<std::string>& choices) {
+// The nearest name is told where the line, which begins with the command, has room for it.
+std::string chosen(const std::string& command, const char* name, const std::string& text,
+                   const std::vector<std::string>& choices) {
     if (std::ranges::find(choices, text) != choices.end()) return text;
     NearestName nearest(text);
     for (const std::string& choice : choices) nearest.consider(choice);
-    refuse(name, expectedOf(choices), inQuotes(text) + nearest.question());
+    const std::string expected = expectedOf(choices), found = inQuotes(text), question = nearest.question();
+    const std::string line = command + ": " + name + ": expected " + expected + ", found " + found + question;
+    refuse(name, expected, line.size() <= messageColumns ? found + question : found);
 }
 
 template <class Number>
@@ -118,7 +124,9 @@ void CommandLine::texts(const char* name, std::vector<std::string>& values, cons
 
 void CommandLine::choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                          const std::string& help) {
-    const auto read = [=, &value](const std::string& text) { value = chosen(name, text, choices); };
+    const auto read = [=, command = command_, &value](const std::string& text) {
+        value = chosen(command, name, text, choices);
+    };
     add({name, withDefault("NAME", value), expectedOf(choices), help, read, ArgumentKind::Any, choices});
 }
 

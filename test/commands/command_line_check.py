@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-from checks import RAYTRACER, check, conclude, failures
+from checks import RAYTRACER, check, check_width, conclude, failures
 
 SCENE = str(pathlib.Path("test/good/least.json").resolve())
 COMMANDS = {"render": [], "assemble": ["assemble"], "compare": ["compare"], "grade": ["grade"],
@@ -38,6 +38,7 @@ def check_refused(arguments, text, command="raytracer"):
     done = run(*arguments)
     line = f"{command}: {text}\n"
     check(f"{arguments}", (2, "", line), (done.returncode, done.stdout, done.stderr))
+    check_width(arguments, done.stderr.rstrip("\n"))
 
 
 # Option, what it expects, and numbers in its range.

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-from checks import RAYTRACER, check, conclude, failures
+from checks import RAYTRACER, check, check_width, conclude, failures
 
 SCENE = """{
     "camera": {
@@ -56,6 +56,10 @@ COMMANDS = [
     ("scene.json out.png 8 --only difuse", 'raytracer: --only: no term "difuse"; did you mean "diffuse"?'),
     ("scene.json out.png 8 --pass normal",
      'raytracer: --pass: expected color, raycast or normals, found "normal"; did you mean "normals"?'),
+    ("scene.json out.png 8 --texture-filter trilinear",
+     'raytracer: --texture-filter: expected nearest or bilinear, found "trilinear"'),
+    ("explain scene.json 3 3 8 --precision doubble",
+     'raytracer explain: --precision: expected float, double or extended, found "doubble"'),
     ("scene.json out.png 8 --pass normals --only diffuse",
      "raytracer: --only has no effect with --pass normals"),
     ("scene.json out.png 8 --target-error 1 --samples 4",
@@ -212,10 +216,10 @@ def answered(folder, words):
     done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder, check=False,
                           timeout=60)
     lines = done.stderr.splitlines()
+    if len(lines) > 3:
+        failures.append(f"{words}: too much to read: {done.stderr}")
     for line in lines:
-        names = len("scene.json:11:11: Textures\\\\wood.png textures/wood.png")
-        if len(lines) > 3 or len(line) > 100 + names:
-            failures.append(f"{words}: too much to read: {done.stderr}")
+        check_width(words, line)
     check(f"{words}: a picture", done.returncode == 0, out.exists())
     return done.returncode, done.stdout, lines
 
@@ -244,6 +248,7 @@ def check_all(folder):
             done = subprocess.run([RAYTRACER, *line.split()], capture_output=True, text=True, cwd=folder,
                                   check=False)
             check(line, (2, answer + "\n"), (done.returncode, done.stderr))
+            check_width(line, answer)
             continue
         check(line, (2, "", [answer]), answered(folder, line.split()))
     for before, after, place, answer in SCENES:
@@ -280,6 +285,15 @@ def check_several(folder):
 
 def check_cost(folder):
     """What takes long is told before it is begun."""
+    glass = str(pathlib.Path("scenes/refraction.json").resolve())
+    rays = f"warning: {glass}: --max-recursion 1000 takes about N rays a sample; lower it"
+    for options, remedy in (([], ", or add a --cutoff"), (["--cutoff", "1e-99"], ""),
+                            (["--set", "/materials/4/color_reflect=[0,0,1]", "--set",
+                              "/materials/4/color_refract=[0,1,0]"], "")):
+        words = [glass, "out.png", "20", "--max-recursion", "1000", "--crop", "0,0,1,1", *options]
+        _, _, lines = answered(folder, words)
+        check(f"{options}: rays", [rays + remedy],
+              [re.sub("about [0-9.e+]+ rays", "about N rays", line) for line in lines])
     (folder / "scene.json").write_text(SCENE, encoding="utf-8")
     for options, said, instead in [
             (["--samples", "20000"], "of 20000 samples", "--adaptive 0.02"),
