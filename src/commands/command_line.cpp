@@ -141,10 +141,7 @@ void CommandLine::flag(const char* name, bool& value, const std::string& help) {
     add({name, "", "", help, [&value](const std::string&) { value = true; }});
 }
 
-void CommandLine::alone(const char* name, const std::string& help) {
-    add({name, "", "", help,
-         [=](const std::string&) { throw WrongUsage{name + std::string(" stands alone")}; }});
-}
+void CommandLine::alone(const char* name, const std::string& help) { add({name, "", "", help, {}}); }
 
 template <class Number>
 void CommandLine::number(const char* name, Number& value, const Range& range, const std::string& help) {

@@ -67,7 +67,7 @@ class CommandLine {
     void names(const char* name, std::string& list, const std::vector<std::string>& choices,
                const std::string& help);  // comma-separated; whether they are known, the caller asks
     void flag(const char* name, bool& value, const std::string& help);
-    void alone(const char* name, const std::string& help);  // run.cpp answers it where nothing else is given
+    void alone(const char* name, const std::string& help);  // run.cpp answers it before parse
 
     // A decimal, finite number in the range; whole where Number is: int, std::uint64_t or double.
     template <class Number>
@@ -132,6 +132,7 @@ class CommandLine {
     std::vector<const Word*> arguments() const;
     std::vector<const Word*> expectedArguments() const;
     [[noreturn]] void failUnknown(const std::string& option) const;
+    std::string meantOption(std::string_view name) const;
     void requireOrder() const;
     std::string listWithCommas(std::span<const std::string> leftOver) const;
 

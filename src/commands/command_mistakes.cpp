@@ -1,6 +1,7 @@
 // What is wrong with a command line, as its author would like to be told.
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include "command_line.h"
@@ -134,21 +135,29 @@ std::string CommandLine::order() const {
 void CommandLine::failUnknown(const std::string& option) const {
     const auto lacking = std::ranges::find(lacking_, option, &Pair::first);
     if (lacking != lacking_.end()) throw WrongUsage{"there is no " + option + ": " + lacking->second};
-    NearestName nearest(withoutDashes(option));
-    for (const Word& word : words_)
-        if (word.isOption()) nearest.consider(withoutDashes(word.name));
-    const auto isHere = [&](const OtherName& other) {
-        return std::ranges::find(words_, other.ours, &Word::name) != words_.end();
-    };
-    for (const OtherName& other : otherNames)
-        if (isHere(other)) nearest.consider(other.name);
+    const std::string ours = meantOption(withoutDashes(option));
     const std::string unknown = "unknown option " + option;
-    if (!nearest.found()) throw WrongUsage{unknown, true};
-    const auto other = std::ranges::find_if(
-        otherNames, [&](const OtherName& one) { return one.name == nearest.name() && isHere(one); });
-    const std::string ours(other == std::end(otherNames) ? "--" + nearest.name() : other->ours);
+    if (ours.empty()) throw WrongUsage{unknown, true};
     if (ours.starts_with("--")) throw WrongUsage{unknown + "; did you mean " + ours + "?"};
     throw WrongUsage{unknown + "; the order is " + order()};
+}
+
+// By its exact other name, else by what is near to the names here, and last to the other names. It may be an
+// argument; empty where there is none.
+std::string CommandLine::meantOption(std::string_view name) const {
+    NearestName own(name), others(name);
+    for (const Word& word : words_)
+        if (word.isOption()) own.consider(withoutDashes(word.name));
+    std::map<std::string, std::string_view> here;  // the other names of what this command has
+    for (const OtherName& other : otherNames)
+        if (std::ranges::find(words_, other.ours, &Word::name) != words_.end()) {
+            here.emplace(other.name, other.ours);
+            others.consider(other.name);
+        }
+    if (const auto exact = here.find(std::string(name)); exact != here.end())
+        return std::string(exact->second);
+    if (own.found()) return "--" + own.name();
+    return others.found() ? std::string(here.at(others.name())) : "";
 }
 
 // One for each that is given: the one that may be repeated, as often as leaves the others one each.

@@ -117,7 +117,7 @@ void RenderArguments::check(const CommandLine& line) const {
     };
     if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff"});
     if (pass == "normals") refuse("--pass normals", {"--texture-filter"});
-    if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff"});
+    if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff", "--max-recursion"});
     if (!chosen.refraction && !chosen.shadows) refuse("--only " + only, {"--opaque"});
     if (!chosen.textures) refuse("--only " + only, {"--texture-filter"});
     if (max_recursion == 0 && cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});

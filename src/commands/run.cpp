@@ -60,6 +60,14 @@ std::string lateCommand(const std::vector<std::string>& words) {
     return {};
 }
 
+// The one command whose name begins so; empty where there is none.
+std::string_view commandBegunBy(std::string_view word) {
+    constexpr std::size_t least = 3;  // letters
+    const auto begins = [&](const Command& command) { return command.name.starts_with(word); };
+    if (word.size() < least || std::ranges::count_if(commandTable, begins) != 1) return {};
+    return std::ranges::find_if(commandTable, begins)->name;
+}
+
 // Empty where a scene is meant.
 std::string unknownCommand(const std::string& word) {
     const std::string unknown = "raytracer: unknown command " + inQuotes(word) + "; ";
@@ -67,6 +75,8 @@ std::string unknownCommand(const std::string& word) {
         if (word == known.name) return unknown + "write raytracer " + std::string(known.instead);
     NearestName nearest(word);
     for (const Command& command : commandTable) nearest.consider(command.name);
+    if (const auto begun = commandBegunBy(word); !begun.empty())
+        return unknown + "did you mean " + inQuotes(begun) + "?";
     if (nearest.found()) return unknown.substr(0, unknown.size() - 2) + nearest.question();
     if (!nearbyFile(word).empty()) return {};
     std::string names;
@@ -119,7 +129,7 @@ void printCompletions(const std::string& shell) {
     printPart("raytracer", render, {"--print-completion", shell});
 }
 
-int printCompletion(const std::string& shell) {
+void printCompletion(const std::string& shell) {
     if (shell == "bash") {
         print(
             "_raytracer() {\n    local current=${COMP_WORDS[COMP_CWORD]} words=\"\" command=render\n"
@@ -140,24 +150,49 @@ int printCompletion(const std::string& shell) {
               ") shift words; ((CURRENT--)) ;;\n    esac\n    case $words[1] in\n");
         printCompletions(shell);
         print("    esac\n}\n_raytracer \"$@\"\n");
-    } else if (shell == "fish") {
+    } else {
         print("set -l names " + commandNames() + "\n");
         printCompletions(shell);
-    } else {
-        tell("raytracer: --print-completion: expected bash, zsh or fish, found " + inQuotes(shell));
-        return 2;
     }
-    return 0;
 }
 
-// What is installed beside the program; nothing where the line asks for none of it.
-std::optional<int> printDocument(int argc, char** argv) {
-    const std::string what = argc > 1 ? argv[1] : "";
-    if (what == "--print-schema" && argc == 2) print(schema_text::scene);
-    else if (what == "--print-manual" && argc == 2) printManual();
-    else if (what == "--print-completion" && argc == 3) return printCompletion(argv[2]);
-    else return std::nullopt;
-    return 0;
+// What is installed beside the program.
+constexpr std::string_view documents[] = {"--print-schema", "--print-manual", "--print-completion"};
+constexpr std::string_view shells[] = {"bash", "zsh", "fish"};
+
+std::string_view withoutValue(std::string_view word) { return word.substr(0, word.find('=')); }
+
+// A line of `words` that asks for the document at `asked`, whose values are what is behind.
+void requireAlone(const std::vector<std::string>& words, const std::string& asked, bool isCompletion,
+                  const std::vector<std::string>& values) {
+    const bool hasValue = asked.find('=') != asked.npos;
+    const std::string found = ", found " + (values.empty() ? "nothing" : inQuotes(values[0]));
+    std::string name(withoutValue(asked));
+    if (!isCompletion && hasValue) throw usageError(name + ": expected no value" + found);
+    if (isCompletion && (values.empty() || std::ranges::find(shells, values[0]) == std::end(shells)))
+        throw usageError(name + ": expected bash, zsh or fish" + found);
+    if (isCompletion) name += " " + values[0];
+    if (&asked != &words[0] || values.size() > isCompletion) throw usageError(name + " stands alone");
+}
+
+// Whether the line asks for a document, which is printed.
+bool printDocument(const std::vector<std::string>& words) {
+    const auto asked = std::ranges::find_if(words, [](const std::string& word) {
+        return std::ranges::find(documents, withoutValue(word)) != std::end(documents);
+    });
+    if (asked == words.end()) return false;
+    const std::string_view what = withoutValue(*asked);
+    std::vector<std::string> values(asked + 1, words.end());
+    if (what.size() < asked->size()) values.insert(values.begin(), asked->substr(what.size() + 1));
+    requireAlone(words, *asked, what == "--print-completion", values);
+    if (what == "--print-schema") print(schema_text::scene);
+    else if (what == "--print-manual") printManual();
+    else printCompletion(values[0]);
+    return true;
+}
+
+int renderOrPrint(int argc, char** argv) {
+    return printDocument({argv + std::min(argc, 1), argv + argc}) ? 0 : render(argc, argv);
 }
 
 // With the command's name before what its line says wrong.
@@ -177,11 +212,10 @@ int run(int argc, char** argv) {
     for (const Command& command : commandTable)
         if (argc > 1 && command.name == argv[1])
             return called("raytracer " + std::string(command.name), command.run, argc - 1, argv + 1);
-    if (const auto status = printDocument(argc, argv)) return *status;
     const std::string unknown = words.empty()             ? ""
                                 : looksLikeCommand(words) ? unknownCommand(words[0])
                                                           : lateCommand(words);
-    if (unknown.empty()) return called("raytracer", render, argc, argv);
+    if (unknown.empty()) return called("raytracer", renderOrPrint, argc, argv);
     tell(unknown);
     return 2;
 }

@@ -212,8 +212,10 @@ def check_without_effect():
     check_refused([*render, "--only", "ambient,refraction", "--texture-filter", "bilinear"],
                   "--texture-filter has no effect with --only ambient,refraction")
     check_refused([*render, "--only", "ambient", "--opaque"], "--opaque has no effect with --only ambient")
-    done = run(*render, "--only", "ambient,shadows", "--opaque", "--max-recursion", 5)
+    done = run(*render, "--only", "ambient,shadows", "--opaque")
     check("--opaque acts on shadows", False, "no effect" in done.stderr)
+    done = run(*render, "--only", "ambient,reflections", "--max-recursion", 0)
+    check("--max-recursion acts on reflections", False, "no effect" in done.stderr)
     check_refused([*render, "--samples", 1, "--adaptive", 0.1], "--adaptive has no effect with --samples 1")
     check_refused(["grade", "/no", "--program", "{}/x"],
                   "--program: {} is a submission's folder: it needs --submissions", "raytracer grade")
