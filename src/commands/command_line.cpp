@@ -134,7 +134,6 @@ void CommandLine::names(const char* name, std::string& list, const std::vector<s
                         const std::string& help) {
     text(name, list, help);
     words_.back().choices = choices;
-    words_.back().isMany = true;
 }
 
 void CommandLine::flag(const char* name, bool& value, const std::string& help) {
@@ -177,6 +176,12 @@ void CommandLine::spares(const char* option, std::initializer_list<const char*> 
     spared_.push_back({option, {arguments.begin(), arguments.end()}});
 }
 
+void CommandLine::rejoins(const char* option, const char* form, Word::Rejoin rejoin) {
+    Word& word = *std::ranges::find(words_, option, &Word::name);
+    word.form = form;
+    word.rejoin = std::move(rejoin);
+}
+
 void CommandLine::lacks(std::initializer_list<const char*> options, const char* reason) {
     for (const char* option : options) lacking_.emplace_back(option, reason);
 }
@@ -192,7 +197,7 @@ bool CommandLine::given(std::string_view option) const {
 
 std::string CommandLine::again(std::initializer_list<std::string_view> without) const {
     std::string line = inShellQuotes(program_);
-    for (const auto& [word, text] : given_) {
+    for (const auto& [word, text, at] : given_) {
         if (std::ranges::find(without, word->name) != without.end()) continue;
         if (word->isOption()) line += " " + word->name;
         const bool isLikeOption = !word->isOption() && looksLikeOption(text);  // it was behind "--"
@@ -210,11 +215,11 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
     const bool hasValue = equals != std::string::npos;
     if (option->isFlag()) {
         if (hasValue) refuse(name, "no value", inQuotes(line[at].substr(equals + 1)));
-        return given_.push_back({option, ""});
+        return given_.push_back({option, "", rest_.size()});
     }
-    if (hasValue) return given_.push_back({option, line[at].substr(equals + 1)});
+    if (hasValue) return given_.push_back({option, line[at].substr(equals + 1), rest_.size()});
     if (at + 1 == line.size() || find(line[at + 1])) refuse(name, option->expected, "nothing");
-    given_.push_back({option, line[++at]});
+    given_.push_back({option, line[++at], rest_.size()});
 }
 
 // The line's words into options and the rest; all that is behind "--" is rest.
@@ -261,7 +266,7 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     try {
         sort(line);
         giveArguments();
-        for (const auto& [word, text] : given_) word->read(text);
+        for (const auto& [word, text, at] : given_) word->read(text);
         requireTogether();
     } catch (const WrongUsage& wrong) {
         tell(command_ + ": " + wrong.message + (wrong.hint ? " (see --help)" : ""));

@@ -50,10 +50,10 @@ bool looksLikeCommand(const std::vector<std::string>& words) {
            !exists(word) && !(words.size() > 1 && exists(word + " " + words[1]));
 }
 
-// What is said of a command behind an option; empty where there is none.
+// What is said of a command that is not the first word; empty where there is none.
 std::string lateCommand(const std::vector<std::string>& words) {
     constexpr std::string_view answered[] = {"--help", "-h", "--version", "-V"};
-    if (words[0][0] != '-' || std::ranges::find(answered, words[0]) != std::end(answered)) return {};
+    if (std::ranges::find(answered, words[0]) != std::end(answered)) return {};
     for (const Command& command : commandTable)
         if (std::ranges::find(words, command.name) != words.end())
             return "raytracer: the command stands first: raytracer " + std::string(command.name) + " ...";

@@ -245,12 +245,12 @@ def check_only():
                       f"--only {terms}: there is no light without ambient, diffuse or specular")
     check_refused([*render, "--only", ""], '--only: expected a text, found ""')
     check_refused([*render, "--only", "diffuse,"],
-                  '--only: no term ""; --help lists them')
+                  '--only: a comma too many in "diffuse,"')
     for terms in ("ambient+diffuse", "diffuse specular"):
         check_refused([*render, "--only", terms],
                       f'--only: expected commas between the terms, found "{terms}"')
     check_refused([*render, "--only", "ambient", "diffuse"],
-                  'unexpected argument "diffuse"; write --only ambient,diffuse')
+                  "--only has commas, no blanks: write --only ambient,diffuse")
     check_refused([*render, "--only", "difuse, specular"],
                   '--only: no term "difuse"; did you mean "diffuse"?')
     with tempfile.TemporaryDirectory() as folder:
