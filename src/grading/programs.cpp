@@ -159,6 +159,22 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
 
 }  // namespace
 
+std::string programFault(const std::string& command) {
+    const std::string word = command.substr(0, command.find_first_of(" \t\n"));
+    const bool isPath =
+        word.find('/') != word.npos && word.find_first_of("'\"\\$`~*?[]{}()<>|&;=#!") == word.npos;
+    if (!isPath) return {};
+    std::error_code error;
+    const files::file_status status = files::status(word, error);
+    constexpr files::perms any =
+        files::perms::owner_exec | files::perms::group_exec | files::perms::others_exec;
+    if (status.type() == files::file_type::not_found)
+        return "there is no file " + printable(word) + hintAt(word);
+    if (files::is_directory(status)) return printable(word) + " is a folder: name a program in it";
+    const bool isProgram = (status.permissions() & any) != files::perms::none;
+    return isProgram ? "" : printable(word) + " is not executable: chmod +x makes it so";
+}
+
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended) {
     std::map<std::size_t, std::unique_ptr<ActiveRun>> active;

@@ -151,6 +151,27 @@ COMMANDS = [
      'scene.json: --set /lights/: /lights has 1 element, from 0: there is no ""; /lights/- adds one'),
     ("more out.png 8", "more: cannot read: Is a directory; name a file in it"),
     ("grade More", 'More: cannot read the folder: No such file or directory; there is "more"'),
+    ("grade more", "more: no scene X.json that has a reference X.png or X-STAGE.png; "
+     "--references names their folder"),
+    ("grade more --references textures",
+     "more: no scene X.json that has a reference X.png or X-STAGE.png in textures"),
+    ("grade more/other.json",
+     'more/other.json: cannot read the folder: Not a directory; name its folder "more"'),
+    ("grade scene.json", 'scene.json: cannot read the folder: Not a directory; name its folder "."'),
+    ("grade more --references more/other.json",
+     'more/other.json: cannot read the folder: Not a directory; name its folder "more"'),
+    ("tradeoff scene.json 60",
+     'raytracer tradeoff: "60" is no scene: tradeoff takes scenes alone; write --size 60'),
+    ("tradeoff scene.json new.png 60",
+     'raytracer tradeoff: "new.png" is no scene: tradeoff takes scenes alone; --out names a folder'),
+    ("grade graded --program ./nothere", "raytracer grade: --program: there is no file ./nothere"),
+    ("grade graded --program ./programs/raytracr",
+     'raytracer grade: --program: there is no file ./programs/raytracr; there is "./programs/raytracer"'),
+    ("grade graded --program ./more", "raytracer grade: --program: ./more is a folder: name a program in it"),
+    ("grade graded --program ./scene.json",
+     "raytracer grade: --program: ./scene.json is not executable: chmod +x makes it so"),
+    ("grade graded --report x.txt", "x.txt: expected a name that ends in .html or .htm"),
+    ("grade graded --report x.pdf --program true", "x.pdf: expected a name that ends in .html or .htm"),
     ("scene.json out.jpg 8 --watch", "out.jpg: expected a name that ends in .png or .pfm"),
     ("scene.json out.png 8 --watch --crop 1,2",
      'raytracer: --crop: expected four whole numbers x0,y0,x1,y1, found "1,2"'),
@@ -301,6 +322,11 @@ def check_all(folder):
     shutil.copy("test/bad/files/check.png", folder / "textures/wood.png")
     shutil.copy("test/bad/files/check.png", folder / "reference.png")
     shutil.copy("test/bad/files/check.png", folder / "out.png")
+    (folder / "graded").mkdir()
+    (folder / "programs").mkdir()
+    shutil.copy("test/bad/files/check.png", folder / "graded/scene.png")
+    (folder / "graded/scene.json").write_text(SCENE, encoding="utf-8")
+    (folder / "programs/raytracer").write_text("", encoding="utf-8")
     (folder / "more/other.json").write_text("{}", encoding="utf-8")
     (folder / "my scene.json").write_text("{}", encoding="utf-8")
     (folder / "e").write_text("", encoding="utf-8")
