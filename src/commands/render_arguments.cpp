@@ -117,7 +117,9 @@ std::string joinedEdit(const std::string& text, Behind behind) {
     std::string edit = text;
     for (const std::string& word : behind) {
         if (!isUnfinished(edit) || endsIn(word, ".json") || endsIn(word, ".png")) break;
-        if (edit.find('=') == edit.npos && !word.starts_with('=')) edit += '=';
+        const bool hasEquals = edit.find('=') != edit.npos || word.starts_with('=');
+        if (!hasEquals) edit += '=';
+        else if (!edit.ends_with('=') && !word.starts_with('=')) edit += ' ';
         edit += word;
     }
     if (isUnfinished(edit)) return {};
@@ -136,7 +138,7 @@ void RenderArguments::addTo(CommandLine& line) {
         "--set", sets,
         "Another value in the scene, or one more, before it is read: /camera/eye=[0,1,5], a JSON pointer and "
         "JSON; /lights/-={...} adds a light; may be repeated");
-    line.rejoins("--set", "has a = and no blank", joinedEdit);
+    line.rejoins("--set", "takes /pointer=value", joinedEdit);
     line.number("--max-recursion", max_recursion, {0, mostRecursion},
                 "How many times a ray is reflected or refracted");
     std::vector<std::string> terms;

@@ -126,8 +126,8 @@ void requireKept(const FileWatch& kept, const ProgramRun& run) {
     const std::string folder = files::path(run.picture).parent_path().string();
     std::error_code error;
     if (files::exists(folder, error) && !kept.hasChanged()) return;
-    throw Error({folder}, "a program has deleted or changed what the grader keeps there: " + run.command +
-                              ", or one that ran beside it; as root, --user NAME prevents that");
+    throw Error({folder}, "a program has changed what is kept there: " + run.command +
+                              ", or one beside it; as root, --user NAME prevents that");
 }
 
 // False where there is no regular file, or one that the program has locked.
