@@ -8,7 +8,9 @@
 #include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
+#include "raytracer/util/stopwatch.h"
 #include "raytracer/util/text.h"
+#include "render_report.h"
 
 namespace raytracer::commands {
 
@@ -44,6 +46,7 @@ int assembleParts(const std::vector<std::string>& paths, const std::string& out,
         throw usageError("IMAGE_OUT is missing: " + printable(out) + " is the last part");
     if (!isPfm && !endsIn(out, ".png")) throw Error({out}, "expected a name that ends in .png or .pfm");
     refuseInput(out, paths);
+    Stopwatch watch;
     OutputFile file(out);
     const PartFiles parts(paths, threads);
     for (const std::string& fault : parts.faults()) tell(fault);
@@ -55,6 +58,7 @@ int assembleParts(const std::vector<std::string>& paths, const std::string& out,
     requirePictureFits(out, head.crop, isPfm);
     if (isPfm) writeAll(parts, *pfmWriter(file, head.crop), quiet);
     else writeAll(parts, *pngWriter(file, head.crop, threads), quiet);
+    tellDone(out, head.crop, watch.lap().wall, quiet);
     if (!head.isReached && !quiet) tell(out + ": --target-error is not reached");
     return head.isReached ? 0 : 1;
 }

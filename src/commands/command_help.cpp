@@ -48,14 +48,25 @@ std::string subcommand(const std::string& command) {
     return blank == command.npos ? "" : command.substr(blank + 1);
 }
 
-// The first sentence, without what its shell takes for a command.
+// What a list of options has room for: all of a short help, or else its first phrase; of two ends the first
+// one here counts.
 std::string brief(const std::string& help) {
-    const std::string first = help.substr(0, help.find_first_of(";:(,"));
-    std::string plain;
-    for (const char c : first.substr(0, first.find_last_not_of(' ') + 1))
-        if (std::string_view("'[]\"`$\\").find(c) == std::string_view::npos) plain += c;
-    return plain;
+    constexpr std::size_t longest = 79;
+    std::string first = help.substr(0, std::min(help.find("; "), help.find(". ")));
+    for (const char* const end : {": ", " (", ", ", " "})
+        if (first.size() > longest) first = first.substr(0, first.rfind(end, longest));
+    return first;
 }
+
+// A text between single quotes of zsh, in the brackets of an option of _arguments.
+std::string inZsh(const std::string& text) {
+    std::string safe = replaced(text, "\\", "\\\\");
+    for (const char* const bracket : {"[", "]"}) safe = replaced(safe, bracket, std::string("\\") + bracket);
+    return replaced(safe, "'", "'\\''");
+}
+
+// A text between single quotes of fish.
+std::string inFish(const std::string& text) { return replaced(replaced(text, "\\", "\\\\"), "'", "\\'"); }
 
 std::string joined(const std::vector<std::string>& words) {
     std::string all;
@@ -102,7 +113,7 @@ std::string forZsh(const CommandLine& line) {
             word.choices.empty() ? zshFiles(word.kind) : "(" + joined(word.choices) + ")";
         const std::string value = word.isFlag() ? "" : ":" + placeholder(word) + ":" + values;
         if (word.isOption())
-            specs += "            '" + word.name + "[" + brief(word.help) + "]" + value + "' \\\n";
+            specs += "            '" + word.name + "[" + inZsh(brief(word.help)) + "]" + value + "' \\\n";
         else
             specs += std::string("            '") + (word.isMany ? "*" : "") + ":" + word.name + ":" +
                      values + "' \\\n";
@@ -119,11 +130,11 @@ std::string forFish(const CommandLine& line) {
     std::string lines;
     if (!name.empty())
         lines = "complete -c raytracer -n __fish_use_subcommand -a " + name + " -d '" +
-                brief(line.purpose()) + "'\n";
+                inFish(brief(line.purpose())) + "'\n";
     for (const Word& word : line.words()) {
         if (!word.isOption()) continue;
         lines += "complete -c raytracer -n \"" + when + "\" -l " + word.name.substr(2) + " -d '" +
-                 brief(word.help) + "'";
+                 inFish(brief(word.help)) + "'";
         if (!word.choices.empty()) lines += " -xa '" + joined(word.choices) + "'";
         else if (word.kind == ArgumentKind::Number) lines += " -x";
         else if (!word.isFlag()) lines += " -r";

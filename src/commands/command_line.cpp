@@ -16,6 +16,8 @@ namespace raytracer::commands {
 
 namespace {
 
+constexpr std::size_t messageColumns = 100;  // a line's at most
+
 // Empty for any number.
 std::string inWords(const Range& range) {
     if (range.most < Range().most)
@@ -58,11 +60,15 @@ std::string expectedOf(const std::vector<std::string>& choices) {
     return list.size() <= longest ? list : "a name in --help";
 }
 
-std::string chosen(const char* name, const std::string& text, const std::vector<std::string>& choices) {
+// The nearest name is told where the line, which begins with the command, has room for it.
+std::string chosen(const std::string& command, const char* name, const std::string& text,
+                   const std::vector<std::string>& choices) {
     if (std::ranges::find(choices, text) != choices.end()) return text;
     NearestName nearest(text);
     for (const std::string& choice : choices) nearest.consider(choice);
-    refuse(name, expectedOf(choices), inQuotes(text) + nearest.question());
+    const std::string expected = expectedOf(choices), found = inQuotes(text), question = nearest.question();
+    const std::string line = command + ": " + name + ": expected " + expected + ", found " + found + question;
+    refuse(name, expected, line.size() <= messageColumns ? found + question : found);
 }
 
 template <class Number>
@@ -118,7 +124,9 @@ void CommandLine::texts(const char* name, std::vector<std::string>& values, cons
 
 void CommandLine::choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                          const std::string& help) {
-    const auto read = [=, &value](const std::string& text) { value = chosen(name, text, choices); };
+    const auto read = [=, command = command_, &value](const std::string& text) {
+        value = chosen(command, name, text, choices);
+    };
     add({name, withDefault("NAME", value), expectedOf(choices), help, read, ArgumentKind::Any, choices});
 }
 
@@ -126,17 +134,13 @@ void CommandLine::names(const char* name, std::string& list, const std::vector<s
                         const std::string& help) {
     text(name, list, help);
     words_.back().choices = choices;
-    words_.back().isMany = true;
 }
 
 void CommandLine::flag(const char* name, bool& value, const std::string& help) {
     add({name, "", "", help, [&value](const std::string&) { value = true; }});
 }
 
-void CommandLine::alone(const char* name, const std::string& help) {
-    add({name, "", "", help,
-         [=](const std::string&) { throw WrongUsage{name + std::string(" stands alone")}; }});
-}
+void CommandLine::alone(const char* name, const std::string& help) { add({name, "", "", help, {}}); }
 
 template <class Number>
 void CommandLine::number(const char* name, Number& value, const Range& range, const std::string& help) {
@@ -172,6 +176,12 @@ void CommandLine::spares(const char* option, std::initializer_list<const char*> 
     spared_.push_back({option, {arguments.begin(), arguments.end()}});
 }
 
+void CommandLine::rejoins(const char* option, const char* form, Word::Rejoin rejoin) {
+    Word& word = *std::ranges::find(words_, option, &Word::name);
+    word.form = form;
+    word.rejoin = std::move(rejoin);
+}
+
 void CommandLine::lacks(std::initializer_list<const char*> options, const char* reason) {
     for (const char* option : options) lacking_.emplace_back(option, reason);
 }
@@ -187,7 +197,7 @@ bool CommandLine::given(std::string_view option) const {
 
 std::string CommandLine::again(std::initializer_list<std::string_view> without) const {
     std::string line = inShellQuotes(program_);
-    for (const auto& [word, text] : given_) {
+    for (const auto& [word, text, at] : given_) {
         if (std::ranges::find(without, word->name) != without.end()) continue;
         if (word->isOption()) line += " " + word->name;
         const bool isLikeOption = !word->isOption() && looksLikeOption(text);  // it was behind "--"
@@ -205,11 +215,11 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
     const bool hasValue = equals != std::string::npos;
     if (option->isFlag()) {
         if (hasValue) refuse(name, "no value", inQuotes(line[at].substr(equals + 1)));
-        return given_.push_back({option, ""});
+        return given_.push_back({option, "", rest_.size()});
     }
-    if (hasValue) return given_.push_back({option, line[at].substr(equals + 1)});
+    if (hasValue) return given_.push_back({option, line[at].substr(equals + 1), rest_.size()});
     if (at + 1 == line.size() || find(line[at + 1])) refuse(name, option->expected, "nothing");
-    given_.push_back({option, line[++at]});
+    given_.push_back({option, line[++at], rest_.size()});
 }
 
 // The line's words into options and the rest; all that is behind "--" is rest.
@@ -256,7 +266,7 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     try {
         sort(line);
         giveArguments();
-        for (const auto& [word, text] : given_) word->read(text);
+        for (const auto& [word, text, at] : given_) word->read(text);
         requireTogether();
     } catch (const WrongUsage& wrong) {
         tell(command_ + ": " + wrong.message + (wrong.hint ? " (see --help)" : ""));

@@ -34,6 +34,8 @@ enum class ArgumentKind { Any, Scene, Picture, Number, Folder };
 // An option or an argument, as it was declared.
 struct Word {
     using Read = std::function<void(const std::string& text)>;
+    // An option's value of which its text and some words behind it are parts; empty where they are not.
+    using Rejoin = std::function<std::string(const std::string& text, std::span<const std::string> behind)>;
 
     std::string name;                       // "--samples", or an argument: "SCENE"
     std::string placeholder;                // of the value: "N=3"; empty: a flag
@@ -42,7 +44,9 @@ struct Word {
     Read read;                              // takes a text, or throws WrongUsage
     ArgumentKind kind = ArgumentKind::Any;  // of the text
     std::vector<std::string> choices{};     // all that the text may be, where it is one of few
-    bool isMany = false;                    // an argument that may be repeated, an option that is a list
+    bool isMany = false;                    // may be repeated
+    Rejoin rejoin{};
+    const char* form = "";  // what is said where `rejoin` finds a value: "has commas, no blanks"
 
     bool isOption() const { return name.starts_with("--"); }
     bool isFlag() const { return placeholder.empty(); }
@@ -67,7 +71,7 @@ class CommandLine {
     void names(const char* name, std::string& list, const std::vector<std::string>& choices,
                const std::string& help);  // comma-separated; whether they are known, the caller asks
     void flag(const char* name, bool& value, const std::string& help);
-    void alone(const char* name, const std::string& help);  // run.cpp answers it where nothing else is given
+    void alone(const char* name, const std::string& help);  // run.cpp answers it before parse
 
     // A decimal, finite number in the range; whole where Number is: int, std::uint64_t or double.
     template <class Number>
@@ -83,6 +87,9 @@ class CommandLine {
 
     // With the option, these arguments may be left out, all together: numbers in a std::optional.
     void spares(const char* option, std::initializer_list<const char*> arguments);
+
+    // Where words behind the option are parts of its value, `form` says how that is written: "has commas".
+    void rejoins(const char* option, const char* form, Word::Rejoin rejoin);
 
     // Options that other commands have and this one has not, for a reason.
     void lacks(std::initializer_list<const char*> options, const char* reason);
@@ -114,6 +121,7 @@ class CommandLine {
     struct Given {
         const Word* word;
         std::string text;
+        std::size_t at = 0;  // how many words of `rest_` are before it
     };
     using Pair = std::pair<std::string, std::string>;
     struct Spared {
@@ -132,8 +140,10 @@ class CommandLine {
     std::vector<const Word*> arguments() const;
     std::vector<const Word*> expectedArguments() const;
     [[noreturn]] void failUnknown(const std::string& option) const;
+    std::string meantOption(std::string_view name) const;
     void requireOrder() const;
-    std::string listWithCommas(std::span<const std::string> leftOver) const;
+    void requireWholeValues() const;
+    void requireNumbers(const std::vector<std::size_t>& places) const;
 
     std::string program_, command_, purpose_, footer_;
     std::vector<Word> words_;

@@ -1,6 +1,8 @@
 // What is wrong with a command line, as its author would like to be told.
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <span>
 #include <system_error>
 
 #include "command_line.h"
@@ -50,8 +52,6 @@ std::string_view withoutDashes(std::string_view name) {
     name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
     return name;
 }
-
-std::string withoutComma(const std::string& text) { return text.substr(0, text.find_last_not_of(',') + 1); }
 
 // A name with a blank, which a shell takes for two words; empty where there is none.
 std::string fileWithBlank(const std::vector<std::string>& words) {
@@ -105,6 +105,18 @@ std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
     return places;
 }
 
+// The first text of a kind of which there are more texts than arguments.
+const std::string* surplusIn(const std::vector<std::string>& texts,
+                             const std::vector<const Word*>& expected) {
+    for (const ArgumentKind kind : {ArgumentKind::Scene, ArgumentKind::Picture, ArgumentKind::Number}) {
+        auto places = std::ranges::count(expected, kind, &Word::kind);
+        if (places == 0) continue;
+        for (const std::string& text : texts)
+            if (isOfKind(text, kind) && places-- == 0) return &text;
+    }
+    return nullptr;
+}
+
 // The argument that the text is the picture or the scene of, if it is another one than `here`.
 const Word* meantInstead(const std::string& text, const Word* here,
                          const std::vector<const Word*>& expected) {
@@ -134,21 +146,29 @@ std::string CommandLine::order() const {
 void CommandLine::failUnknown(const std::string& option) const {
     const auto lacking = std::ranges::find(lacking_, option, &Pair::first);
     if (lacking != lacking_.end()) throw WrongUsage{"there is no " + option + ": " + lacking->second};
-    NearestName nearest(withoutDashes(option));
-    for (const Word& word : words_)
-        if (word.isOption()) nearest.consider(withoutDashes(word.name));
-    const auto isHere = [&](const OtherName& other) {
-        return std::ranges::find(words_, other.ours, &Word::name) != words_.end();
-    };
-    for (const OtherName& other : otherNames)
-        if (isHere(other)) nearest.consider(other.name);
+    const std::string ours = meantOption(withoutDashes(option));
     const std::string unknown = "unknown option " + option;
-    if (!nearest.found()) throw WrongUsage{unknown, true};
-    const auto other = std::ranges::find_if(
-        otherNames, [&](const OtherName& one) { return one.name == nearest.name() && isHere(one); });
-    const std::string ours(other == std::end(otherNames) ? "--" + nearest.name() : other->ours);
+    if (ours.empty()) throw WrongUsage{unknown, true};
     if (ours.starts_with("--")) throw WrongUsage{unknown + "; did you mean " + ours + "?"};
     throw WrongUsage{unknown + "; the order is " + order()};
+}
+
+// By its exact other name, else by what is near to the names here, and last to the other names. It may be an
+// argument; empty where there is none.
+std::string CommandLine::meantOption(std::string_view name) const {
+    NearestName own(name), others(name);
+    for (const Word& word : words_)
+        if (word.isOption()) own.consider(withoutDashes(word.name));
+    std::map<std::string, std::string_view> here;  // the other names of what this command has
+    for (const OtherName& other : otherNames)
+        if (std::ranges::find(words_, other.ours, &Word::name) != words_.end()) {
+            here.emplace(other.name, other.ours);
+            others.consider(other.name);
+        }
+    if (const auto exact = here.find(std::string(name)); exact != here.end())
+        return std::string(exact->second);
+    if (own.found()) return "--" + own.name();
+    return others.found() ? std::string(here.at(others.name())) : "";
 }
 
 // One for each that is given: the one that may be repeated, as often as leaves the others one each.
@@ -165,27 +185,42 @@ std::vector<const Word*> CommandLine::expectedArguments() const {
     return expected;
 }
 
-// "--only ambient,diffuse" where it was given with a blank for the comma, and so "diffuse" is left over.
-std::string CommandLine::listWithCommas(std::span<const std::string> leftOver) const {
-    for (const auto& [word, text] : given_) {
-        const bool isList = word->isOption() && word->isMany;
-        if (!isList || std::ranges::find(word->choices, withoutComma(leftOver[0])) == word->choices.end())
-            continue;
-        std::string list = word->name + " " + withoutComma(text);
-        for (const std::string& name : leftOver) list += "," + withoutComma(name);
-        return list;
+// Throws where words behind an option are parts of its value.
+void CommandLine::requireWholeValues() const {
+    for (const auto& [word, text, at] : given_) {
+        const std::string whole = word->rejoin ? word->rejoin(text, std::span(rest_).subspan(at)) : "";
+        if (!whole.empty())
+            throw WrongUsage{word->name + " " + word->form + ": write " + word->name + " " + whole};
     }
-    return {};
+}
+
+// Throws where a text that is no number has the place of one.
+void CommandLine::requireNumbers(const std::vector<std::size_t>& places) const {
+    const std::vector<const Word*> expected = expectedArguments();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Word& word = *expected[places[i]];
+        if (word.kind != ArgumentKind::Number || isOfKind(rest_[i], word.kind)) continue;
+        const bool isList = rest_[i].find_first_not_of("0123456789,") == std::string::npos;
+        std::string apart = rest_[i];
+        std::ranges::replace(apart, ',', ' ');
+        throw WrongUsage{word.name + ": expected " + word.expected + ", found " + inQuotes(rest_[i]) +
+                         (isList ? "; write " + apart : "")};
+    }
 }
 
 // Throws where there are too few arguments, too many, or they are in another order.
 void CommandLine::requireOrder() const {
     const std::vector<const Word*> expected = expectedArguments();
     const std::vector<std::size_t> places = placesInOrder(rest_, expected);
+    const bool hasMore = places.size() < rest_.size();
+    if (!hasMore && places.size() == expected.size()) return;
     const std::string theOrder = "the order is " + order();
-    const std::string blank = places.size() < rest_.size() ? fileWithBlank(rest_) : "";
+    const std::string blank = hasMore ? fileWithBlank(rest_) : "";
     if (!blank.empty()) throw WrongUsage{"there is a file " + inQuotes(blank) + ": write its name in quotes"};
-    for (std::size_t i = 0; places.size() < rest_.size() && i < rest_.size(); ++i) {
+    requireWholeValues();
+    const std::string* const surplus = hasMore ? surplusIn(rest_, expected) : nullptr;
+    if (surplus) throw WrongUsage{"unexpected argument " + inQuotes(*surplus) + "; " + theOrder};
+    for (std::size_t i = 0; hasMore && i < rest_.size(); ++i) {
         const Word* const here = i < expected.size() ? expected[i] : nullptr;
         if (const Word* const meant = meantInstead(rest_[i], here, expected))
             throw WrongUsage{"is " + rest_[i] + " " + nounOf(meant->kind) + "? T" + theOrder.substr(1)};
@@ -197,14 +232,11 @@ void CommandLine::requireOrder() const {
     const bool hasOption = std::ranges::find(words_, "--picture", &Word::name) != words_.end();
     if (hasOption && picture != rest_.end())
         throw WrongUsage{"is " + *picture + " the picture? Give it with --picture; " + theOrder};
+    if (places.size() < expected.size()) requireNumbers(places);
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())
             throw WrongUsage{expected[i]->name + " is missing; " + theOrder, true};
-    if (places.size() == rest_.size()) return;
-    const std::span<const std::string> more = std::span(rest_).subspan(places.size());
-    const std::string list = listWithCommas(more);
-    throw WrongUsage{"unexpected argument " + inQuotes(more[0]) + "; " +
-                     (list.empty() ? theOrder : "write " + list)};
+    throw WrongUsage{"unexpected argument " + inQuotes(rest_[places.size()]) + "; " + theOrder};
 }
 
 }  // namespace raytracer::commands

@@ -42,7 +42,7 @@ std::optional<Span> findRange(const std::string& text, std::size_t begin) {
         const auto ends = endsOf<double>(text.substr(open + 1, close - open - 1));
         if (!ends) continue;
         if (!std::isfinite(*ends.to - *ends.from))
-            throw usageError("--set " + text + ": the ends of a range, and the way between them, are finite");
+            throw usageError("--set " + text + ": a range has finite ends and a finite length");
         return Span{open, close + 1, ends};
     }
     return std::nullopt;

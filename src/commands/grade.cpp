@@ -181,12 +181,6 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
     return results;
 }
 
-std::string reportOf(const GradeArguments& arguments, const std::vector<GradeResult>& results) {
-    const std::string title =
-        (arguments.program.empty() ? "raytracer" : arguments.program) + " on " + arguments.scenes;
-    return gradeReport(results, arguments.thresholds, title);
-}
-
 void refuseInputs(const GradeArguments& arguments, const GradePlan& plan) {
     const std::array outputs{arguments.report, arguments.csv, arguments.json, arguments.junit,
                              arguments.gradescope};
@@ -224,8 +218,10 @@ struct GradeFiles {
 
 int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
     const std::vector<GradeResult> results = gradeAll(plan, arguments);
-    if (output.report) output.report->write(reportOf(arguments, results));
     const GradedSubmission one{arguments.program.empty() ? "raytracer" : arguments.program, results};
+    if (output.report)
+        output.report->write(
+            gradeReport(results, arguments.thresholds, one.name + " on " + arguments.scenes));
     output.write({&one, 1}, arguments);
     print(gradeSummary(results, plan, arguments.thresholds));
     return one.rightCount(arguments.thresholds) == results.size() ? 0 : 1;
@@ -283,11 +279,19 @@ int grade(int argc, char** argv) {
     if (arguments.submissions.empty() && arguments.program.starts_with("{}"))
         throw usageError("--program: {} is a submission's folder: it needs --submissions");
     if (!arguments.program.empty()) requirePrograms();
+    if (const std::string fault = programFault(arguments.program); !fault.empty())
+        throw usageError("--program: " + fault);
+    const std::string& report = arguments.report;
+    if (!report.empty() && !endsIn(report, ".html") && !endsIn(report, ".htm"))
+        throw Error({report}, "expected a name that ends in .html or .htm");
     requireUser(arguments.user);
     const GradePlan plan = planFor(arguments);
     GradeFiles output(arguments, plan);
     if (plan.cases.empty())
-        throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png");
+        throw Error({arguments.scenes},
+                    "no scene X.json that has a reference X.png or X-STAGE.png" +
+                        (arguments.references.empty() ? std::string("; --references names their folder")
+                                                      : " in " + printable(arguments.references)));
     requireGradable(plan);
     return arguments.submissions.empty() ? gradeFolder(arguments, plan, output)
                                          : gradeSubmissions(arguments, plan, output);

@@ -184,7 +184,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, arguments.threads));
     if (!arguments.quiet) tellLimited(job.counts, options, options.crop.area() / options.part.count);
     if (wanted.stats) printStats(job.counts, timings, options);
-    if (!arguments.quiet && terminalColumns() > 0) tellDone(wanted.file(), options.crop, timings);
+    tellDone(wanted.file(), options.crop, timings.wall(), arguments.quiet);
     return job.choice && !job.choice->reached && !wanted.isPart() ? 1 : 0;  // assemble tells it of parts
 }
 
@@ -227,11 +227,11 @@ int renderFrames(const RenderArguments& arguments, const PictureArguments& wante
 
 void addTargetsTo(CommandLine& line, PictureArguments& wanted) {
     line.number("--target-error", wanted.targetError, atLeast(1e-9),
-                "Choose --samples, --adaptive, --max-recursion and --cutoff such that the error (RMSE, of 1, "
-                "of linear colours) against samples and depth without end is at most this; rounding to a "
-                "PNG's bytes adds 0.0011; exit status 1 where nothing is that accurate");
+                "Choose options for this error: --samples, --adaptive, --max-recursion, --cutoff such that "
+                "the RMSE (of 1, of linear colours) against samples and depth without end is at most this; "
+                "rounding to a PNG's bytes adds 0.0011; exit status 1 where nothing is that accurate");
     line.number("--target-time", wanted.targetTime, above(0),
-                "Choose the same options such that all takes about so many seconds on this machine");
+                "Choose options for this time: the same, such that all takes about so many seconds here");
     line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});
     line.exclude("--target-time",
                  {"--samples", "--adaptive", "--max-recursion", "--cutoff", "--target-error"});
@@ -248,8 +248,8 @@ void addPartsAndFramesTo(CommandLine& line, PictureArguments& wanted) {
         "runs from a at frame A to b at the one after B");
     line.flag(
         "--skip-existing", wanted.skipExisting,
-        "Keep a picture that is whole, of this size, and newer than the scene and all files that it names "
-        "(of other options nothing is known); and a part that is whole and right");
+        "Keep what is there: a picture that is whole, of this size, and newer than the scene and all files "
+        "that it names (of other options nothing is known); and a part that is whole and right");
 }
 
 void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& wanted) {

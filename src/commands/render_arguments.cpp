@@ -1,6 +1,8 @@
 #include "render_arguments.h"
 
 #include <algorithm>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "arguments.h"
@@ -14,10 +16,19 @@
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer::commands {
 
 namespace {
+
+// The pass of which this is the name, or part of it; empty where there is none.
+std::string passMeant(const std::string& name) {
+    constexpr std::size_t least = 6;  // letters: "normal"
+    if (name.size() < least) return {};
+    if (std::string_view("normals").starts_with(name)) return "normals";
+    return std::string_view("raycasting").starts_with(name) ? "raycast" : "";
+}
 
 bool Terms::*termNamed(const std::string& name) {
     NearestName nearest(name);
@@ -25,6 +36,8 @@ bool Terms::*termNamed(const std::string& name) {
         if (name == known.name) return known.term;
         nearest.consider(known.name);
     }
+    if (const std::string pass = passMeant(name); !pass.empty())
+        throw usageError("--only: no term " + inQuotes(name) + "; write --pass " + pass);
     if (name.find_first_of(" ;+|/") != name.npos)
         throw usageError("--only: expected commas between the terms, found " + inQuotes(name));
     throw usageError("--only: no term " + inQuotes(name) +
@@ -62,6 +75,61 @@ PixelRectangle cropOf(const std::string& text, const ImageSize& size) {
     return crop;
 }
 
+constexpr const char* commaForm = "has commas, no blanks";
+using Behind = std::span<const std::string>;
+
+std::string withoutComma(const std::string& text) { return text.substr(0, text.find_last_not_of(',') + 1); }
+
+// A list of at most `most` names, some of which a shell has taken for words of their own: "0," "0" "5,5".
+// Empty where none is.
+std::string joinedList(const std::string& text, Behind behind, std::ptrdiff_t most,
+                       const std::function<bool(const std::string&)>& belongs) {
+    const std::string first = withoutComma(text);
+    std::string list = first;
+    for (const std::string& word : behind) {
+        if (std::ranges::count(list, ',') + 1 >= most || !belongs(withoutComma(word))) break;
+        list += "," + withoutComma(word);
+    }
+    return list == first ? "" : list;
+}
+
+std::string joinedCrop(const std::string& text, Behind behind) {
+    constexpr std::ptrdiff_t most = 4;
+    const std::string list = joinedList(text, behind, most, [](const std::string& word) {
+        return word.find_first_not_of("0123456789,-") == word.npos;
+    });
+    return std::ranges::count(list, ',') + 1 == most ? list : "";
+}
+
+// Whether a value is still to come, or its end.
+bool isUnfinished(const std::string& edit) {
+    const auto count = [&](const char* brackets) {
+        return std::ranges::count_if(
+            edit, [=](char c) { return std::string_view(brackets).find(c) != std::string_view::npos; });
+    };
+    return edit.find('=') == edit.npos || edit.ends_with('=') || count("[{") > count("]}");
+}
+
+// "/pointer=value" in a shell's quotes, of "/pointer" "=" "[0," "1]"; empty where the text is whole, or its
+// value is not there.
+std::string joinedEdit(const std::string& text, Behind behind) {
+    if (!text.starts_with('/') || !isUnfinished(text)) return {};
+    std::string edit = text;
+    for (const std::string& word : behind) {
+        if (!isUnfinished(edit) || endsIn(word, ".json") || endsIn(word, ".png")) break;
+        const bool hasEquals = edit.find('=') != edit.npos || word.starts_with('=');
+        if (!hasEquals) edit += '=';
+        else if (!edit.ends_with('=') && !word.starts_with('=')) edit += ' ';
+        edit += word;
+    }
+    if (isUnfinished(edit)) return {};
+    const std::size_t value = edit.find('=') + 1;
+    const bool isBareList =
+        edit.find_first_not_of("0123456789.,-+e", value) == edit.npos && edit.find(',', value) != edit.npos;
+    if (isBareList) edit = edit.substr(0, value) + "[" + edit.substr(value) + "]";
+    return edit.find('"') == edit.npos ? "\"" + edit + "\"" : inShellQuotes(edit);
+}
+
 }  // namespace
 
 void RenderArguments::addTo(CommandLine& line) {
@@ -70,6 +138,7 @@ void RenderArguments::addTo(CommandLine& line) {
         "--set", sets,
         "Another value in the scene, or one more, before it is read: /camera/eye=[0,1,5], a JSON pointer and "
         "JSON; /lights/-={...} adds a light; may be repeated");
+    line.rejoins("--set", "takes /pointer=value", joinedEdit);
     line.number("--max-recursion", max_recursion, {0, mostRecursion},
                 "How many times a ray is reflected or refracted");
     std::vector<std::string> terms;
@@ -77,6 +146,11 @@ void RenderArguments::addTo(CommandLine& line) {
     line.names("--only", only, terms,
                "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
                "refraction, textures");
+    line.rejoins("--only", commaForm, [=](const std::string& text, Behind behind) {
+        return joinedList(text, behind, std::ssize(terms), [&](const std::string& word) {
+            return std::ranges::find(terms, word) != terms.end();
+        });
+    });
     line.flag("--opaque", opaque, "Read every material as not refractive");
     line.choice("--precision", precision, {std::begin(precisionNames), std::end(precisionNames)},
                 "Arithmetic: float, double or extended (long double)");
@@ -96,6 +170,7 @@ void RenderArguments::addPictureTo(CommandLine& line) {
                 "What a pixel shows: color (the light), raycast (color_diffuse) or normals");
     line.text("--crop", crop,
               "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
+    line.rejoins("--crop", commaForm, joinedCrop);
     line.number(
         "--samples", samples, {1, mostSamples},
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");
@@ -117,7 +192,7 @@ void RenderArguments::check(const CommandLine& line) const {
     };
     if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff"});
     if (pass == "normals") refuse("--pass normals", {"--texture-filter"});
-    if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff"});
+    if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff", "--max-recursion"});
     if (!chosen.refraction && !chosen.shadows) refuse("--only " + only, {"--opaque"});
     if (!chosen.textures) refuse("--only " + only, {"--texture-filter"});
     if (max_recursion == 0 && cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});
@@ -131,7 +206,10 @@ void RenderArguments::addLongEdgeTo(CommandLine& line) {
 Terms RenderArguments::terms() const {
     if (only.empty()) return {};
     Terms terms = noTerms;
-    for (const std::string& name : split(only)) terms.*termNamed(name) = true;
+    for (const std::string& name : split(only)) {
+        if (name.empty()) throw usageError("--only: a comma too many in " + inQuotes(only));
+        terms.*termNamed(name) = true;
+    }
     return terms;
 }
 

@@ -36,6 +36,16 @@ double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
     return once() * times * options.part.count / wanted.part.count;
 }
 
+double brightest(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
+
+// A cutoff ends the doubling where one of the two rays contributes less than the one before them.
+bool canCutOff(const SceneDescription& scene) {
+    return std::ranges::none_of(scene.materials, [](const auto& m) {
+        return m.reflective && m.refractive &&
+               std::min(brightest(m.color_reflect), brightest(m.color_refract)) >= 1;
+    });
+}
+
 }  // namespace
 
 std::string durationInWords(double seconds) {
@@ -51,11 +61,9 @@ void remarkOnRays(const RenderArguments& arguments, const SceneDescription& scen
     if (arguments.quiet) return;
     const auto rays = excessiveRays(scene, renderer, options);
     if (!rays) return;
-    arguments.remark(
-        formatted("--max-recursion %d takes about %.1g reflected and refracted rays a sample: they "
-                  "double with each bounce where a material is both; a lower one takes fewer, or a --cutoff "
-                  "where color_reflect and color_refract are less than 1",
-                  options.max_recursion, *rays));
+    const bool hasRemedy = options.cutoff <= 0 && canCutOff(scene);
+    arguments.remark(formatted("--max-recursion %d takes about %.1g rays a sample; lower it%s",
+                               options.max_recursion, *rays, hasRemedy ? ", or add a --cutoff" : ""));
 }
 
 void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options) {

@@ -56,11 +56,8 @@ void tellLimited(const RenderCounts& counts, const RenderOptions& options, doubl
                    options.samples, 100 * limited / pixels, shortNumber(options.adaptive).c_str()));
 }
 
-void tellDone(const std::string& out, const PixelRectangle& crop, const Timings& timings) {
-    double seconds = 0;
-    for (const Seconds* part :
-         {&timings.load, &timings.build, &timings.choose, &timings.render, &timings.write})
-        seconds += part->wall;
+void tellDone(const std::string& out, const PixelRectangle& crop, double seconds, bool quiet) {
+    if (quiet || terminalColumns() == 0) return;
     tell(formatted("%s: %d × %d, %s", out.c_str(), crop.width(), crop.height(),
                    durationInWords(seconds).c_str()));
 }

@@ -12,6 +12,7 @@ namespace raytracer::commands {
 
 struct Timings {
     Seconds load, build, choose, render, write;
+    double wall() const { return load.wall + build.wall + choose.wall + render.wall + write.wall; }
 };
 
 // --stats: JSON on standard output.
@@ -21,7 +22,7 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
 void tellLimited(const RenderCounts& counts, const RenderOptions& options, double pixels);
 
 // "out.png: 600 × 600, 0.06 s", for who waits at a terminal.
-void tellDone(const std::string& out, const PixelRectangle& crop, const Timings& timings);
+void tellDone(const std::string& out, const PixelRectangle& crop, double seconds, bool quiet);
 
 // --target-error and --target-time, on stderr.
 //

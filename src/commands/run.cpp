@@ -50,14 +50,22 @@ bool looksLikeCommand(const std::vector<std::string>& words) {
            !exists(word) && !(words.size() > 1 && exists(word + " " + words[1]));
 }
 
-// What is said of a command behind an option; empty where there is none.
+// What is said of a command that is not the first word; empty where there is none.
 std::string lateCommand(const std::vector<std::string>& words) {
     constexpr std::string_view answered[] = {"--help", "-h", "--version", "-V"};
-    if (words[0][0] != '-' || std::ranges::find(answered, words[0]) != std::end(answered)) return {};
+    if (std::ranges::find(answered, words[0]) != std::end(answered)) return {};
     for (const Command& command : commandTable)
         if (std::ranges::find(words, command.name) != words.end())
             return "raytracer: the command stands first: raytracer " + std::string(command.name) + " ...";
     return {};
+}
+
+// The one command whose name begins so; empty where there is none.
+std::string_view commandBegunBy(std::string_view word) {
+    constexpr std::size_t least = 3;  // letters
+    const auto begins = [&](const Command& command) { return command.name.starts_with(word); };
+    if (word.size() < least || std::ranges::count_if(commandTable, begins) != 1) return {};
+    return std::ranges::find_if(commandTable, begins)->name;
 }
 
 // Empty where a scene is meant.
@@ -67,6 +75,8 @@ std::string unknownCommand(const std::string& word) {
         if (word == known.name) return unknown + "write raytracer " + std::string(known.instead);
     NearestName nearest(word);
     for (const Command& command : commandTable) nearest.consider(command.name);
+    if (const auto begun = commandBegunBy(word); !begun.empty())
+        return unknown + "did you mean " + inQuotes(begun) + "?";
     if (nearest.found()) return unknown.substr(0, unknown.size() - 2) + nearest.question();
     if (!nearbyFile(word).empty()) return {};
     std::string names;
@@ -80,15 +90,16 @@ std::string replacedBlanks(std::string names) {
     return names;
 }
 
-// Of all commands, that without a name first.
-void printAll(std::vector<std::string> words) {
-    const auto call = [&](std::string name, int (*command)(int, char**)) {
-        std::vector<char*> argv{name.data()};
-        for (std::string& word : words) argv.push_back(word.data());
-        command(static_cast<int>(argv.size()), argv.data());
-    };
-    call("raytracer", render);
-    for (const Command& command : commandTable) call(std::string(command.name), command.run);
+// Of a command.
+void printPart(std::string name, int (*command)(int, char**), std::vector<std::string> words) {
+    std::vector<char*> argv{name.data()};
+    for (std::string& word : words) argv.push_back(word.data());
+    command(static_cast<int>(argv.size()), argv.data());
+}
+
+// Of all commands with a name.
+void printParts(const std::vector<std::string>& words) {
+    for (const Command& command : commandTable) printPart(std::string(command.name), command.run, words);
 }
 
 std::string commandNames() {
@@ -108,10 +119,17 @@ void printManual() {
         "Turns a scene, a JSON file, into a picture; the commands compare pictures, grade programs, explain "
         "a\n"
         "pixel and measure what speed costs. Each command's section follows.\n");
-    printAll({"--print-manual"});
+    printPart("raytracer", render, {"--print-manual"});
+    printParts({"--print-manual"});
 }
 
-int printCompletion(const std::string& shell) {
+// The command without a name is what all others are not, so it comes last.
+void printCompletions(const std::string& shell) {
+    printParts({"--print-completion", shell});
+    printPart("raytracer", render, {"--print-completion", shell});
+}
+
+void printCompletion(const std::string& shell) {
     if (shell == "bash") {
         print(
             "_raytracer() {\n    local current=${COMP_WORDS[COMP_CWORD]} words=\"\" command=render\n"
@@ -122,7 +140,7 @@ int printCompletion(const std::string& shell) {
             commandNames() +
             "\"\n"
             "    case \"$command ${COMP_WORDS[COMP_CWORD - 1]}\" in\n");
-        printAll({"--print-completion", shell});
+        printCompletions(shell);
         print(
             "    esac\n    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n}\n"
             "complete -o default -F _raytracer raytracer\n");
@@ -130,26 +148,51 @@ int printCompletion(const std::string& shell) {
         print("#compdef raytracer\n_raytracer() {\n    if ((CURRENT == 2)); then compadd " + commandNames() +
               "; fi\n    case $words[2] in\n    " + replacedBlanks(commandNames()) +
               ") shift words; ((CURRENT--)) ;;\n    esac\n    case $words[1] in\n");
-        printAll({"--print-completion", shell});
+        printCompletions(shell);
         print("    esac\n}\n_raytracer \"$@\"\n");
-    } else if (shell == "fish") {
-        print("set -l names " + commandNames() + "\n");
-        printAll({"--print-completion", shell});
     } else {
-        tell("raytracer: --print-completion: expected bash, zsh or fish, found " + inQuotes(shell));
-        return 2;
+        print("set -l names " + commandNames() + "\n");
+        printCompletions(shell);
     }
-    return 0;
 }
 
-// What is installed beside the program; nothing where the line asks for none of it.
-std::optional<int> printDocument(int argc, char** argv) {
-    const std::string what = argc > 1 ? argv[1] : "";
-    if (what == "--print-schema" && argc == 2) print(schema_text::scene);
-    else if (what == "--print-manual" && argc == 2) printManual();
-    else if (what == "--print-completion" && argc == 3) return printCompletion(argv[2]);
-    else return std::nullopt;
-    return 0;
+// What is installed beside the program.
+constexpr std::string_view documents[] = {"--print-schema", "--print-manual", "--print-completion"};
+constexpr std::string_view shells[] = {"bash", "zsh", "fish"};
+
+std::string_view withoutValue(std::string_view word) { return word.substr(0, word.find('=')); }
+
+// A line of `words` that asks for the document at `asked`, whose values are what is behind.
+void requireAlone(const std::vector<std::string>& words, const std::string& asked, bool isCompletion,
+                  const std::vector<std::string>& values) {
+    const bool hasValue = asked.find('=') != asked.npos;
+    const std::string found = ", found " + (values.empty() ? "nothing" : inQuotes(values[0]));
+    std::string name(withoutValue(asked));
+    if (!isCompletion && hasValue) throw usageError(name + ": expected no value" + found);
+    if (isCompletion && (values.empty() || std::ranges::find(shells, values[0]) == std::end(shells)))
+        throw usageError(name + ": expected bash, zsh or fish" + found);
+    if (isCompletion) name += " " + values[0];
+    if (&asked != &words[0] || values.size() > isCompletion) throw usageError(name + " stands alone");
+}
+
+// Whether the line asks for a document, which is printed.
+bool printDocument(const std::vector<std::string>& words) {
+    const auto asked = std::ranges::find_if(words, [](const std::string& word) {
+        return std::ranges::find(documents, withoutValue(word)) != std::end(documents);
+    });
+    if (asked == words.end()) return false;
+    const std::string_view what = withoutValue(*asked);
+    std::vector<std::string> values(asked + 1, words.end());
+    if (what.size() < asked->size()) values.insert(values.begin(), asked->substr(what.size() + 1));
+    requireAlone(words, *asked, what == "--print-completion", values);
+    if (what == "--print-schema") print(schema_text::scene);
+    else if (what == "--print-manual") printManual();
+    else printCompletion(values[0]);
+    return true;
+}
+
+int renderOrPrint(int argc, char** argv) {
+    return printDocument({argv + std::min(argc, 1), argv + argc}) ? 0 : render(argc, argv);
 }
 
 // With the command's name before what its line says wrong.
@@ -169,11 +212,10 @@ int run(int argc, char** argv) {
     for (const Command& command : commandTable)
         if (argc > 1 && command.name == argv[1])
             return called("raytracer " + std::string(command.name), command.run, argc - 1, argv + 1);
-    if (const auto status = printDocument(argc, argv)) return *status;
     const std::string unknown = words.empty()             ? ""
                                 : looksLikeCommand(words) ? unknownCommand(words[0])
                                                           : lateCommand(words);
-    if (unknown.empty()) return called("raytracer", render, argc, argv);
+    if (unknown.empty()) return called("raytracer", renderOrPrint, argc, argv);
     tell(unknown);
     return 2;
 }

@@ -5,7 +5,9 @@
 #include "arguments.h"
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/commands/commands.h"
+#include "raytracer/json/json_document.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/number.h"
 #include "raytracer/util/output_file.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
@@ -50,6 +52,16 @@ struct TradeoffArguments {
     }
 };
 
+// The other commands have a picture and a size behind the scene.
+void requireScenes(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        const std::string alone = inQuotes(name) + " is no scene: tradeoff takes scenes alone; ";
+        if (numberOf<int>(name) && !std::filesystem::exists(name))
+            throw usageError(alone + "write --size " + name);
+        if (endsIn(name, ".png") || endsIn(name, ".pfm")) throw usageError(alone + "--out names a folder");
+    }
+}
+
 void makeFolder(const std::string& out) {
     std::error_code error;
     std::filesystem::create_directories(out, error);
@@ -85,6 +97,7 @@ int tradeoff(int argc, char** argv) {
     TradeoffArguments arguments;
     arguments.addTo(line);
     if (const auto status = line.parse(argc, argv)) return *status;
+    requireScenes(arguments.scenes);
     return measure(arguments);
 }
 

@@ -126,8 +126,8 @@ void requireKept(const FileWatch& kept, const ProgramRun& run) {
     const std::string folder = files::path(run.picture).parent_path().string();
     std::error_code error;
     if (files::exists(folder, error) && !kept.hasChanged()) return;
-    throw Error({folder}, "a program has deleted or changed what the grader keeps there: " + run.command +
-                              ", or one that ran beside it; as root, --user NAME prevents that");
+    throw Error({folder}, "a program has changed what is kept there: " + run.command +
+                              ", or one beside it; as root, --user NAME prevents that");
 }
 
 // False where there is no regular file, or one that the program has locked.
@@ -158,6 +158,22 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
 }
 
 }  // namespace
+
+std::string programFault(const std::string& command) {
+    const std::string word = command.substr(0, command.find_first_of(" \t\n"));
+    const bool isPath =
+        word.find('/') != word.npos && word.find_first_of("'\"\\$`~*?[]{}()<>|&;=#!") == word.npos;
+    if (!isPath) return {};
+    std::error_code error;
+    const files::file_status status = files::status(word, error);
+    constexpr files::perms any =
+        files::perms::owner_exec | files::perms::group_exec | files::perms::others_exec;
+    if (status.type() == files::file_type::not_found)
+        return "there is no file " + printable(word) + hintAt(word);
+    if (files::is_directory(status)) return printable(word) + " is a folder: name a program in it";
+    const bool isProgram = (status.permissions() & any) != files::perms::none;
+    return isProgram ? "" : printable(word) + " is not executable: chmod +x makes it so";
+}
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended) {

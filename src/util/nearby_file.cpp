@@ -122,7 +122,10 @@ Error folderError(const std::string& folder, std::error_code error) {
     const bool isMissing = error == std::errc::no_such_file_or_directory;
     const fs::path nearby = isMissing ? nearbyFolder(folder) : fs::path();
     const std::string hint = nearby.empty() ? "" : "; there is " + inQuotes(nearby.generic_string());
-    return {{folder}, "cannot read the folder: " + error.message() + hint};
+    const fs::path above = fs::path(folder).parent_path();
+    const std::string instead =
+        isFile(folder) ? "; name its folder " + inQuotes(above.empty() ? "." : above.generic_string()) : "";
+    return {{folder}, "cannot read the folder: " + error.message() + hint + instead};
 }
 
 std::string missingFolder(const std::string& path) {

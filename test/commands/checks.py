@@ -1,5 +1,6 @@
 """What the checks of the commands share: the program, what is not as expected, and how a check ends."""
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -10,6 +11,15 @@ failures = []
 def check(what, expected, found):
     if expected != found:
         failures.append(f"{what}: expected {expected!r}, found {found!r}")
+
+
+def check_width(what, line):
+    """A message has at most 100 columns apart from names of files, with a place in them, and from what its
+    reader typed beyond 12 letters."""
+    named = re.sub(r"[\w./\\%-]*\.(json|png|pfm|jpg|obj|html|txt)\b(:\d+:\d+)?", "", line)
+    columns = len(re.sub(r'(found "[^"]{12})[^"]+', r"\1", named))
+    if columns > 100:
+        failures.append(f"{what}: {columns} columns without names of files: {line}")
 
 
 def run(*arguments, given=b""):

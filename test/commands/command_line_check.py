@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-from checks import RAYTRACER, check, conclude, failures
+from checks import RAYTRACER, check, check_width, conclude, failures
 
 SCENE = str(pathlib.Path("test/good/least.json").resolve())
 COMMANDS = {"render": [], "assemble": ["assemble"], "compare": ["compare"], "grade": ["grade"],
@@ -38,6 +38,7 @@ def check_refused(arguments, text, command="raytracer"):
     done = run(*arguments)
     line = f"{command}: {text}\n"
     check(f"{arguments}", (2, "", line), (done.returncode, done.stdout, done.stderr))
+    check_width(arguments, done.stderr.rstrip("\n"))
 
 
 # Option, what it expects, and numbers in its range.
@@ -211,8 +212,10 @@ def check_without_effect():
     check_refused([*render, "--only", "ambient,refraction", "--texture-filter", "bilinear"],
                   "--texture-filter has no effect with --only ambient,refraction")
     check_refused([*render, "--only", "ambient", "--opaque"], "--opaque has no effect with --only ambient")
-    done = run(*render, "--only", "ambient,shadows", "--opaque", "--max-recursion", 5)
+    done = run(*render, "--only", "ambient,shadows", "--opaque")
     check("--opaque acts on shadows", False, "no effect" in done.stderr)
+    done = run(*render, "--only", "ambient,reflections", "--max-recursion", 0)
+    check("--max-recursion acts on reflections", False, "no effect" in done.stderr)
     check_refused([*render, "--samples", 1, "--adaptive", 0.1], "--adaptive has no effect with --samples 1")
     check_refused(["grade", "/no", "--program", "{}/x"],
                   "--program: {} is a submission's folder: it needs --submissions", "raytracer grade")
@@ -242,12 +245,12 @@ def check_only():
                       f"--only {terms}: there is no light without ambient, diffuse or specular")
     check_refused([*render, "--only", ""], '--only: expected a text, found ""')
     check_refused([*render, "--only", "diffuse,"],
-                  '--only: no term ""; --help lists them')
+                  '--only: a comma too many in "diffuse,"')
     for terms in ("ambient+diffuse", "diffuse specular"):
         check_refused([*render, "--only", terms],
                       f'--only: expected commas between the terms, found "{terms}"')
     check_refused([*render, "--only", "ambient", "diffuse"],
-                  'unexpected argument "diffuse"; write --only ambient,diffuse')
+                  "--only has commas, no blanks: write --only ambient,diffuse")
     check_refused([*render, "--only", "difuse, specular"],
                   '--only: no term "difuse"; did you mean "diffuse"?')
     with tempfile.TemporaryDirectory() as folder:

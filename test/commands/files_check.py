@@ -129,7 +129,7 @@ def check_before_rendering(folder):
             render(folder / "no/x.png", 65536, *hours))
     check("a file that is no folder", 0, render(folder / "x.png")[0])
     check("nothing else", ["d.png", "x.png"], names(folder))
-    for command in (("grade", "test", "--report"), ("compare", SCENE, SCENE, "--diff")):
+    for command in (("grade", "test", "--csv"), ("compare", SCENE, SCENE, "--diff")):
         refused(command[0],
                 f"{folder}/no/r.png: cannot write: No such file or directory; "
                 f'there is no folder "{folder}/no"',

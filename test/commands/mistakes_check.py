@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-from checks import RAYTRACER, check, conclude, failures
+from checks import RAYTRACER, check, check_width, conclude, failures
 
 SCENE = """{
     "camera": {
@@ -40,6 +40,30 @@ COMMANDS = [
     ("render scene.json out.png 8",
      'raytracer: unknown command "render"; write raytracer SCENE IMAGE_OUT LONG_EDGE_PIXELS'),
     ("comapre a.png b.png", 'raytracer: unknown command "comapre"; did you mean "compare"?'),
+    ("explain scene.json 3 3 20 --dept 2", "raytracer explain: unknown option --dept; did you mean --depth?"),
+    ("explain scene.json 3 3 20 --depht 2",
+     "raytracer explain: unknown option --depht; did you mean --depth?"),
+    ("explain scene.json 3 3 20 --bounce 2",
+     "raytracer explain: unknown option --bounce; did you mean --max-recursion?"),
+    ("scene.json out.png 8 --max-depth 2",
+     "raytracer: unknown option --max-depth; did you mean --max-recursion?"),
+    ("tradeoff scene.json --thread 2",
+     "raytracer tradeoff: unknown option --thread; did you mean --threads?"),
+    ("trade scene.json", 'raytracer: unknown command "trade"; did you mean "tradeoff"?'),
+    ("expl scene.json 3 3 20", 'raytracer: unknown command "expl"; did you mean "explain"?'),
+    ("grad scenes", 'raytracer: unknown command "grad"; did you mean "grade"?'),
+    ("--print-completion", "raytracer: --print-completion: expected bash, zsh or fish, found nothing"),
+    ("--print-completion tcsh", 'raytracer: --print-completion: expected bash, zsh or fish, found "tcsh"'),
+    ("--print-completion=tcsh", 'raytracer: --print-completion: expected bash, zsh or fish, found "tcsh"'),
+    ("--print-completion bash zsh", "raytracer: --print-completion bash stands alone"),
+    ("--print-completion --quiet",
+     'raytracer: --print-completion: expected bash, zsh or fish, found "--quiet"'),
+    ("scene.json --print-completion zsh", "raytracer: --print-completion zsh stands alone"),
+    ("--print-manual foo", "raytracer: --print-manual stands alone"),
+    ("--print-schema o.json", "raytracer: --print-schema stands alone"),
+    ("--print-schema --quiet", "raytracer: --print-schema stands alone"),
+    ("--quiet --print-schema", "raytracer: --print-schema stands alone"),
+    ("--print-manual=1", 'raytracer: --print-manual: expected no value, found "1"'),
     ("out.png scene.json 8",
      "raytracer: is out.png the picture? The order is SCENE IMAGE_OUT LONG_EDGE_PIXELS"),
     ("scene.json 8", f"raytracer: IMAGE_OUT is missing; {ORDER} (see --help)"),
@@ -56,8 +80,16 @@ COMMANDS = [
     ("scene.json out.png 8 --only difuse", 'raytracer: --only: no term "difuse"; did you mean "diffuse"?'),
     ("scene.json out.png 8 --pass normal",
      'raytracer: --pass: expected color, raycast or normals, found "normal"; did you mean "normals"?'),
+    ("scene.json out.png 8 --texture-filter trilinear",
+     'raytracer: --texture-filter: expected nearest or bilinear, found "trilinear"'),
+    ("explain scene.json 3 3 8 --precision doubble",
+     'raytracer explain: --precision: expected float, double or extended, found "doubble"'),
     ("scene.json out.png 8 --pass normals --only diffuse",
      "raytracer: --only has no effect with --pass normals"),
+    ("scene.json out.png 8 --only diffuse --max-recursion 9",
+     "raytracer: --max-recursion has no effect with --only diffuse"),
+    ("explain scene.json 3 3 8 --only diffuse,shadows --max-recursion 9",
+     "raytracer explain: --max-recursion has no effect with --only diffuse,shadows"),
     ("scene.json out.png 8 --target-error 1 --samples 4",
      "raytracer: --target-error and --samples exclude each other: give one of them"),
     ("scene.json out.png 8 --crop 0,0,9,9",
@@ -69,11 +101,47 @@ COMMANDS = [
      "raytracer explain: expected X from 0 to 7 and Y from 0 to 7, found 8 and 8"),
     ("scene.json out.png 8 --crop 4,4,2,2",
      'raytracer: --crop: expected x0,y0,x1,y1 with x0 < x1 and y0 < y1, found "4,4,2,2"'),
+    ("compare a.png b.png c.png", 'raytracer compare: unexpected argument "c.png"; the order is A B'),
+    ("scene.json other.json out.png 8", f'raytracer: unexpected argument "other.json"; {ORDER}'),
+    ("scene.json out.png b.png 8", f'raytracer: unexpected argument "b.png"; {ORDER}'),
+    ("scene.json out.png 8 b.png", f'raytracer: unexpected argument "b.png"; {ORDER}'),
+    ("explain scene.json scene.json 3 3 8",
+     'raytracer explain: unexpected argument "scene.json"; the order is SCENE X Y LONG_EDGE_PIXELS'),
+    ("out.png compare reference.png", "raytracer: the command stands first: raytracer compare ..."),
+    ("scene.json explain 3 3 8", "raytracer: the command stands first: raytracer explain ..."),
+    ("explain scene.json 3,3 8", 'raytracer explain: X: expected a whole number, found "3,3"; write 3 3'),
+    ("explain scene.json 3 3x8", 'raytracer explain: Y: expected a whole number, found "3x8"'),
+    ("scene.json out.png 8 --crop 0 0 5 5", "raytracer: --crop has commas, no blanks: write --crop 0,0,5,5"),
+    ("--crop 0 0 5 5 scene.json out.png 8", "raytracer: --crop has commas, no blanks: write --crop 0,0,5,5"),
+    ("scene.json out.png --crop 0, 0, 5, 5 8",
+     "raytracer: --crop has commas, no blanks: write --crop 0,0,5,5"),
+    ("scene.json out.png --crop 0,0,5,5 8 9", f'raytracer: unexpected argument "9"; {ORDER}'),
+    ("scene.json out.png 8 --set /camera/eye 1,2,3",
+     'raytracer: --set takes /pointer=value: write --set "/camera/eye=[1,2,3]"'),
+    ("--set /materials/0/shininess 9 scene.json out.png 8",
+     'raytracer: --set takes /pointer=value: write --set "/materials/0/shininess=9"'),
+    ("scene.json out.png 8 --set /camera/eye = [1,2,3]",
+     'raytracer: --set takes /pointer=value: write --set "/camera/eye=[1,2,3]"'),
+    ("scene.json out.png 8 --set /camera/eye= [1, 2, 3]",
+     'raytracer: --set takes /pointer=value: write --set "/camera/eye=[1, 2, 3]"'),
+    ("scene.json out.png 8 --set /camera/eye=[1, 2, 3]",
+     'raytracer: --set takes /pointer=value: write --set "/camera/eye=[1, 2, 3]"'),
+    ('scene.json out.png 8 --set /lights/-={"position": [1,2,3]}',
+     """raytracer: --set takes /pointer=value: write --set '/lights/-={"position": [1,2,3]}'"""),
+    ("scene.json out.png 8 --only diffuse,,specular",
+     'raytracer: --only: a comma too many in "diffuse,,specular"'),
+    ("scene.json out.png 8 --only normals", 'raytracer: --only: no term "normals"; write --pass normals'),
+    ("scene.json out.png 8 --only raycast", 'raytracer: --only: no term "raycast"; write --pass raycast'),
+    ("scene.json out.png 8 --only raycasting",
+     'raytracer: --only: no term "raycasting"; write --pass raycast'),
+    ("scene.json out.png 8 --only normal", 'raytracer: --only: no term "normal"; write --pass normals'),
     ("scene.json f-%04d.png 8", "raytracer: the picture f-%04d.png needs --frames, for %04d"),
     ("scene.json out.png 8 --only ambient;diffuse",
      'raytracer: --only: expected commas between the terms, found "ambient;diffuse"'),
     ("scene.json out.png 8 --only ambient, diffuse, specular",
-     'raytracer: unexpected argument "diffuse,"; write --only ambient,diffuse,specular'),
+     "raytracer: --only has commas, no blanks: write --only ambient,diffuse,specular"),
+    ("--only ambient diffuse scene.json out.png 8",
+     "raytracer: --only has commas, no blanks: write --only ambient,diffuse"),
     ("my scene.json out.png 8", 'raytracer: there is a file "my scene.json": write its name in quotes'),
     ("./my scene.json out.png 8", 'raytracer: there is a file "./my scene.json": write its name in quotes'),
     ("--quiet compare a.png b.png", "raytracer: the command stands first: raytracer compare ..."),
@@ -83,6 +151,27 @@ COMMANDS = [
      'scene.json: --set /lights/: /lights has 1 element, from 0: there is no ""; /lights/- adds one'),
     ("more out.png 8", "more: cannot read: Is a directory; name a file in it"),
     ("grade More", 'More: cannot read the folder: No such file or directory; there is "more"'),
+    ("grade more", "more: no scene X.json that has a reference X.png or X-STAGE.png; "
+     "--references names their folder"),
+    ("grade more --references textures",
+     "more: no scene X.json that has a reference X.png or X-STAGE.png in textures"),
+    ("grade more/other.json",
+     'more/other.json: cannot read the folder: Not a directory; name its folder "more"'),
+    ("grade scene.json", 'scene.json: cannot read the folder: Not a directory; name its folder "."'),
+    ("grade more --references more/other.json",
+     'more/other.json: cannot read the folder: Not a directory; name its folder "more"'),
+    ("tradeoff scene.json 60",
+     'raytracer tradeoff: "60" is no scene: tradeoff takes scenes alone; write --size 60'),
+    ("tradeoff scene.json new.png 60",
+     'raytracer tradeoff: "new.png" is no scene: tradeoff takes scenes alone; --out names a folder'),
+    ("grade graded --program ./nothere", "raytracer grade: --program: there is no file ./nothere"),
+    ("grade graded --program ./programs/raytracr",
+     'raytracer grade: --program: there is no file ./programs/raytracr; there is "./programs/raytracer"'),
+    ("grade graded --program ./more", "raytracer grade: --program: ./more is a folder: name a program in it"),
+    ("grade graded --program ./scene.json",
+     "raytracer grade: --program: ./scene.json is not executable: chmod +x makes it so"),
+    ("grade graded --report x.txt", "x.txt: expected a name that ends in .html or .htm"),
+    ("grade graded --report x.pdf --program true", "x.pdf: expected a name that ends in .html or .htm"),
     ("scene.json out.jpg 8 --watch", "out.jpg: expected a name that ends in .png or .pfm"),
     ("scene.json out.png 8 --watch --crop 1,2",
      'raytracer: --crop: expected four whole numbers x0,y0,x1,y1, found "1,2"'),
@@ -212,10 +301,10 @@ def answered(folder, words):
     done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder, check=False,
                           timeout=60)
     lines = done.stderr.splitlines()
+    if len(lines) > 3:
+        failures.append(f"{words}: too much to read: {done.stderr}")
     for line in lines:
-        names = len("scene.json:11:11: Textures\\\\wood.png textures/wood.png")
-        if len(lines) > 3 or len(line) > 100 + names:
-            failures.append(f"{words}: too much to read: {done.stderr}")
+        check_width(words, line)
     check(f"{words}: a picture", done.returncode == 0, out.exists())
     return done.returncode, done.stdout, lines
 
@@ -233,6 +322,11 @@ def check_all(folder):
     shutil.copy("test/bad/files/check.png", folder / "textures/wood.png")
     shutil.copy("test/bad/files/check.png", folder / "reference.png")
     shutil.copy("test/bad/files/check.png", folder / "out.png")
+    (folder / "graded").mkdir()
+    (folder / "programs").mkdir()
+    shutil.copy("test/bad/files/check.png", folder / "graded/scene.png")
+    (folder / "graded/scene.json").write_text(SCENE, encoding="utf-8")
+    (folder / "programs/raytracer").write_text("", encoding="utf-8")
     (folder / "more/other.json").write_text("{}", encoding="utf-8")
     (folder / "my scene.json").write_text("{}", encoding="utf-8")
     (folder / "e").write_text("", encoding="utf-8")
@@ -244,6 +338,7 @@ def check_all(folder):
             done = subprocess.run([RAYTRACER, *line.split()], capture_output=True, text=True, cwd=folder,
                                   check=False)
             check(line, (2, answer + "\n"), (done.returncode, done.stderr))
+            check_width(line, answer)
             continue
         check(line, (2, "", [answer]), answered(folder, line.split()))
     for before, after, place, answer in SCENES:
@@ -280,6 +375,15 @@ def check_several(folder):
 
 def check_cost(folder):
     """What takes long is told before it is begun."""
+    glass = str(pathlib.Path("scenes/refraction.json").resolve())
+    rays = f"warning: {glass}: --max-recursion 1000 takes about N rays a sample; lower it"
+    for options, remedy in (([], ", or add a --cutoff"), (["--cutoff", "1e-99"], ""),
+                            (["--set", "/materials/4/color_reflect=[0,0,1]", "--set",
+                              "/materials/4/color_refract=[0,1,0]"], "")):
+        words = [glass, "out.png", "20", "--max-recursion", "1000", "--crop", "0,0,1,1", *options]
+        _, _, lines = answered(folder, words)
+        check(f"{options}: rays", [rays + remedy],
+              [re.sub("about [0-9.e+]+ rays", "about N rays", line) for line in lines])
     (folder / "scene.json").write_text(SCENE, encoding="utf-8")
     for options, said, instead in [
             (["--samples", "20000"], "of 20000 samples", "--adaptive 0.02"),

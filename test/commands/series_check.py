@@ -62,8 +62,8 @@ def check_set(folder):
           (2, f'{SCENE}: /camera/eye/0, by --set: expected a number, found "{{0...3}}"\n'),
           run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set", "/camera/eye/0={0...3}"))
     for ends in ("1..1e999", "-1e308..1e308"):
-        check(f"a range {ends}", (2, f"raytracer: --set /camera/focal_length={{{ends}}}: the ends of a "
-                                     "range, and the way between them, are finite\n"),
+        check(f"a range {ends}", (2, f"raytracer: --set /camera/focal_length={{{ends}}}: a range "
+                                     "has finite ends and a finite length\n"),
               run(SCENE, folder / "c-%d.png", 8, "--frames", "1..2", "--set",
                   f"/camera/focal_length={{{ends}}}"))
     check("explain, too", 0, run("explain", SCENE, 5, 5, 40, "--set", "/lights/0/position=[1,5,2]")[0])

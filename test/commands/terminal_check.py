@@ -46,10 +46,20 @@ def on_terminal(columns, *words, until=None, **environment):
 
 def check_done(folder):
     out = pathlib.Path(folder, "out.png")
+    done_line = re.escape(str(out)) + r": 8 × 8, (under )?0\.\d\d s\n"
     said = on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient")
-    check("success", True, bool(re.fullmatch(re.escape(str(out)) + r": 8 × 8, (under )?0\.\d\d s\n", said)))
+    check("success", True, bool(re.fullmatch(done_line, said)))
     check("success, quiet", "",
           on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient", "--quiet"))
+    for number in (1, 2):
+        said = on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient", "--part", f"{number}/2")
+        check("a part", True, said.startswith(f"{out}.part-{number}-of-2: 8 × 8, "))
+    parts = [f"{out}.part-{number}-of-2" for number in (1, 2)]
+    said = on_terminal(100, "assemble", *parts, out)
+    check("assembled", True, bool(re.fullmatch(done_line, said)))
+    check("assembled, quiet", "", on_terminal(100, "assemble", *parts, out, "--quiet"))
+    done = subprocess.run([RAYTRACER, "assemble", *parts, out], capture_output=True, check=False)
+    check("assembled, no terminal", (0, b"", b""), (done.returncode, done.stdout, done.stderr))
     done = subprocess.run([RAYTRACER, "test/good/least.json", out, "8", "--only", "ambient"],
                           capture_output=True, check=False)
     check("success, no terminal", (0, b"", b""), (done.returncode, done.stdout, done.stderr))

@@ -326,8 +326,8 @@ def check_hostile(raytracer, folder):
         said = "wrote no picture" if "ln" in body else none
         check(found == (0, "", 0, {"ada": ("0", said), "bob": ("100", "")}), f"{what}: {found}")
     found = graded({"bob": hand_in, "zoe": "rm -rf ../../raytracer-* ../raytracer-*"})
-    line = (rf"{place}/tmp/raytracer-\w+: a program has deleted or changed what the grader keeps there: "
-            rf"{place}/class/zoe/rt, or one that ran beside it; as root, --user NAME prevents that\n")
+    line = (rf"{place}/tmp/raytracer-\w+: a program has changed what is kept there: "
+            rf"{place}/class/zoe/rt, or one beside it; as root, --user NAME prevents that\n")
     check(found[0] == 2 and re.fullmatch(line, found[1]) and found[2:] == (0, {}), f"what is kept: {found}")
     if os.geteuid() != 0:
         return

@@ -184,7 +184,7 @@ def check_own_failures(program, folder):
 def check_files(folder, failing):
     """What is named twice, or is not there, is told before anything is graded."""
     program = ("--program", "true")
-    for output in ("--csv", "--report", "--json", "--junit"):
+    for output in ("--csv", "--json", "--junit", "--gradescope"):
         for read in ("one/a.json", "one/../one/a.png"):
             failing(f"{output} over {read}", f"{read} is read, too: give another name for what is written\n",
                     "one", *program, output, read)

@@ -72,6 +72,10 @@ struct ProgramOptions {
 // command that is a path from the current folder still is that path.
 CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options);
 
+// Why the file that a command begins with can't be started: it is not there, a folder, or not executable.
+// Empty where it can be, where only a shell knows, and where "{}" stands for several.
+std::string programFault(const std::string& command);
+
 // The namer of a case's scene; nothing where the scene cannot be read.
 using NamerMaker = std::function<std::unique_ptr<MistakeNamer>(const GradeCase& test, const ImageSize& size)>;
 
