@@ -143,15 +143,14 @@ std::string nearbyFile(const std::string& path) {
     const fs::path above = folder.parent_path();
     const std::vector<fs::path> here = filesNear(folder, 0);
     if (fs::path found = named(name, here); !found.empty()) return found.generic_string();
-    if (fs::path found = likeName(name, here); !found.empty()) return found.generic_string();
     const fs::path like = hasFolder ? fs::path() : nearbyFolder(folder);
     if (!like.empty())
         if (fs::path found = named(name, filesNear(like, 0)); !found.empty()) return found.generic_string();
-    const bool isSearched = hasFolder || above != "/";
-    if (!isSearched) return {};
-    const std::vector<fs::path> below = filesNear(hasFolder ? folder : above, 2);
-    const fs::path found = named(name, below);
-    return (found.empty() ? likeStem(name, below) : found).generic_string();
+    std::vector<fs::path> below;
+    if (hasFolder || above != "/") below = filesNear(hasFolder ? folder : above, 2);
+    for (const fs::path& found : {named(name, below), likeName(name, here), likeStem(name, below)})
+        if (!found.empty()) return found.generic_string();
+    return {};
 }
 
 std::string nearbyName(const std::string& folder, std::string_view written) {

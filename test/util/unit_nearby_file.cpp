@@ -26,6 +26,9 @@ TEST_CASE("a name to write is relative to the file in which it stands") {
     CHECK(name("stone.png") == "");
     CHECK(name("../ston.png") == "../stone.png");
     CHECK(name("marble.png").empty());
+    std::ofstream(scenes + "/food.png") << "x";
+    CHECK(name("wood.png") == "tex/Wood.png");  // in a folder, rather than misspelled
+    CHECK(name("fod.png") == "food.png");
     CHECK(name("").empty());
     const std::string elsewhere = folder.file("ston.png");
     CHECK(nearbyName(scenes, elsewhere) == folder.file("stone.png"));
