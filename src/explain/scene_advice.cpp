@@ -184,8 +184,8 @@ void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std
         if (light.color == glm::dvec3(0) || !isInside(solid, Vec(light.position) - view.eye)) continue;
         if (std::ranges::any_of(view.starts, [&](const Vec& start) { return isInside(solid, start); }))
             continue;  // a room
-        lines.add(pointer("/lights/", i) + ": it is inside of " + pointer("/shapes/", index) +
-                  ", an opaque " + typeName(solid.shape->type) + ": its color has no effect");
+        lines.add(pointer("/lights/", i) + ": inside of " + pointer("/shapes/", index) + ", an opaque " +
+                  typeName(solid.shape->type) + ": its color has no effect");
     }
 }
 

@@ -252,7 +252,7 @@ WARNINGS = [
      '/materials/0: unknown key "diffuse"; did you mean "color_diffuse"?'),
     ('"shininess"', '"<b>"', "8:60", '/materials/0: unknown key "<b>": delete it'),
     ('"lights": [ {', '"lights": [ { "position": [0, 0, 0] }, {', "11:17",
-     "/lights/0: it is inside of /shapes/0, an opaque sphere: its color has no effect"),
+     "/lights/0: inside of /shapes/0, an opaque sphere: its color has no effect"),
     ('"name": "ball"', '"name": "ball", "translate": [9, 0, 0]', "14:9",
      "/shapes/0: the sphere is to the right of the view; only its shadow may be seen"),
     ("[0.8, 0.1, 0.1]", "[200, 20, 20]", "8:43",

@@ -224,8 +224,7 @@ TEST_CASE("a light inside of an opaque shape") {
     const double factor = GENERATE(1.0, 1e-100, 1e100);
     const auto adviceOn = [&] { return sceneAdvice(scene.resize(factor)); };
     const auto inside = [](const std::string& type) {
-        return Warnings{"/lights/0: it is inside of /shapes/0, an opaque " + type +
-                        ": its color has no effect"};
+        return Warnings{"/lights/0: inside of /shapes/0, an opaque " + type + ": its color has no effect"};
     };
     SECTION("sphere") { CHECK(adviceOn().empty()); }
     SECTION("sphere") {
