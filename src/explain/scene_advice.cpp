@@ -30,7 +30,7 @@ constexpr Real lengthTolerance = 1e-3L, cosineTolerance = 2e-3L;
 // Relative to the numbers that were added: far above the rounding errors here, far below what is visible.
 constexpr Real margin = 1e-9L;
 
-std::string number(Real value) { return formatted("%.6Lg", value); }
+std::string number(Real value) { return formatted("%.4Lg", value); }
 
 // A bounding plane of the view: normal . p >= least inside, relative to the eye.
 struct Bound {
@@ -170,8 +170,8 @@ void adviseOnCamera(const CameraDescription& camera, AdviceLines& lines) {
         return;
     const Real degrees =
         std::atan2(glm::length(glm::cross(look, up)), glm::dot(look, up)) * 180 / std::numbers::pi_v<Real>;
-    lines.add("/camera: look and up distort the picture: lengths " + number(lookLength) + ", " +
-              number(upLength) + " at " + number(degrees) + " degrees, not 1, 1 at 90");
+    lines.add("/camera: look and up distort: lengths " + number(lookLength) + ", " + number(upLength) +
+              " at " + number(degrees) + "\u00b0, not 1, 1 at 90\u00b0");
 }
 
 std::string pointer(const char* list, std::size_t index) { return list + std::to_string(index); }
@@ -184,8 +184,8 @@ void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std
         if (light.color == glm::dvec3(0) || !isInside(solid, Vec(light.position) - view.eye)) continue;
         if (std::ranges::any_of(view.starts, [&](const Vec& start) { return isInside(solid, start); }))
             continue;  // a room
-        lines.add(pointer("/lights/", i) + ": it is inside of " + pointer("/shapes/", index) +
-                  ", an opaque " + typeName(solid.shape->type) + ": its color has no effect");
+        lines.add(pointer("/lights/", i) + ": inside of " + pointer("/shapes/", index) + ", an opaque " +
+                  typeName(solid.shape->type) + ": its color has no effect");
     }
 }
 

@@ -17,13 +17,14 @@ namespace {
 
 using Color = glm::dvec3;
 
-std::string shown(const Color& color) { return formatted("%.6g %.6g %.6g", color.x, color.y, color.z); }
+std::string shown(const Color& color) { return formatted("%.4g %.4g %.4g", color.x, color.y, color.z); }
 
-// Whole numbers to 255, of which one is larger than a color of 0 to 1 is in any scene: our own have 1.6.
+// One number is larger than a color of 0 to 1 is in any scene: our own have 1.6. Twice as much as white is as
+// far as such a color is overdone; more has another unit.
 bool isOfBytes(const Color& color, double least) {
+    constexpr double white = 255;
     const double most = std::max({color.x, color.y, color.z});
-    return color == glm::floor(color) && most >= least && most <= 255 &&
-           std::min({color.x, color.y, color.z}) >= 0;
+    return most >= least && most <= 2 * white && std::min({color.x, color.y, color.z}) >= 0;
 }
 
 class SlipFinder {
@@ -43,11 +44,9 @@ class SlipFinder {
     void lookAtFilm() {
         const CameraDescription& camera = scene_.camera;
         if (camera.film_left > camera.film_right)
-            lines_.add(
-                "/camera/film_left: the picture is mirrored: film_left is above film_right; swap them");
+            lines_.add("/camera/film_left: the picture is mirrored: swap it with film_right");
         if (camera.film_bottom > camera.film_top)
-            lines_.add(
-                "/camera/film_bottom: the picture is upside down: film_bottom is above film_top; swap them");
+            lines_.add("/camera/film_bottom: the picture is upside down: swap it with film_top");
     }
 
     void lookAtTexture(const TextureDescription& texture) {
@@ -55,16 +54,17 @@ class SlipFinder {
             return material.diffuse_texture == texture.name;
         };
         if (std::ranges::none_of(scene_.materials, names))
-            lines_.add("/textures" + pointerStep(texture.name) + ": no material has this diffuse_texture");
+            lines_.add("/textures" + pointerStep(texture.name) +
+                       ": no material uses it: name it in a diffuse_texture, or delete it");
     }
 
     void lookAtColor(const std::string& place, const Color& color, double least) {
         if (isOfBytes(color, least))
-            lines_.add(place + ": colors go from 0 to 1, not to 255: divide " + shown(color) + " by 255");
+            lines_.add(place + ": colors end at 1: divide " + shown(color) + " by 255");
     }
 
     void lookAtMaterial(std::size_t i) {
-        constexpr double least = 3;
+        constexpr double least = 11;
         const MaterialDescription& material = scene_.materials[i];
         const std::string place = "/materials/" + std::to_string(i);
         lookAtColor(place + "/color_ambient", material.color_ambient, least);
@@ -73,7 +73,7 @@ class SlipFinder {
         lookAtColor(place + "/color_reflect", material.color_reflect, least);
         lookAtColor(place + "/color_refract", material.color_refract, least);
         if (!material.diffuse_texture.empty() && !material.use_diffuse_texture)
-            lines_.add(place + "/diffuse_texture: it is not shown without \"use_diffuse_texture\": true");
+            lines_.add(place + "/diffuse_texture: not shown without \"use_diffuse_texture\": true");
     }
 
     // A light may well be brighter than 1.

@@ -61,6 +61,25 @@ std::string missing(const JsonDocument& document, const PointerEnd& end) {
     }
 }
 
+// The pointer with / where other programs have points and brackets: shapes[0].material
+std::string withSlashes(std::string_view pointer) {
+    std::string slashes;
+    for (const char c : pointer)
+        if (c != ']') slashes += c == '.' || c == '[' ? '/' : c;
+    return slashes;
+}
+
+// Throws Error where the pointer leads on with slashes for what parts its steps.
+void requireSlashes(const JsonDocument& document, const PointerEnd& end, const JsonEdit& edit,
+                    const std::string& path) {
+    const std::string left = withSlashes(end.left), pointer = document.pointer(end.node) + left;
+    if (left == end.left) return;
+    const PointerEnd other = follow(document, pointer);
+    const bool isKey = document.kind(other.node) == Kind::Object && other.left.rfind('/') == 0;
+    if (other.node != end.node && (other.left.empty() || isKey))
+        throw Error({path}, "--set " + edit.pointer + ": steps are parted by /: write " + pointer);
+}
+
 // Other text for a range of it.
 struct Replacement {
     TextRange range;
@@ -85,6 +104,7 @@ Replacement replacement(const JsonDocument& document, const std::string& path, s
                         const JsonEdit& edit) {
     const PointerEnd end = follow(document, edit.pointer);
     if (!end.left.empty()) {
+        requireSlashes(document, end, edit, path);
         if (auto added = addition(document, text, end, edit)) return *added;
         throw Error({path}, "--set " + edit.pointer + ": " + missing(document, end));
     }
@@ -130,8 +150,13 @@ std::string whyNoJson(std::string_view text) {
 
 JsonEdit::JsonEdit(const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
-    if (equals != assignment.npos && equals > 0 && !assignment.starts_with('/'))
-        throw Error({"raytracer"}, "--set: a pointer begins with /: write " + inQuotes("/" + assignment));
+    if (equals != assignment.npos && equals > 0 && !assignment.starts_with('/')) {
+        // In textures/a.b the point belongs to a name.
+        const std::string steps = assignment.substr(0, equals);
+        const std::string slashes = steps.find('/') == steps.npos ? withSlashes(steps) : steps;
+        throw Error({"raytracer"}, "--set: a pointer begins with /: write " +
+                                       inQuotes("/" + slashes + assignment.substr(equals)));
+    }
     if (equals == assignment.npos || !assignment.starts_with('/'))
         throw Error({"raytracer"}, "--set: expected /pointer=value, found " + inQuotes(assignment));
     pointer = assignment.substr(0, equals);

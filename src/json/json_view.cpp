@@ -5,11 +5,20 @@
 #include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/nearest_name.h"
+#include "word_mistake.h"
 
 namespace raytracer {
 namespace {
 
 using Kind = JsonDocument::Kind;
+
+Kind kindOf(std::string_view text) {
+    try {
+        return JsonDocument("", text).kind(0);
+    } catch (const Error&) {
+        return Kind::String;
+    }
+}
 
 }  // namespace
 
@@ -29,7 +38,8 @@ std::string_view JsonView::string() const {
 }
 
 void JsonView::numbers(std::span<double> out) const {
-    if (kind() != Kind::Array || size() != out.size()) failExpected(std::to_string(out.size()) + " numbers");
+    if (kind() != Kind::Array || size() != out.size())
+        failExpected(std::to_string(out.size()) + " numbers", Kind::Array);
     std::size_t i = 0;
     for (const JsonView element : elements()) out[i++] = element.number();
 }
@@ -45,12 +55,12 @@ std::size_t JsonView::choice(std::span<const std::string_view> choices) const {
     const auto found = std::ranges::find(choices, chosen);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
     NearestName nearest(chosen);
-    std::vector<std::string> quoted;
+    std::vector<std::string> names;
     for (const std::string_view choice : choices) {
         nearest.consider(choice);
-        quoted.push_back(inQuotes(choice));
+        names.emplace_back(choice);
     }
-    failExpected(nearest.found() ? inQuotes(nearest.name()) : listed(quoted));
+    failExpected(nearest.found() ? inQuotes(nearest.name()) : listed(names));
 }
 
 JsonView::Children JsonView::elements() const {
@@ -72,7 +82,7 @@ std::size_t JsonView::size() const {
 }
 
 void JsonView::requireElements(std::size_t count, const char* expected) const {
-    if (kind() != Kind::Array || size() != count) failExpected(expected);
+    if (kind() != Kind::Array || size() != count) failExpected(expected, Kind::Array);
 }
 
 JsonView JsonView::element(std::size_t index) const {
@@ -91,16 +101,27 @@ std::optional<JsonView> JsonView::find(std::string_view key) const {
 
 bool JsonView::isString(std::string_view text) const { return kind() == Kind::String && string() == text; }
 
-void JsonView::failExpected(const std::string& expected) const {
-    const std::string why = whyText();
-    fail("expected " + expected + (why.empty() ? ", found " + inWords() : ": " + why));
+void JsonView::failExpected(const std::string& expected, Kind wanted) const {
+    const std::string why = whyText(wanted);
+    fail("expected " + expected + (why.empty() ? form(wanted) + ", found " + inWords() : ": " + why));
 }
 
 // --set takes for a text what is no JSON. A reason that is an expectation too says no more than this one.
-std::string JsonView::whyText() const {
-    if (kind() != Kind::String || !document_->isEdited(node_)) return {};
-    const std::string why = whyNoJson(document_->string(node_));
+std::string JsonView::whyText(Kind wanted) const {
+    if (kind() != Kind::String) return {};
+    const std::string_view text = document_->string(node_);
+    if (wanted == Kind::Array && isHexColor(text)) return aboutHexColor(text);
+    if (!document_->isEdited(node_)) return {};
+    const std::string why = whyNoJson(text);
     return why.starts_with("expected ") ? "" : why;
+}
+
+// What a text has to lose for what is wanted.
+std::string JsonView::form(Kind wanted) const {
+    if (kind() != Kind::String || wanted == Kind::String) return {};
+    const std::string_view text = document_->string(node_);
+    if (kindOf(inLowerCase(text)) != wanted) return {};
+    return document_->isEdited(node_) && kindOf(text) != wanted ? " in small letters" : " without quotes";
 }
 
 std::string JsonView::inWords() const {

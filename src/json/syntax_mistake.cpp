@@ -85,9 +85,17 @@ class Finder {
         return {at_, "expected the end of the file, found " + shown()};
     }
 
+    bool isParenthesis() const { return found() == ')' && s_.container; }
+    SyntaxMistake parenthesis() const {
+        if (excess(closing()) >= 0) return {at_, "a bracket too many"};
+        return {at_, std::string("expected \"") + closing() + "\", found \")\""};
+    }
+
     SyntaxMistake behindValue() {
         if (isForeign()) return foreign();
         if (isAtEnd()) return unclosed();
+        if (isParenthesis()) return parenthesis();
+        if (found() == ';') return {at_, "expected a comma, found \";\""};
         if (found() == ',') {
             if (isDecimalComma()) return decimalComma();
             comma_ = at_;
@@ -95,8 +103,9 @@ class Finder {
             return s_.container == '{' ? atKey() : atValue();
         }
         const bool goesOn = at_ == s_.end && !wordAt(at_).empty();
-        if (isBehindNumber() && (goesOn || isOperator())) return longerNumber();
+        if (isBehindNumber() && (goesOn || isOperator() || isUnitInLine())) return longerNumber();
         if (isSwallowing()) return {s_.begin, "a text has no end: \" is missing"};
+        if (isOperatorInLine()) return calculation(valueBegin());
         if (goesOn && s_.last == JsonEvent::Value &&
             std::isalpha(static_cast<unsigned char>(s_.text[s_.begin])))  // truee
             return {s_.begin, aboutWord(wordAt(s_.begin))};
@@ -138,32 +147,45 @@ class Finder {
                (!isSign || at_ == s_.end || !isDigitAt(s_.text, at_ + 1));
     }
 
-    // A number goes on where it should end: 360/4, 007, 90deg.
+    bool isInLine() const {
+        return s_.text.substr(s_.end, at_ - s_.end).find('\n') == std::string_view::npos;
+    }
+    bool isUnitInLine() const { return isInLine() && isUnit(wordAt(at_)); }
+    bool isOperatorInLine() const { return isInLine() && s_.text[s_.end - 1] != '}' && isOperator(); }
+    // Of the text or the list that the parser has read last.
+    std::size_t valueBegin() const {
+        if (s_.last == JsonEvent::Value) return s_.begin;
+        std::size_t at = s_.end;
+        int depth = 0;
+        do {
+            --at;
+            depth += (s_.text[at] == ']') - (s_.text[at] == '[');
+        } while (depth > 0 && at > s_.opening);
+        return at;
+    }
+
+    // A number goes on where it should end: 360/4, 007, 90deg, 1 m.
     SyntaxMistake longerNumber() const {
-        if (found() == ';') return {at_, "expected a comma, found \";\""};
         if (isOperator()) return calculation(s_.begin);
+        if (isUnit(wordAt(at_)))
+            return {s_.begin, "a number has no unit: write " +
+                                  std::string(s_.text.substr(s_.begin, s_.end - s_.begin))};
         const std::size_t end = at_ + wordAt(at_).size();
         const std::string all(s_.text.substr(s_.begin, end - s_.begin));
         if (numberOf<double>(all))
             return {s_.begin, "a number has no zero in front: write " + withoutZeros(all)};
         return {s_.begin, "expected a number, found " + inQuotes(all)};
     }
-    // A calculation goes on to where JSON would; a comma in parentheses is its own.
     SyntaxMistake calculation(std::size_t begin) const {
-        std::size_t end = begin;
-        const auto goesOn = [&](std::string_view stops) {
-            return end < s_.text.size() && stops.find(s_.text[end]) == std::string_view::npos;
-        };
-        for (int depth = 0; goesOn(depth > 0 ? "\r\n" : ",]}\r\n"); ++end)
-            depth += (s_.text[end] == '(') - (s_.text[end] == ')');
-        end = s_.text.find_last_not_of(" \t", end - 1) + 1;
-        return {begin, "JSON does not calculate: write the result of " +
-                           inQuotes(s_.text.substr(begin, end - begin))};
+        return {begin, aboutCalculation(s_.text.substr(begin))};
     }
 
     // Where a key should follow: "x": 0,5
     bool isDecimalComma() const {
-        return s_.container == '{' && isBehindNumber() && at_ == s_.end && isDigitAt(s_.text, at_ + 1);
+        if (s_.container != '{' || !isBehindNumber() || at_ != s_.end || !isDigitAt(s_.text, at_ + 1))
+            return false;
+        const std::size_t next = at_ + 1 + wordAt(at_ + 1).size();  // "x": 3,5,4 is a list
+        return s_.text.substr(next, 1) != "," || !numberOf<double>(wordAt(next + 1));
     }
     SyntaxMistake decimalComma() const {
         const std::string whole(s_.text.substr(s_.begin, s_.end - s_.begin)), fraction(wordAt(at_ + 1));
@@ -178,14 +200,24 @@ class Finder {
         return {comma_, std::string("a comma too many before \"") + found() + '"'};
     }
 
+    // {{ at the beginning, or where nothing closes one of them; else it is a list of objects.
+    bool isBraceTwice() const {
+        const bool isRoot = skipped(0) == s_.opening, isUnclosed = excess('}') < 0 && excess(']') <= 0;
+        return found() == '{' && s_.last == JsonEvent::Open && (isRoot || isUnclosed);
+    }
+
     SyntaxMistake atKey() const {
         if (isForeign()) return foreign();
         if (isCommaTooMany()) return commaTooMany();
         if (isAtEnd()) return unclosed();
+        if (isParenthesis()) return parenthesis();
         const std::string_view word = wordAt(at_);
-        const bool isList = found() == '[' || found() == '{' || numberOf<double>(word);
+        const bool isNumber = numberOf<double>(word).has_value();
+        const bool isList = found() == '[' || found() == '{' || isNumber;
+        if (isBraceTwice()) return {at_, "a bracket too many"};
         if (isList && s_.last == JsonEvent::Open)
             return {s_.opening, "a list stands in [ and ], not in { and }"};
+        if (isNumber && isBehindNumber()) return {s_.begin, aboutBareList(s_.text.substr(s_.begin))};
         if (found() == ']') return wrongClosing();
         if (found() == '{') return unclosed();
         if (found() == '"') return inString();
@@ -196,7 +228,9 @@ class Finder {
     }
 
     SyntaxMistake atValue() const {
+        if (isHexColor(wordAt(at_))) return {at_, aboutHexColor(wordAt(at_))};
         if (isForeign()) return foreign();
+        if (isParenthesis()) return parenthesis();
         if (isCommaTooMany()) return commaTooMany();
         if (isAtEnd() && s_.container) return unclosed();
         if (isAtEnd()) return {at_, "expected a scene, found an empty file"};

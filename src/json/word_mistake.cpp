@@ -10,12 +10,6 @@
 namespace raytracer {
 namespace {
 
-std::string inLowerCase(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    return lower;
-}
-
 bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::ranges::find(words, word) != words.end();
 }
@@ -80,6 +74,33 @@ unsigned invisible(std::string_view text) {
 
 }  // namespace
 
+std::string inLowerCase(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    return lower;
+}
+
+bool isHexColor(std::string_view word) {
+    return (word.size() == 4 || word.size() == 7) && word[0] == '#' &&
+           std::ranges::all_of(word.substr(1), [](unsigned char c) { return std::isxdigit(c); });
+}
+
+std::string aboutHexColor(std::string_view color) {
+    const std::size_t digits = color.size() / 3;  // of a channel
+    double channels[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        std::string hex(color.substr(1 + i * digits, digits));
+        if (digits == 1) hex += hex;
+        channels[i] = std::stoi(hex, nullptr, 16) / 255.0;
+    }
+    return formatted("a color is 3 numbers: write [%.3g, %.3g, %.3g]", channels[0], channels[1], channels[2]);
+}
+
+bool isUnit(std::string_view word) {
+    return isOneOf(inLowerCase(word), {"m", "cm", "mm", "km", "in", "ft", "deg", "degree", "degrees", "rad",
+                                       "radians", "px", "f", "meter", "meters", "unit", "units", "\u00b0"});
+}
+
 bool isDigitAt(std::string_view text, std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
 }
@@ -107,10 +128,34 @@ bool isFormula(std::string_view word) {
     return sign != word.npos && sign > 0 && (word[sign] == '(' || isConstant(word.substr(0, sign)));
 }
 
+std::string aboutCalculation(std::string_view text) {
+    std::size_t end = 0;
+    const auto isAt = [&](std::string_view set) { return set.find(text[end]) != set.npos; };
+    for (int depth = 0; end < text.size() && !isAt(depth > 0 ? "\r\n" : ",]}\r\n"); ++end)
+        depth += isAt("([") - isAt(")]");
+    end = text.find_last_not_of(" \t", end - 1) + 1;
+    return "JSON does not calculate: write the result of " + inQuotes(text.substr(0, end));
+}
+
+std::string aboutBareList(std::string_view text) {
+    constexpr std::size_t longest = 40;  // fits a terminal's line
+    std::string_view list = text.substr(0, text.find_first_not_of("0123456789+-.eE, \t"));
+    list = list.substr(0, list.find_last_not_of(", \t") + 1);
+    const std::string write = list.size() > longest ? "" : ": write [" + std::string(list) + "]";
+    return "a list stands in [ and ]" + write;
+}
+
+// "% sun", "; sun", but not "40 % 3", and not "1; 2" for "1, 2".
+static bool isCommentBySign(std::string_view text) {
+    if (text.empty() || (text[0] != '%' && text[0] != ';')) return false;
+    const std::size_t word = text.find_first_not_of(text[0] == '%' ? "% \t" : "; \t");
+    return word != text.npos && std::isalpha(static_cast<unsigned char>(text[word]));
+}
+
 std::string aboutForeign(std::string_view text) {
     const bool isDashes = text.starts_with("--") && !isDigitAt(text, 2) && !text.substr(2).starts_with('.');
     if (isDashes || text.starts_with("//") || text.starts_with("/*") || text.starts_with('#') ||
-        text.starts_with("<!--"))
+        isCommentBySign(text) || text.starts_with("<!--"))
         return "a comment, which JSON does not have: delete it";
     const unsigned code = invisible(text);
     return code == 0 ? "" : formatted("an invisible character (U+%04X): delete it", code);

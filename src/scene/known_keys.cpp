@@ -19,6 +19,37 @@ std::string keysOf(std::span<const JsonView> members) {
     if (members.size() > most) keys.emplace_back("others");
     return listed(keys, "and");
 }
+
+// What other programs have, in an object that has the key `beside` in ours, and what is instead of it.
+struct Foreign {
+    std::string_view key, beside, instead;
+};
+constexpr Foreign foreign[] = {
+    {"rotation", "rotate", "; did you mean \"rotate\"?"},
+    {"angle", "degrees", "; did you mean \"degrees\"?"},
+    {"scaling", "scale", "; did you mean \"scale\"?"},
+    {"size", "scale", "; did you mean \"scale\"?"},
+    {"position", "translate", "; did you mean \"translate\"?"},
+    {"position", "eye", "; did you mean \"eye\"?"},
+    {"texture", "diffuse_texture", "; did you mean \"diffuse_texture\"?"},
+    {"use_texture", "use_diffuse_texture", "; did you mean \"use_diffuse_texture\"?"},
+    {"color", "color_diffuse", "; did you mean \"color_diffuse\"?"},
+    {"ior", "index_of_refraction", "; did you mean \"index_of_refraction\"?"},
+    {"intensity", "color", "; did you mean \"color\"?"},
+    {"fov", "film_left", ": focal_length and film_left to film_top give the angle"},
+    {"radius", "transform", ": scale in its transform gives the size"},
+    {"size", "transform", ": scale in its transform gives the size"},
+    {"center", "transform", ": translate in its transform gives the place"},
+    {"position", "transform", ": translate in its transform gives the place"},
+    {"color", "transform", ": its material has the colors"},
+    {"path", "transform", ": only a mesh has one; delete it"},
+};
+
+std::string insteadOf(std::string_view key, const JsonObject& object) {
+    for (const Foreign& other : foreign)
+        if (key == other.key && object.knows(other.beside)) return std::string(other.instead);
+    return {};
+}
 }  // namespace
 
 bool JsonObject::knows(std::string_view key) const { return std::ranges::find(known_, key) != known_.end(); }
@@ -52,9 +83,11 @@ void KnownKeys::report(const JsonObject& object, JsonView member) {
     const std::string_view key = member.key();
     NearestName nearest(key);
     for (const std::string_view name : object.known()) nearest.consider(name);
-    const std::string message = "unknown key " + inQuotes(key) + nearest.question();
-    if (member.hasEditedKey()) throw object.json().errorAtKey(member, message);
-    warnings_.emplace_back(object.json().errorAtKey(member, message).what());
+    const std::string message = "unknown key " + inQuotes(key);
+    std::string remedy = nearest.found() ? nearest.question() : insteadOf(key, object);
+    if (member.hasEditedKey()) throw object.json().errorAtKey(member, message + remedy);
+    if (remedy.empty()) remedy = ": delete it";
+    warnings_.emplace_back(object.json().errorAtKey(member, message + remedy).what());
 }
 
 std::vector<std::string> KnownKeys::warnings(const std::string& path) const {

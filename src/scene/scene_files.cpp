@@ -8,21 +8,12 @@
 namespace raytracer {
 namespace {
 
-bool isRelative(JsonView path) { return std::filesystem::path(path.string()).is_relative(); }
-
-// Calls read(file). An Error about the file becomes one about the value of the scene that names it.
-template <class Read>
-auto readNamed(JsonView path, const std::string& file, const char* expected, Read read) {
-    std::error_code unknown;
-    const auto kind = std::filesystem::status(file, unknown).type();
-    if (kind == std::filesystem::file_type::not_found)
-        path.fail("no file " + jsonString(file) + (isRelative(path) ? " (relative to the scene file)" : "") +
-                  hintAt(file));
-    try {
-        return read(file);
-    } catch (const Error& error) {
-        path.fail(std::string("expected ") + expected + " in " + jsonString(file) + ": " + error.inFile());
-    }
+// A file that the scene names and that is not there, with what the scene should name.
+[[noreturn]] void failMissing(JsonView path, const std::string& folder, const std::string& file) {
+    const bool isRelative = std::filesystem::path(path.string()).is_relative();
+    const std::string name = nearbyName(folder, path.string());
+    path.fail("no file " + jsonString(file) + (isRelative ? " (relative to the scene file)" : "") +
+              (name.empty() ? "" : "; write " + inQuotes(name)));
 }
 
 MeshData readMesh(const std::string& file) {
@@ -38,6 +29,19 @@ constexpr const char* aPicture = "a picture";
 
 SceneFiles::SceneFiles(const std::string& scenePath)
     : folder_(std::filesystem::path(scenePath).parent_path()) {}
+
+// Calls read(file). An Error about the file becomes one about the value of the scene that names it.
+template <class Read>
+auto SceneFiles::readNamed(JsonView path, const std::string& file, const char* expected, Read read) const {
+    std::error_code unknown;
+    if (std::filesystem::status(file, unknown).type() == std::filesystem::file_type::not_found)
+        failMissing(path, folder_.string(), file);
+    try {
+        return read(file);
+    } catch (const Error& error) {
+        path.fail(std::string("expected ") + expected + " in " + jsonString(file) + ": " + error.inFile());
+    }
+}
 
 std::shared_ptr<const MeshData> SceneFiles::mesh(JsonView path) {
     const std::string file = resolve(path);

@@ -29,6 +29,8 @@ class SceneFiles {
 
   private:
     std::string resolve(JsonView path);
+    template <class Read>
+    auto readNamed(JsonView path, const std::string& file, const char* expected, Read read) const;
 
     std::filesystem::path folder_;
     std::set<std::string> names_;

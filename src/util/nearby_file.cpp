@@ -53,6 +53,16 @@ fs::path likeName(const fs::path& name, const std::vector<fs::path>& files) {
     return hasStem ? named(stem, files) : fs::path();
 }
 
+// Of the files with this name's ending, the nearest of those whose names before it are like this one.
+fs::path likeStem(const fs::path& name, const std::vector<fs::path>& files) {
+    NearestName nearest(name.stem().string());
+    const auto isAlike = [&](const fs::path& file) { return file.extension() == name.extension(); };
+    for (const fs::path& file : files)
+        if (isAlike(file)) nearest.consider(file.stem().string());
+    if (!nearest.found()) return {};
+    return named(nearest.name() + name.extension().string(), files);
+}
+
 fs::path nearbyFolder(const fs::path& path) {
     const fs::path wanted = path.has_filename() ? path : path.parent_path(), above = wanted.parent_path();
     std::vector<std::string> names;
@@ -67,6 +77,37 @@ fs::path nearbyFolder(const fs::path& path) {
     NearestName nearest(wanted.filename().string());
     for (const std::string& name : names) nearest.consider(name);
     return nearest.found() ? above / nearest.name() : fs::path();
+}
+
+// The last `count` names of a path.
+fs::path lastNames(const fs::path& path, std::ptrdiff_t count) {
+    fs::path last;
+    for (auto name = std::prev(path.end(), count); name != path.end(); ++name) last /= *name;
+    return last;
+}
+
+// The file in the folder, or below it, that a path means which was right elsewhere.
+fs::path fileBelow(const fs::path& folder, const fs::path& written) {
+    const auto count = std::distance(written.begin(), written.end());
+    const bool isRooted = written.has_root_path();
+    for (std::ptrdiff_t names = count - isRooted; names > 0; --names)
+        if (fs::path file = folder / lastNames(written, names); isFile(file)) return file;
+    if (isFile(written)) return written;  // from where the program runs
+    std::error_code ignored;
+    if (!isRooted || fs::is_directory(written.parent_path(), ignored))
+        if (fs::path near = nearbyFile((folder / written).string()); !near.empty()) return near;
+    for (std::ptrdiff_t names = std::min<std::ptrdiff_t>(2, count - isRooted); names > 0; --names)
+        if (fs::path near = nearbyFile((folder / lastNames(written, names)).string()); !near.empty())
+            return near;
+    return {};
+}
+
+// Relative to the folder.
+fs::path relativeTo(const fs::path& folder, const fs::path& file) {
+    std::error_code error;
+    const auto whole = [&](const fs::path& path) { return fs::absolute(path, error).lexically_normal(); };
+    const fs::path relative = whole(file).lexically_relative(whole(folder / "."));
+    return error || relative.empty() ? file : relative;
 }
 
 }  // namespace
@@ -102,13 +143,24 @@ std::string nearbyFile(const std::string& path) {
     const fs::path above = folder.parent_path();
     const std::vector<fs::path> here = filesNear(folder, 0);
     if (fs::path found = named(name, here); !found.empty()) return found.generic_string();
-    if (fs::path found = likeName(name, here); !found.empty()) return found.generic_string();
     const fs::path like = hasFolder ? fs::path() : nearbyFolder(folder);
     if (!like.empty())
         if (fs::path found = named(name, filesNear(like, 0)); !found.empty()) return found.generic_string();
-    const bool isSearched = hasFolder || above != "/";
-    if (!isSearched) return {};
-    return named(name, filesNear(hasFolder ? folder : above, 2)).generic_string();
+    std::vector<fs::path> below;
+    if (hasFolder || above != "/") below = filesNear(hasFolder ? folder : above, 2);
+    for (const fs::path& found : {named(name, below), likeName(name, here), likeStem(name, below)})
+        if (!found.empty()) return found.generic_string();
+    return {};
+}
+
+std::string nearbyName(const std::string& folder, std::string_view written) {
+    std::string slashes(written);
+    std::ranges::replace(slashes, '\\', '/');
+    const fs::path file = fileBelow(folder, slashes);
+    if (file.empty()) return {};
+    const std::string name = relativeTo(folder, file).generic_string();
+    const bool isElsewhere = fs::path(slashes).is_absolute() && name.starts_with("..");
+    return isElsewhere ? file.generic_string() : name;
 }
 
 std::string hintAt(const std::string& path) {

@@ -147,6 +147,14 @@ COMMANDS = [
     ("--quiet compare a.png b.png", "raytracer: the command stands first: raytracer compare ..."),
     ("scene.json out.png 8 --set camera/eye=[0,1,5]",
      'raytracer: --set: a pointer begins with /: write "/camera/eye=[0,1,5]"'),
+    ("scene.json out.png 8 --set camera.eye=[0,0,4]",
+     'raytracer: --set: a pointer begins with /: write "/camera/eye=[0,0,4]"'),
+    ("scene.json out.png 8 --set shapes[0].material=floor",
+     'raytracer: --set: a pointer begins with /: write "/shapes/0/material=floor"'),
+    ("scene.json out.png 8 --set /shapes/0.material=x",
+     'scene.json: --set /shapes/0.material: steps are parted by /: write /shapes/0/material'),
+    ("scene.json out.png 8 --set /camera.eye=x",
+     'scene.json: --set /camera.eye: steps are parted by /: write /camera/eye'),
     ("scene.json out.png 8 --set /lights/={}",
      'scene.json: --set /lights/: /lights has 1 element, from 0: there is no ""; /lights/- adds one'),
     ("more out.png 8", "more: cannot read: Is a directory; name a file in it"),
@@ -230,12 +238,38 @@ SCENES = [
     ('"lights"', '\u00a0"lights"', "11:5", "an invisible character (U+00A0): delete it"),
     ('"lights"', '\u200b"lights"', "11:5", "an invisible character (U+200B): delete it"),
     ("40", "<40>", "8:73", 'expected a number, found "<40>"'),
+    ('"red" }', '"red" )', "14:68", 'expected "}", found ")"'),
+    ("40 }", "40)", "8:75", 'expected "}", found ")"'),
+    ("[3, 5, 4]", "[3, 5, 4)", "11:39", 'expected "]", found ")"'),
+    ("[3, 5, 4]", "[3, 5, 4])", "11:40", "a bracket too many"),
+    ('"red" }', '"red" } )', "14:70", "a bracket too many"),
+    ("40", "2 units", "8:73", "a number has no unit: write 2"),
+    ("[3, 5, 4]", "[3, 5, )", "11:38", 'expected "]", found ")"'),
+    ('"lights"', '% the sun\n"lights"', "11:5", "a comment, which JSON does not have: delete it"),
+    ('40 }', '40 % shiny\n}', "8:76", "a comment, which JSON does not have: delete it"),
+    ('"lights": [', '"lights": [ ; sun\n', "11:17", "a comment, which JSON does not have: delete it"),
+    ('"red" }', '"red" } ; red', "14:70", "a comment, which JSON does not have: delete it"),
+    ('"red",', '"red";', "8:24", 'expected a comma, found ";"'),
+    ("[3, 5, 4]", "[3; 5; 4]", "11:33", 'expected a comma, found ";"'),
+    ("40", "40 % 3", "8:73", 'JSON does not calculate: write the result of "40 % 3"'),
+    ("[3, 5, 4]", "[3, 5, 4]/2", "11:31", 'JSON does not calculate: write the result of "[3, 5, 4]/2"'),
+    ("[3, 5, 4]", "2 * [3, 5, 4]", "11:31",
+     'JSON does not calculate: write the result of "2 * [3, 5, 4]"'),
+    ("40", "1 m", "8:73", "a number has no unit: write 1"),
+    ("40", "45 deg", "8:73", "a number has no unit: write 45"),
+    ("40", "45deg", "8:73", "a number has no unit: write 45"),
+    ("40", "45\u00b0", "8:73", "a number has no unit: write 45"),
+    ("40", "40 true", "8:75", "a comma is missing here"),
+    ("[3, 5, 4]", "3, 5, 4", "11:31", "a list stands in [ and ]: write [3, 5, 4]"),
+    ("[3, 5, 4]", "-3,5,4", "11:31", "a list stands in [ and ]: write [-3,5,4]"),
+    ('"camera": {', '"camera": {{', "2:16", "a bracket too many"),
+    ("[1, 1, 1]", "#fff", "11:51", "a color is 3 numbers: write [1, 1, 1]"),
 ]
 MEANINGS = [
     ('"material": "red"', '"material": "rde"', "14:62",
      '/shapes/0/material: no material named "rde"; did you mean "red"?'),
     ('"sphere"', '"ball"', "14:19",
-     '/shapes/0/type: expected "sphere", "plane", "cylinder", "cone", "cube" or "mesh", found "ball"'),
+     '/shapes/0/type: expected sphere, plane, cylinder, cone, cube or mesh, found "ball"'),
     ("focal_length", "focal_lenght", "3:32",
      '/camera: expected the key "focal_length", found "focal_lenght"'),
     ('"sphere"', '"shpere"', "14:19", '/shapes/0/type: expected "sphere", found "shpere"'),
@@ -257,11 +291,32 @@ MEANINGS = [
      "/transforms/1/matrix/0/3: expected 0 in the bottom row (the lists are columns), found 5"),
     ("[0, 0, 4]", "[0, 0]", "3:58", "/camera/eye: expected 3 numbers, found an array of 2"),
     ("[0.8, 0.1, 0.1]", '"red"', "8:43", '/materials/0/color_diffuse: expected 3 numbers, found "red"'),
+    ("[0.8, 0.1, 0.1]", '"#f00"', "8:43",
+     "/materials/0/color_diffuse: expected 3 numbers: "
+     "a color is 3 numbers: write [1, 0, 0]"),
+    ('"focal_length": 1', '"focal_length": "1"', "3:48",
+     '/camera/focal_length: expected a number without quotes, found "1"'),
+    ("true", '"true"', "9:51",
+     '/materials/1/use_diffuse_texture: expected true or false without quotes, found "true"'),
+    ("true", '"False"', "9:51",
+     '/materials/1/use_diffuse_texture: expected true or false without quotes, found "False"'),
+    ("[3, 5, 4]", '"[3, 5, 4]"', "11:31",
+     '/lights/0/position: expected 3 numbers or 4 without quotes, found "[3, 5, 4]"'),
+    ("[0, 0, 4]", '"[0, 0, 4]"', "3:58",
+     '/camera/eye: expected 3 numbers without quotes, found "[0, 0, 4]"'),
     ("textures/wood.png", "wood.png", "6:27",
-     '/textures/wood: no file "wood.png" (relative to the scene file); there is "textures/wood.png"'),
+     '/textures/wood: no file "wood.png" (relative to the scene file); write "textures/wood.png"'),
     ("textures/wood.png", "Textures\\\\wood.png", "6:27",
-     '/textures/wood: no file "Textures\\\\wood.png" (relative to the scene file); there is '
+     '/textures/wood: no file "Textures\\\\wood.png" (relative to the scene file); write '
      '"textures/wood.png"'),
+    ("textures/wood.png", "..\\\\textures\\\\wood.png", "6:27",
+     '/textures/wood: no file "..\\\\textures\\\\wood.png" (relative to the scene file); write '
+     '"textures/wood.png"'),
+    ("textures/wood.png", "C:\\\\Users\\\\ada\\\\textures\\\\wood.png", "6:27",
+     '/textures/wood: no file "C:\\\\Users\\\\ada\\\\textures\\\\wood.png" '
+     '(relative to the scene file); write "textures/wood.png"'),
+    ("textures/wood.png", "/home/ada/textures/wood.png", "6:27",
+     '/textures/wood: no file "/home/ada/textures/wood.png"; write "textures/wood.png"'),
 ]
 # What is set, and what is answered.
 SETS = [
@@ -271,7 +326,11 @@ SETS = [
      'expected an object: a key stands in double quotes: write "position"'),
     ("/materials/0/shininess=+40", "expected a number: a number has no plus in front: write 40"),
     ("/materials/0/shininess=forty", 'expected a number, found "forty"'),
-    ("/materials/0/reflective=True", 'expected true or false, found "True"'),
+    ("/materials/0/reflective=True", 'expected true or false in small letters, found "True"'),
+    ("/lights/0/color=#fff",
+     "expected 3 numbers: a color is 3 numbers: write [1, 1, 1]"),
+    ("/lights/0/color=#FF8000",
+     "expected 3 numbers: a color is 3 numbers: write [1, 0.502, 0]"),
 ]
 # What is changed in the scene, and rendered with a warning; with --strict it is an error.
 WARNINGS = [
@@ -279,19 +338,53 @@ WARNINGS = [
      '/materials/0: unknown key "shinyness"; did you mean "shininess"?'),
     ('"color_diffuse"', '"diffuse"', "8:26",
      '/materials/0: unknown key "diffuse"; did you mean "color_diffuse"?'),
-    ('"shininess"', '"<b>"', "8:60", '/materials/0: unknown key "<b>"'),
+    ('"shininess"', '"<b>"', "8:60", '/materials/0: unknown key "<b>": delete it'),
     ('"lights": [ {', '"lights": [ { "position": [0, 0, 0] }, {', "11:17",
-     "/lights/0: it is inside of /shapes/0, an opaque sphere: its color has no effect"),
+     "/lights/0: inside of /shapes/0, an opaque sphere: its color has no effect"),
     ('"name": "ball"', '"name": "ball", "translate": [9, 0, 0]', "14:9",
      "/shapes/0: the sphere is to the right of the view; only its shadow may be seen"),
     ("[0.8, 0.1, 0.1]", "[200, 20, 20]", "8:43",
-     "/materials/0/color_diffuse: colors go from 0 to 1, not to 255: divide 200 20 20 by 255"),
+     "/materials/0/color_diffuse: colors end at 1: divide 200 20 20 by 255"),
     ('"color": [1, 1, 1]', '"color": [255, 255, 255]', "11:51",
-     "/lights/0/color: colors go from 0 to 1, not to 255: divide 255 255 255 by 255"),
+     "/lights/0/color: colors end at 1: divide 255 255 255 by 255"),
     ('"use_diffuse_texture": true, ', "", "9:47",
-     '/materials/1/diffuse_texture: it is not shown without "use_diffuse_texture": true'),
+     '/materials/1/diffuse_texture: not shown without "use_diffuse_texture": true'),
     ('"film_left": -0.5, "film_right": 0.5', '"film_left": 0.5, "film_right": -0.5', "4:22",
-     "/camera/film_left: the picture is mirrored: film_left is above film_right; swap them"),
+     "/camera/film_left: the picture is mirrored: swap it with film_right"),
+    ('"film_bottom": -0.5, "film_top": 0.5', '"film_bottom": 0.5, "film_top": -0.5', "4:62",
+     "/camera/film_bottom: the picture is upside down: swap it with film_top"),
+    ('"look": [0, 0, -1], "up": [0, 1, 0]', '"look": [0, 0, -1.41421], "up": [0, 1, 1]', "2:15",
+     "/camera: look and up distort: lengths 1.414, 1.414 at 135\u00b0, not 1, 1 at 90\u00b0"),
+    ('"textures": {', '"textures": { "stone": "textures/wood.png",', "6:28",
+     "/textures/stone: no material uses it: name it in a diffuse_texture, or delete it"),
+    ('"translate"', '"rotation": 1, "translate"', "12:60",
+     '/transforms/1: unknown key "rotation"; did you mean "rotate"?'),
+    ('"translate"', '"scaling": 1, "translate"', "12:60",
+     '/transforms/1: unknown key "scaling"; did you mean "scale"?'),
+    ('"translate"', '"position": 1, "translate"', "12:60",
+     '/transforms/1: unknown key "position"; did you mean "translate"?'),
+    ('"shininess"', '"texture"', "8:60",
+     '/materials/0: unknown key "texture"; did you mean "diffuse_texture"?'),
+    ('"shininess"', '"use_texture"', "8:60",
+     '/materials/0: unknown key "use_texture"; did you mean "use_diffuse_texture"?'),
+    ('"shininess"', '"ior"', "8:60",
+     '/materials/0: unknown key "ior"; did you mean "index_of_refraction"?'),
+    ('"film_left"', '"fov": 60, "film_left"', "4:9",
+     '/camera: unknown key "fov": focal_length and film_left to film_top give the angle'),
+    ('"type": "sphere"', '"radius": 1, "type": "sphere"', "14:11",
+     '/shapes/0: unknown key "radius": scale in its transform gives the size'),
+    ('"type": "sphere"', '"center": 1, "type": "sphere"', "14:11",
+     '/shapes/0: unknown key "center": translate in its transform gives the place'),
+    ('"type": "sphere"', '"color": 1, "type": "sphere"', "14:11",
+     '/shapes/0: unknown key "color": its material has the colors'),
+    ('"type": "cube"', '"type": "cube", "path": "a.obj"', "15:27",
+     '/shapes/1: unknown key "path": only a mesh has one; delete it'),
+    ("[0.8, 0.1, 0.1]", "[127.5, 127.5, 127.5]", "8:43",
+     "/materials/0/color_diffuse: colors end at 1: divide 127.5 127.5 127.5 by 255"),
+    ("[0.8, 0.1, 0.1]", "[300, 300, 300]", "8:43",
+     "/materials/0/color_diffuse: colors end at 1: divide 300 300 300 by 255"),
+    ('"color": [1, 1, 1]', '"color": [100, 100, 90.5]', "11:51",
+     "/lights/0/color: colors end at 1: divide 100 100 90.5 by 255"),
 ]
 
 
@@ -373,6 +466,23 @@ def check_several(folder):
     check("cost, of one pixel", (0, ""), (done.returncode, done.stderr))
 
 
+def check_names(folder):
+    """What is proposed for a scene in another folder is the name to write into it."""
+    (folder / "nf/textures").mkdir(parents=True)
+    shutil.copy("test/bad/files/check.png", folder / "nf/textures/wood.png")
+    (folder / "nf/balls.json").write_text(SCENE, encoding="utf-8")
+    for written, found in [("nf/textures/wood.png", "textures/wood.png"),
+                           ("textures/wod.png", "textures/wood.png"),
+                           ("reference.png", "../reference.png")]:
+        (folder / "nf/s.json").write_text(SCENE.replace("textures/wood.png", written), encoding="utf-8")
+        check(written, (2, "", [f'nf/s.json:6:27: /textures/wood: no file "nf/{written}" (relative to the '
+                                f'scene file); write "{found}"']),
+              answered(folder, ["nf/s.json", "out.png", "8"]))
+    for typed in ["ball.json", "blals.json"]:
+        check(typed, (2, "", [f'{typed}: cannot read: No such file or directory; there is "nf/balls.json"']),
+              answered(folder, [typed, "out.png", "8"]))
+
+
 def check_cost(folder):
     """What takes long is told before it is begun."""
     glass = str(pathlib.Path("scenes/refraction.json").resolve())
@@ -399,6 +509,7 @@ def check_cost(folder):
 with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
     check_several(pathlib.Path(temporary))
+    check_names(pathlib.Path(temporary))
     check_cost(pathlib.Path(temporary))
 count = len(COMMANDS) + len(SCENES) + len(MEANINGS) + len(SETS) + len(WARNINGS)
 sys.exit(conclude(f"{count} mistakes are answered"))

@@ -69,8 +69,7 @@ def check_wrapped(folder):
     scene = pathlib.Path(folder, "scene.json")
     scene.write_text(json.dumps(LEAST | {"camera": LEAST["camera"] | {"up": [0, 2, 0]}}), encoding="utf-8")
     words = ("explain", scene, 4, 4, 8)
-    expected = (f"warning: {scene}:1:12: /camera: look and up distort the picture: lengths 1, 2 at 90 "
-                "degrees, not 1, 1 at 90")
+    expected = f"warning: {scene}:1:12: /camera: look and up distort: lengths 1, 2 at 90°, not 1, 1 at 90°"
     for columns in (40, 80, 100, 200):
         lines = on_terminal(columns, *words).splitlines()
         check(f"{columns} columns", expected, " ".join(line.strip() for line in lines))

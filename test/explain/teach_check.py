@@ -71,7 +71,7 @@ def check_all_advice(folder):
     out.unlink()
 
     scene_with(folder, **good | {"camera": SCENE["camera"] | {"up": [0, 2, 0]}})
-    line = ":1:12: /camera: look and up distort the picture: lengths 1, 2 at 90 degrees, not 1, 1 at 90"
+    line = ":1:12: /camera: look and up distort: lengths 1, 2 at 90°, not 1, 1 at 90°"
     check_advice(folder, "camera", line)
     check("explained", (0, ["warning: scene.json" + line]), run(folder, "explain", "scene.json", 4, 4, 8)[:2])
     check("explained strictly", (2, ["scene.json" + line]),

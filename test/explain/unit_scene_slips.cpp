@@ -30,16 +30,26 @@ TEST_CASE("colors of 0 to 255 are told, bright ones are not") {
     scene.lights.resize(1);
     CHECK(sceneSlips(scene).empty());
     scene.materials[0].color_diffuse = {1.6, 2, 0};
+    scene.materials[0].color_specular = {3, 2, 1};
+    scene.materials[0].color_ambient = {-200, 200, 0};
     scene.lights[0].color = {20, 20, 20};
-    scene.lights[0].color_ambient = {100.5, 1, 1};
+    scene.lights[0].color_ambient = {1000, 1, 1};
     CHECK(sceneSlips(scene).empty());
     scene.materials[1].color_diffuse = {255, 128, 0};
-    scene.materials[1].color_specular = {3, 0, 0};
-    scene.lights[0].color = {255, 255, 240};
-    const std::string begin = ": colors go from 0 to 1, not to 255: divide ";
-    CHECK(sceneSlips(scene) == Slips{"/materials/1/color_diffuse" + begin + "255 128 0 by 255",
-                                     "/materials/1/color_specular" + begin + "3 0 0 by 255",
-                                     "/lights/0/color" + begin + "255 255 240 by 255"});
+    scene.materials[1].color_specular = {12, 0, 0};
+    scene.materials[1].color_reflect = {127.5, 127.5, 127.5};
+    scene.materials[1].color_refract = {200, 0.1, 0.1};
+    scene.materials[1].color_ambient = {300, 300, 300};
+    scene.lights[0].color = {256, 256, 256};
+    scene.lights[0].color_ambient = {100, 100, 90.5};
+    const std::string begin = ": colors end at 1: divide ";
+    CHECK(sceneSlips(scene) == Slips{"/materials/1/color_ambient" + begin + "300 300 300 by 255",
+                                     "/materials/1/color_diffuse" + begin + "255 128 0 by 255",
+                                     "/materials/1/color_specular" + begin + "12 0 0 by 255",
+                                     "/materials/1/color_reflect" + begin + "127.5 127.5 127.5 by 255",
+                                     "/materials/1/color_refract" + begin + "200 0.1 0.1 by 255",
+                                     "/lights/0/color" + begin + "256 256 256 by 255",
+                                     "/lights/0/color_ambient" + begin + "100 100 90.5 by 255"});
 }
 
 TEST_CASE("a film that mirrors is told") {
@@ -47,8 +57,8 @@ TEST_CASE("a film that mirrors is told") {
     std::swap(scene.camera.film_left, scene.camera.film_right);
     std::swap(scene.camera.film_bottom, scene.camera.film_top);
     CHECK(sceneSlips(scene) ==
-          Slips{"/camera/film_left: the picture is mirrored: film_left is above film_right; swap them",
-                "/camera/film_bottom: the picture is upside down: film_bottom is above film_top; swap them"});
+          Slips{"/camera/film_left: the picture is mirrored: swap it with film_right",
+                "/camera/film_bottom: the picture is upside down: swap it with film_top"});
 }
 
 TEST_CASE("textures that are not shown are told") {
@@ -57,8 +67,8 @@ TEST_CASE("textures that are not shown are told") {
     scene.materials.resize(1);
     scene.materials[0].diffuse_texture = "wood";
     CHECK(sceneSlips(scene) ==
-          Slips{"/textures/stone: no material has this diffuse_texture",
-                "/materials/0/diffuse_texture: it is not shown without \"use_diffuse_texture\": true"});
+          Slips{"/textures/stone: no material uses it: name it in a diffuse_texture, or delete it",
+                "/materials/0/diffuse_texture: not shown without \"use_diffuse_texture\": true"});
     scene.materials[0].use_diffuse_texture = true;
     scene.textures.pop_back();
     CHECK(sceneSlips(scene).empty());

@@ -98,6 +98,14 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
                       "s.json: --set /a/3: /a has 1 element, from 0: there is no \"3\"; /a/- adds one");
     check("/camera/on/x=1", "s.json: --set /camera/on/x: /camera/on is no object and no list");
     check("camera=1", "raytracer: --set: a pointer begins with /: write \"/camera=1\"");
+    check("camera.eye=[0,0,4]", "raytracer: --set: a pointer begins with /: write \"/camera/eye=[0,0,4]\"");
+    check("list[0][1].z=a.b", "raytracer: --set: a pointer begins with /: write \"/list/0/1/z=a.b\"");
+    check("camera/a.b=1", "raytracer: --set: a pointer begins with /: write \"/camera/a.b=1\"");
+    check("/list[0][1].z=1", "s.json: --set /list[0][1].z: steps are parted by /: write /list/0/1/z");
+    check("/list/0.1=1", "s.json: --set /list/0.1: steps are parted by /: write /list/0/1");
+    check("/camera.new=1", "s.json: --set /camera.new: steps are parted by /: write /camera/new");
+    CHECK(after("/a.b=2", "{\"a\":1}") == "{\"a.b\": 2, \"a\":1}");  // a name, not a step below a number
+    CHECK(after("/a.b=2", "{\"a.b\":1, \"a\":{}}") == "{\"a.b\":2, \"a\":{}}");
     check("=1", "raytracer: --set: expected /pointer=value, found \"=1\"");
     check("/camera", "raytracer: --set: expected /pointer=value, found \"/camera\"");
 }

@@ -32,20 +32,21 @@ SEMANTIC = ("no material named", "no transform named", "no texture named", "the 
             "expected each key once", "expected a finite number")
 
 # How advice on a scene begins that is in order otherwise, and none of the schema's business.
-ADVICE = ("look and up distort the picture", "only its shadow may be seen",
+ADVICE = ("look and up distort", "only its shadow may be seen",
           "its color has no effect",
-          "the picture is all black", "film_left is above film_right", "film_bottom is above film_top",
-          "no material has this diffuse_texture", "it is not shown without")
+          "the picture is all black", "the picture is mirrored", "the picture is upside down",
+          "no material uses it", "not shown without")
 
 # The advice that is due to good scenes: what is said of them is meant, or is what they are for.
-UNUSED = ":10:51: /textures/never used, so never decoded: no material has this diffuse_texture\n"
+UNUSED = (":10:51: /textures/never used, so never decoded: no material uses it: "
+          "name it in a diffuse_texture, or delete it\n")
 DUE = {
     "camera_test2.json":
-    ":4:15: /camera: look and up distort the picture: lengths 1, 1.25 at 90 degrees, not 1, 1 at 90\n",
+    ":4:15: /camera: look and up distort: lengths 1, 1.25 at 90°, not 1, 1 at 90°\n",
     "byte_order_mark.json": UNUSED,
     "defaults.json": UNUSED,
     "mirrored_film.json":
-    ":4:22: /camera/film_left: the picture is mirrored: film_left is above film_right; swap them\n",
+    ":4:22: /camera/film_left: the picture is mirrored: swap it with film_right\n",
     "least.json": ": the picture is all black: the scene has no shapes\n",
     "rotated_unlike_scales.json":
     ": the scene's numbers lie too far apart for --precision double: computed in extended\n",

@@ -198,12 +198,12 @@ TEST_CASE("Unknown keys are warnings") {
     const std::string file = "test/lenient/comments.json";
     CHECK(loadScene(file).warnings ==
           std::vector<std::string>{
-              file + ":2:5: unknown key \"comment\"",
-              file + ":5:77: /camera: unknown key \"film_center\"",
+              file + ":2:5: unknown key \"comment\": delete it",
+              file + ":5:77: /camera: unknown key \"film_center\": delete it",
               file + ":7:21: /materials/0: unknown key \"colour_diffuse\"; did you mean \"color_diffuse\"?",
               file + ":8:18: /lights/0: unknown key \"colour\"; did you mean \"color\"?",
-              file + ":9:80: /transforms/0/rotate: unknown key \"unit\"",
-              file + ":10:75: /shapes/0: unknown key \"path\"",
+              file + ":9:80: /transforms/0/rotate: unknown key \"unit\": delete it",
+              file + ":10:75: /shapes/0: unknown key \"path\": only a mesh has one; delete it",
           });
 }
 
@@ -214,7 +214,7 @@ TEST_CASE("Of very many warnings some are shown and the rest counted") {
     const SceneText text(sceneOf(shapes));
     const std::vector<std::string> warnings = loadScene(text.path()).warnings;
     REQUIRE(warnings.size() == 21);
-    CHECK(warnings[19] == text.path() + ":2:1480: /shapes/19: unknown key \"id\"");
+    CHECK(warnings[19] == text.path() + ":2:1480: /shapes/19: unknown key \"id\": delete it");
     CHECK(warnings[20] == text.path() + ": 80 more unknown keys");
 }
 

@@ -9,6 +9,36 @@
 using namespace raytracer;
 namespace fs = std::filesystem;
 
+TEST_CASE("a name to write is relative to the file in which it stands") {
+    const TemporaryFolder folder;
+    const std::string scenes = folder.file("scenes");
+    fs::create_directories(scenes + "/textures");
+    fs::create_directories(scenes + "/tex");
+    for (const char* file : {"scenes/textures/wood.png", "scenes/tex/Wood.png", "stone.png"})
+        std::ofstream(folder.file(file)) << "x";
+    const auto name = [&](const char* written) { return nearbyName(scenes, written); };
+    CHECK(name("scenes/textures/wood.png") == "textures/wood.png");
+    CHECK(name("C:\\Users\\ada\\textures\\wood.png") == "textures/wood.png");
+    CHECK(name("/home/ada/textures/wood.png") == "textures/wood.png");
+    CHECK(name("..\\textures\\wood.png") == "textures/wood.png");
+    CHECK(name("/home/ada/textures/wod.png") == "textures/wood.png");
+    CHECK(name("/home/ada/pictures/Wood.png") == "tex/Wood.png");
+    CHECK(name("stone.png") == "");
+    CHECK(name("../ston.png") == "../stone.png");
+    CHECK(name("marble.png").empty());
+    std::ofstream(scenes + "/food.png") << "x";
+    CHECK(name("wood.png") == "tex/Wood.png");  // in a folder, rather than misspelled
+    CHECK(name("fod.png") == "food.png");
+    CHECK(name("").empty());
+    const std::string elsewhere = folder.file("ston.png");
+    CHECK(nearbyName(scenes, elsewhere) == folder.file("stone.png"));
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.file(""));
+    CHECK(nearbyName("scenes", "stone.png") == "../stone.png");
+    CHECK(nearbyName("", "scenes\\textures\\wod.png") == "scenes/textures/wood.png");
+    fs::current_path(before);
+}
+
 TEST_CASE("a file is found near a name that leads nowhere") {
     const TemporaryFolder folder;
     const std::string scenes = folder.file("scenes");
@@ -32,6 +62,9 @@ TEST_CASE("a file is found near a name that leads nowhere") {
     CHECK(near("/texture/checker.png") == "/textures/checker.png");
     CHECK(near("/texture/wood") == "/textures/old/wood.jpg");
     CHECK(nearbyFile(folder.file("checker")) == scenes + "/textures/checker.png");
+    CHECK(nearbyFile(folder.file("bal.json")) == scenes + "/ball.json");
+    CHECK(nearbyFile(folder.file("rooms.json")) == scenes + "/Room.json");
+    CHECK(nearbyFile(folder.file("bal.png")).empty());
     std::ofstream(scenes + "/textures/old/checker.json") << "x";
     std::ofstream(folder.file("zoo.json")) << "x";
     std::ofstream(scenes + "/zoo.png") << "x";

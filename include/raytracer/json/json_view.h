@@ -53,16 +53,18 @@ class JsonView {
     // Whether --set has put this member there, with its key.
     bool hasEditedKey() const { return document_->isEdited(node_ - 1); }
     [[noreturn]] void fail(const std::string& message) const { throw error(message); }
-    [[noreturn]] void failExpected(
-        const std::string& expected) const;  // "expected ..., found " and this value
+    // "expected ..., found " and this value. `wanted`: what it should be, for a text that has that in quotes.
+    [[noreturn]] void failExpected(const std::string& expected,
+                                   JsonDocument::Kind wanted = JsonDocument::Kind::String) const;
 
   private:
     JsonDocument::Kind kind() const { return document_->kind(node_); }
     void require(JsonDocument::Kind wanted, const char* expected) const {
-        if (kind() != wanted) failExpected(expected);
+        if (kind() != wanted) failExpected(expected, wanted);
     }
     std::string inWords() const;
-    std::string whyText() const;
+    std::string whyText(JsonDocument::Kind wanted) const;
+    std::string form(JsonDocument::Kind wanted) const;
 
     const JsonDocument* document_;
     std::uint32_t node_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -26,6 +27,11 @@ std::string absolutePath(const std::string& path);
 // misspelled), with an ending that the path lacks or another one, in a folder with a name like the path's,
 // below the path's, or beside it. Empty where there is none, or where too many files are there to look at.
 std::string nearbyFile(const std::string& path);
+
+// What should be written in a file in `folder` that names another one, relative to that folder: for a name
+// from where the program runs, from another computer's folders, or one that nearbyFile() puts right. Empty
+// where there is none.
+std::string nearbyName(const std::string& folder, std::string_view written);
 
 // `; there is "NEARBY"`, or nothing. Leaves errno as it is.
 std::string hintAt(const std::string& path);
