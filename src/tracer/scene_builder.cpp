@@ -99,6 +99,14 @@ Real viewingDistance(const Scene& scene, const Ray& ray, const Vec3& position) {
     return std::max(light, from(ray.origin));
 }
 
+// Whether it is known where on a sphere or a cone the hit is: a point of the ray is put onto them, and of a
+// very flat one it may be anywhere.
+bool isPlaced(const Ray& ray, const Intersection& hit) {
+    if (hit.shape->type() != ShapeType::Sphere && hit.shape->type() != ShapeType::Cone) return true;
+    const Vec3 error = unitRoundoff * (abs(ray.origin) + abs(hit.t * ray.direction));
+    return maxComponent(hit.shape->transform().objectError(hit.position, error)) <= mostPositionError;
+}
+
 // Whether the hits of some camera rays are known well enough.
 bool isSharp(const Scene& scene) {
     constexpr int rays = 8;  // along an edge
@@ -109,9 +117,9 @@ bool isSharp(const Scene& scene) {
         const Real x = static_cast<Real>(i % rays) + Real(0.5), y = static_cast<Real>(i / rays) + Real(0.5);
         const Ray ray = scene.camera.getRay(scene.camera.getPixelUV(x, y, rays, rays));
         const Intersection hit = scene.closestIntersection(ray, context);
-        if (hit.valid &&
-            maxComponent(hit.positionError) > mostPositionError * viewingDistance(scene, ray, hit.position))
-            return false;
+        if (!hit.valid) continue;
+        const Real most = mostPositionError * viewingDistance(scene, ray, hit.position);
+        if (maxComponent(hit.positionError) > most || !isPlaced(ray, hit)) return false;
     }
     return true;
 }

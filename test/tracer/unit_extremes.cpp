@@ -167,6 +167,25 @@ TEST_CASE("a floor whose numbers are large is the same floor, or it is told that
     }
 }
 
+// A point of the ray is put onto a sphere or a cone: of one that is too flat for that, anywhere.
+TEST_CASE("a sphere or a cone that is flat is what extended precision makes of it, or it is told") {
+    for (const ShapeType type : {ShapeType::Sphere, ShapeType::Cone})
+        for (int exponent = 1; exponent <= 60; ++exponent) {
+            CAPTURE(static_cast<int>(type), exponent);
+            SceneMaker make;
+            make.material(glm::dvec3(0)).color_diffuse = glm::dvec3(1);
+            TransformDescription flat;
+            flat.scale = {1, 1, std::pow(10, -exponent)};
+            make.shape(type, flat);
+            make.light({1, 2, 3});
+            const auto renderer = makeRenderer(make.scene, Precision::Double);
+            CHECK(renderer->fits() == (exponent <= 14));
+            if (renderer->fits())
+                CHECK(differingPixels(bytesOf(make.scene, 16), bytesOf(make.scene, 16, Precision::Extended),
+                                      1) == 0);
+        }
+}
+
 TEST_CASE("a scene moved far away is what extended precision makes of it") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);
