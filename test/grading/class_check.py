@@ -301,7 +301,7 @@ def check_hostile(raytracer, folder):
     folder.chmod(0o755)
     (place / "tmp").mkdir()
     (place / "exam").mkdir()
-    (place / "exam/a.json").write_text("{}")
+    shutil.copy("test/good/least.json", place / "exam/a.json")
     shutil.copy(folder / "references/refraction.png", place / "exam/a.png")
     hand_in = f'cp {place}/exam/a.png "$2"\n'
 

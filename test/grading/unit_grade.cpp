@@ -32,7 +32,8 @@ ByteImage flat(int size, int value) {
 // A case whose reference is black and 10 pixels large.
 GradeCase blackCase(const TemporaryFolder& folder, const std::string& name = "black") {
     writePng(folder.file(name + ".png"), flat(10, 0));
-    touch(folder.file(name + ".json"));
+    std::filesystem::copy_file(SOURCE_DIR "/test/good/least.json", folder.file(name + ".json"),
+                               std::filesystem::copy_options::overwrite_existing);
     return {name, name, &completeStage(), folder.file(name + ".json"), folder.file(name + ".png")};
 }
 
