@@ -61,6 +61,11 @@ HeaderField bitDepth(char ofColorType) {
 
 bool isPaletted(std::string_view header) { return header[colorType.place] == 3; }
 
+bool hasDeepTexels(std::string_view header) {
+    constexpr std::size_t bitDepth = 16;
+    return header.size() > bitDepth && header[bitDepth] == 16;
+}
+
 void requireSoundHeader(const FileBytes& file, std::string_view header) {
     const auto fail = [&](const std::string& name, std::uint32_t value, const char* none) {
         file.fail("broken PNG picture: its " + name + " is " + std::to_string(value) + ", which " + none +
@@ -139,27 +144,84 @@ std::size_t mostInflated(std::string_view header) {
     return 2 * bigEndian(header.substr(height)) * (rowBits / 8 + 2);
 }
 
-// stb inflates whatever is there, however small the picture is. Where that could be more than the memory
-// holds, it is inflated here before, but not beyond the picture's size.
-void requireFewInflated(const FileBytes& file, const std::vector<std::string_view>& chunks) {
-    constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
+std::string deflatedData(const std::vector<std::string_view>& chunks) {
     std::string deflated;
     for (const std::string_view chunk : chunks)
         if (typeOf(chunk) == "IDAT") deflated += chunk.substr(8, chunk.size() - chunkFrame);
-    if (!sizeInHeader(file) || hasMemory(mostRatio * static_cast<double>(deflated.size()))) return;
-    requireMemoryToDecode(file);
-    std::vector<char> inflated(mostInflated(chunks.front()));
+    return deflated;
+}
+
+// What becomes of the data, which are not inflated beyond the picture's size.
+libdeflate_result inflate(const std::string& deflated, std::string_view header) {
+    std::vector<char> inflated(mostInflated(header));
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
         libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
     std::size_t size = 0;
-    if (libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
-                                   inflated.size(), &size) == LIBDEFLATE_INSUFFICIENT_SPACE)
+    return libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
+                                      inflated.size(), &size);
+}
+
+// stb inflates whatever is there, however small the picture is. Where that could be more than the memory
+// holds, it is inflated here before.
+void requireFewInflated(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+    constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
+    const std::string deflated = deflatedData(chunks);
+    if (!sizeInHeader(file) || hasMemory(mostRatio * static_cast<double>(deflated.size()))) return;
+    requireMemoryToDecode(file);
+    if (inflate(deflated, chunks.front()) == LIBDEFLATE_INSUFFICIENT_SPACE)
         file.fail("broken PNG picture: it has more data than pixels");
 }
 
-bool hasDeepTexels(std::string_view header) {
-    constexpr std::size_t bitDepth = 16;
-    return header.size() > bitDepth && header[bitDepth] == 16;
+// stb's own words for a picture that is too large are those for a broken one or for too little memory.
+void requirePixelsFit(const FileBytes& file, const ImageSize& size, std::uint64_t most,
+                      const std::string& kind) {
+    constexpr int mostSide = 1 << 24;  // stb: STBI_MAX_DIMENSIONS
+    const auto fail = [&](const std::string& limit) {
+        file.fail("cannot decode " + pixelsInWords(size.width, size.height) + limit + "; make it smaller");
+    };
+    if (std::max(size.width, size.height) > mostSide)
+        fail(": a side has at most " + std::to_string(mostSide));
+    if (static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) > most)
+        fail(kind + ": at most " + std::to_string(most));
+}
+
+// stb counts the bytes of the pixels, and one more for each row, in int; of values in the file it takes 2^30.
+void requirePixelsFit(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+    constexpr std::uint64_t mostValues = 1 << 30, mostBytes = std::numeric_limits<int>::max() - (1 << 24);
+    constexpr std::uint64_t channelsOf[] = {1, 0, 3, 4, 2, 0, 4};  // with an alpha; a palette as it is read
+    const std::string_view header = chunks.front();
+    const std::uint64_t inFile = channelsOf[static_cast<std::size_t>(header[colorType.place])];
+    const bool hasAlpha = !isPaletted(header) && std::ranges::find(chunks, "tRNS", typeOf) != chunks.end();
+    const std::uint64_t channels = std::max<std::uint64_t>(rgb, inFile + hasAlpha);
+    const std::uint64_t most =
+        std::min(mostValues / inFile, mostBytes / (channels * (hasDeepTexels(header) ? 2 : 1)));
+    const ImageSize size{static_cast<int>(bigEndian(header.substr(8))),
+                         static_cast<int>(bigEndian(header.substr(12)))};
+    requirePixelsFit(file, size, most, " of " + std::to_string(channels) + " channels");
+}
+
+constexpr const char* noReason = "Image not of any known type, or corrupt";
+
+// Makes that stb's reason.
+void forgetReason() {
+    int ignored = 0;
+    stbi_info_from_memory(nullptr, 0, &ignored, &ignored, &ignored);
+}
+
+// Says why stb has failed. It gives no reason for some broken data, nor where it gets no memory to inflate
+// them; an older reason stays then.
+[[noreturn]] void failToDecode(const FileBytes& file) {
+    const bool isPng = file.text().starts_with(pngSignature);
+    if (isPng) {
+        const auto chunks = readChunks(file);
+        if (inflate(deflatedData(chunks), chunks.front()) == LIBDEFLATE_BAD_DATA)
+            file.fail("broken PNG picture: its compressed data are broken");
+    }
+    const std::string reason = stbi_failure_reason();
+    const auto size = sizeInHeader(file);
+    if (size && (reason == "Out of memory" || (isPng && reason == noReason)))
+        file.fail("not enough memory to decode " + pixelsInWords(size->width, size->height));
+    file.fail("cannot decode as PNG or JPEG: " + reason);
 }
 
 template <class Channel>
@@ -170,12 +232,13 @@ template <class Channel>
 LargeVector<Channel> decode(const FileBytes& file, std::string_view text, int wanted, Texture& image,
                             Decoder<Channel> decoder) {
     requireMemoryToDecode(file, sizeof(Channel));
+    forgetReason();
     int channelsInFile = 0;
     const std::unique_ptr<Channel, decltype(&stbi_image_free)> pixels(
         decoder(reinterpret_cast<const stbi_uc*>(text.data()), static_cast<int>(text.size()), &image.width,
                 &image.height, &channelsInFile, wanted),
         &stbi_image_free);
-    if (!pixels) file.fail(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
+    if (!pixels) failToDecode(file);
     const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     return {pixels.get(), pixels.get() + count * static_cast<std::size_t>(wanted)};
 }
@@ -190,15 +253,23 @@ void decodePaletted(const FileBytes& file, const std::vector<std::string_view>& 
     }
 }
 
+void requireJpegFits(const FileBytes& file) {
+    constexpr int mostChannels = 4;  // of which stb holds the bytes of all, counted in int
+    requireSoundJpeg(file);
+    if (const auto size = sizeInHeader(file))
+        requirePixelsFit(file, *size, std::numeric_limits<int>::max() / mostChannels, "");
+}
+
 Texture decode(const FileBytes& file) {
     const std::string_view text = file.text();
     if (text.size() > std::numeric_limits<int>::max() / 2) file.fail("cannot decode: the file is over 1 GiB");
     const bool isPng = text.starts_with(pngSignature);
-    if (isJpeg(file)) requireSoundJpeg(file);
+    if (isJpeg(file)) requireJpegFits(file);
     else if (!isPng) file.fail("it is no PNG and no JPEG");
     std::vector<std::string_view> chunks{{}};
     if (isPng) {
         chunks = readChunks(file);
+        requirePixelsFit(file, chunks);
         requireFewInflated(file, chunks);
     }
     Texture image;
