@@ -5,10 +5,10 @@
 #include <string_view>
 #include <utility>
 
-#include <libdeflate.h>
 #include <stb_image.h>
 
 #include "jpeg_check.h"
+#include "png_chunks.h"
 #include "png_format.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/file_bytes.h"
@@ -19,105 +19,6 @@ namespace raytracer {
 namespace {
 
 constexpr int rgb = 3;
-
-std::uint32_t bigEndian(std::string_view bytes) {
-    std::uint32_t number = 0;
-    for (const char byte : bytes.substr(0, 4)) number = number << 8 | static_cast<unsigned char>(byte);
-    return number;
-}
-
-// A chunk of a PNG: length, type, data of that length, and a CRC of type and data.
-constexpr std::size_t chunkFrame = 12;
-
-// The whole chunk that the text begins with; empty where it is cut short or its checksum is wrong. stb
-// ignores checksums, so a flipped bit would pass for another colour.
-std::string_view firstChunk(std::string_view text) {
-    if (text.size() < chunkFrame) return {};
-    const std::size_t length = bigEndian(text);
-    if (length > text.size() - chunkFrame) return {};
-    const std::uint32_t crc = libdeflate_crc32(0, text.data() + 4, 4 + length);
-    return crc == bigEndian(text.substr(8 + length)) ? text.substr(0, chunkFrame + length)
-                                                     : std::string_view{};
-}
-
-std::string_view typeOf(std::string_view chunk) { return chunk.substr(4, 4); }
-
-// What the header says, after width and height, and the values that there are.
-struct HeaderField {
-    std::size_t place;
-    const char* name;
-    std::string_view values;
-};
-using namespace std::string_view_literals;
-constexpr HeaderField colorType{17, "colour type", "\0\2\3\4\6"sv};
-constexpr HeaderField otherFields[] = {
-    {18, "compression method", "\0"sv}, {19, "filter method", "\0"sv}, {20, "interlace method", "\0\1"sv}};
-
-HeaderField bitDepth(char ofColorType) {
-    const std::string_view values = "\x10\x8\4\2\1";
-    const bool isGrey = ofColorType == 0, hasPalette = ofColorType == 3;
-    return {16, "bit depth", isGrey ? values : hasPalette ? values.substr(1) : values.substr(0, 2)};
-}
-
-bool isPaletted(std::string_view header) { return header[colorType.place] == 3; }
-
-bool hasDeepTexels(std::string_view header) {
-    constexpr std::size_t bitDepth = 16;
-    return header.size() > bitDepth && header[bitDepth] == 16;
-}
-
-void requireSoundHeader(const FileBytes& file, std::string_view header) {
-    const auto fail = [&](const std::string& name, std::uint32_t value, const char* none) {
-        file.fail("broken PNG picture: its " + name + " is " + std::to_string(value) + ", which " + none +
-                  " has");
-    };
-    const auto require = [&](const HeaderField& field, const char* none) {
-        const char value = header[field.place];
-        if (field.values.find(value) == field.values.npos)
-            fail(field.name, static_cast<unsigned char>(value), none);
-    };
-    for (const auto& [place, name] : {std::pair{8U, "width"}, {12U, "height"}}) {
-        const std::uint32_t size = bigEndian(header.substr(place));
-        if (size == 0 || size >> 31 != 0) fail(name, size, "no PNG");
-    }
-    require(colorType, "no PNG");
-    require(bitDepth(header[colorType.place]), "no PNG of its colour type");
-    for (const HeaderField& field : otherFields) require(field, "no PNG");
-}
-
-void requirePaletteAndPixels(const FileBytes& file, const std::vector<std::string_view>& chunks) {
-    bool hasPalette = !isPaletted(chunks.front());
-    for (const std::string_view chunk : chunks) {
-        const std::size_t size = chunk.size() - chunkFrame;
-        if (typeOf(chunk) == "PLTE" && (size == 0 || size % 3 != 0 || size > std::size_t{3} * 256))
-            file.fail("broken PNG picture: its palette has " + std::to_string(size) +
-                      " bytes, not 3 for each of 1 to 256 colours");
-        if (typeOf(chunk) == "PLTE") hasPalette = true;
-        if (typeOf(chunk) != "IDAT") continue;
-        if (!hasPalette) file.fail("broken PNG picture: it has no palette before its pixels");
-        return;
-    }
-    file.fail("broken PNG picture: it has no pixels (no chunk IDAT)");
-}
-
-std::vector<std::string_view> readChunks(const FileBytes& file) {
-    std::string_view png = file.text();
-    std::vector<std::string_view> chunks;
-    do {
-        png.remove_prefix(chunks.empty() ? pngSignature.size() : chunks.back().size());
-        chunks.push_back(firstChunk(png));
-        if (chunks.back().empty())
-            file.fail("broken PNG picture: it is cut short, or a checksum in it is wrong");
-        // Apple's own form, which stb takes: its deflate stream has no header, and its colours another order.
-        if (typeOf(chunks.back()) == "CgBI") file.fail("no PNG by the standard, but one made for iOS (CgBI)");
-    } while (typeOf(chunks.back()) != "IEND");
-    constexpr std::size_t headerSize = 13;
-    if (typeOf(chunks.front()) != "IHDR" || chunks.front().size() != chunkFrame + headerSize)
-        file.fail("broken PNG picture: it does not begin with its header");
-    requireSoundHeader(file, chunks.front());
-    requirePaletteAndPixels(file, chunks);
-    return chunks;
-}
 
 // For a texel beyond the palette, stb returns whatever its memory holds. So a palette of 256 transparent
 // colours is put before the file's own, and the file's transparency is left out: a texel that is still
@@ -133,32 +34,6 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
         if (&own == &chunks.front()) png += chunk({"\0\0\3\0PLTE", 8}, 768) + chunk({"\0\0\1\0tRNS", 8}, 256);
     }
     return png;
-}
-
-// The bytes of the pixels, with one more for each row, and at most twice that where the picture is
-// interlaced.
-std::size_t mostInflated(std::string_view header) {
-    constexpr std::size_t width = 8, height = 12, bitDepth = 16, mostChannels = 4;
-    const std::size_t rowBits =
-        bigEndian(header.substr(width)) * mostChannels * static_cast<std::size_t>(header[bitDepth]);
-    return 2 * bigEndian(header.substr(height)) * (rowBits / 8 + 2);
-}
-
-std::string deflatedData(const std::vector<std::string_view>& chunks) {
-    std::string deflated;
-    for (const std::string_view chunk : chunks)
-        if (typeOf(chunk) == "IDAT") deflated += chunk.substr(8, chunk.size() - chunkFrame);
-    return deflated;
-}
-
-// What becomes of the data, which are not inflated beyond the picture's size.
-libdeflate_result inflate(const std::string& deflated, std::string_view header) {
-    std::vector<char> inflated(mostInflated(header));
-    const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
-        libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
-    std::size_t size = 0;
-    return libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
-                                      inflated.size(), &size);
 }
 
 // stb inflates whatever is there, however small the picture is. Where that could be more than the memory
@@ -190,7 +65,7 @@ void requirePixelsFit(const FileBytes& file, const std::vector<std::string_view>
     constexpr std::uint64_t mostValues = 1 << 30, mostBytes = std::numeric_limits<int>::max() - (1 << 24);
     constexpr std::uint64_t channelsOf[] = {1, 0, 3, 4, 2, 0, 4};  // with an alpha; a palette as it is read
     const std::string_view header = chunks.front();
-    const std::uint64_t inFile = channelsOf[static_cast<std::size_t>(header[colorType.place])];
+    const std::uint64_t inFile = channelsOf[colorTypeOf(header)];
     const bool hasAlpha = !isPaletted(header) && std::ranges::find(chunks, "tRNS", typeOf) != chunks.end();
     const std::uint64_t channels = std::max<std::uint64_t>(rgb, inFile + hasAlpha);
     const std::uint64_t most =
