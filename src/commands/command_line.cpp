@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "raytracer/json/json_document.h"
@@ -36,9 +37,20 @@ std::string expectedNumber(const Range& range, bool isFinite = true) {
     return kind + inWords(range);
 }
 
+// A number that is too large where nothing but its type has a limit.
+template <class Number>
+bool isBeyondType(const std::string& text, const Range& range) {
+    return std::is_integral_v<Number> && range.most == Range().most && isWholeNumber(text) && text[0] != '-';
+}
+
 template <class Number>
 Number numberIn(const char* name, const std::string& text, const Range& range) {
     const std::optional<Number> number = numberOf<Number>(text);
+    if (!number && isBeyondType<Number>(text, range))
+        refuse(name,
+               "a whole number from " + formatted("%.6g", range.least) + " to " +
+                   std::to_string(std::numeric_limits<Number>::max()),
+               inQuotes(text));
     const double value = number ? static_cast<double>(*number) : range.least - 1;
     if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
         refuse(name, expectedNumber<Number>(range, std::isfinite(value) || range.most < Range().most),

@@ -67,6 +67,14 @@ COMMANDS = [
      'nowhere/out.png: cannot write: No such file or directory; there is no folder "nowhere"'),
     ("explain scene.json 8 8 8",
      "raytracer explain: expected X from 0 to 7 and Y from 0 to 7, found 8 and 8"),
+    ("scene.json out.png 8 --crop 0,0,99999999999,9",
+     'raytracer: --crop: expected a rectangle inside of the 8 x 8 picture, found "0,0,99999999999,9"'),
+    ("compare out.png out.png --max-pixels 99999999999999999999",
+     "raytracer compare: --max-pixels: expected a whole number from 0 to 18446744073709551615, found "
+     '"99999999999999999999"'),
+    ("compare out.png out.png --max-pixels -99999999999999999999",
+     "raytracer compare: --max-pixels: expected a whole number not below 0, found "
+     '"-99999999999999999999"'),
     ("scene.json out.png 8 --crop 4,4,2,2",
      'raytracer: --crop: expected x0,y0,x1,y1 with x0 < x1 and y0 < y1, found "4,4,2,2"'),
     ("scene.json f-%04d.png 8", "raytracer: the picture f-%04d.png needs --frames, for %04d"),

@@ -467,6 +467,13 @@ TEST_CASE("A PFM that is broken is told") {
     check("", "not a colour PFM picture: it does not begin with \"PF\"");
     check("Pf\n1 1\n-1.0\n1234", "not a colour PFM picture: it does not begin with \"PF\"");
     check("PF\n1 x\n-1.0\n", "not a PFM picture: its height is no number");
+    check("PF\n99999999999 99999999999\n-1.0\n",
+          "cannot read: its width is too large, \"99999999999\": at most 2147483647");
+    check("PF\n2147483648 2\n-1.0\n",
+          "cannot read: its width is too large, \"2147483648\": at most 2147483647");
+    check("PF\n2 2147483648\n-1.0\n",
+          "cannot read: its height is too large, \"2147483648\": at most 2147483647");
+    check("PF\n-2147483649 2\n-1.0\n", "not a PFM picture: it has no pixels");
     check("PF\n1 1", "not a PFM picture: its scale is no number");
     for (const char* scale : {"0", "-0.0", "-1e-400"})
         check(std::string("PF\n1 1\n") + scale + "\n123456789012",
