@@ -51,13 +51,12 @@ void requireFewInflated(const FileBytes& file, const std::vector<std::string_vie
 void requirePixelsFit(const FileBytes& file, const ImageSize& size, std::uint64_t most,
                       const std::string& kind) {
     constexpr int mostSide = 1 << 24;  // stb: STBI_MAX_DIMENSIONS
-    const auto fail = [&](const std::string& limit) {
-        file.fail("cannot decode " + pixelsInWords(size.width, size.height) + limit + "; make it smaller");
+    const auto fail = [&](std::uint64_t limit, const std::string& of) {
+        file.fail(pixelsInWords(size.width, size.height) + ": at most " + std::to_string(limit) + of);
     };
-    if (std::max(size.width, size.height) > mostSide)
-        fail(": a side has at most " + std::to_string(mostSide));
+    if (std::max(size.width, size.height) > mostSide) fail(mostSide, " on a side");
     if (static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) > most)
-        fail(kind + ": at most " + std::to_string(most));
+        fail(most, kind);
 }
 
 // stb counts the bytes of the pixels, and one more for each row, in int; of values in the file it takes 2^30.

@@ -8,6 +8,7 @@ import os
 import pathlib
 import pty
 import random
+import shutil
 import signal
 import stat
 import struct
@@ -274,7 +275,7 @@ def check_locked_folder(folder):
     for name in ("exam", "tmp"):
         (folder / name).mkdir()
         (folder / name).chmod(0o777)
-    (folder / "exam/a.json").write_text("{}")
+    shutil.copy(SCENE, folder / "exam/a.json")
     render(folder / "exam/a.png")
     lock = 'd=$(dirname "$2"); mkdir -p "$d/e/f"; chmod 500 "$d/e/f"; chmod 0 "$d/e"; chmod 0 "$d"'
     (folder / "locker").write_text(f"#!/bin/sh\n{lock}\n")

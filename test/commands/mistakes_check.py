@@ -70,8 +70,9 @@ COMMANDS = [
     ("scene.json out.png 8 --crop 0,0,99999999999,9",
      'raytracer: --crop: expected a rectangle inside of the 8 x 8 picture, found "0,0,99999999999,9"'),
     ("compare out.png out.png --max-pixels 99999999999999999999",
-     "raytracer compare: --max-pixels: expected a whole number from 0 to 18446744073709551615, found "
-     '"99999999999999999999"'),
+     'raytracer compare: --max-pixels: expected at most 18446744073709551615, found "99999999999999999999"'),
+    ("explain scene.json -2147483649 0 8",
+     'raytracer explain: X: expected at least -2147483648, found "-2147483649"'),
     ("compare out.png out.png --max-pixels -99999999999999999999",
      "raytracer compare: --max-pixels: expected a whole number not below 0, found "
      '"-99999999999999999999"'),
