@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "raytracer/json/json_document.h"
@@ -38,9 +39,22 @@ std::string expectedNumber(const Range& range, bool isFinite = true) {
     return kind + inWords(range);
 }
 
+// Refuses a number that is beyond its type, where nothing else limits it.
+template <class Number>
+void refuseBeyondType(const char* name, const std::string& text, const Range& range) {
+    const bool isNegative = text[0] == '-';
+    const bool isLimited = isNegative ? range.least > Range().least : range.most < Range().most;
+    if (!std::is_integral_v<Number> || isLimited || !isWholeNumber(text)) return;
+    using Limits = std::numeric_limits<Number>;
+    const std::string limit = isNegative ? "at least " + std::to_string(Limits::lowest())
+                                         : "at most " + std::to_string(Limits::max());
+    refuse(name, limit, inQuotes(text));
+}
+
 template <class Number>
 Number numberIn(const char* name, const std::string& text, const Range& range) {
     const std::optional<Number> number = numberOf<Number>(text);
+    if (!number) refuseBeyondType<Number>(name, text, range);
     const double value = number ? static_cast<double>(*number) : range.least - 1;
     if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
         refuse(name, expectedNumber<Number>(range, std::isfinite(value) || range.most < Range().most),

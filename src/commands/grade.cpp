@@ -43,9 +43,9 @@ X-STAGE.png anywhere beneath it, the nearest to its top; or --program makes
 them, in which {} is the submission's folder.
 
 Exit status: 0 all the same; 1 not the same; 2 there is nothing to grade, or the
-grader itself cannot work: a reference is broken, a disk is full. Of submissions
-0 once all are graded, whatever they score; 1 where a picture is below
---min-score; 2 as above.
+grader itself cannot work: a scene or a reference is broken, a disk is full. Of
+submissions 0 once all are graded, whatever they score; 1 where a picture is
+below --min-score; 2 as above.
 "The same" as for `raytracer compare`: no pixel differs, or what --max-pixels,
 --tolerance and --min-score say, for each picture.
 
@@ -130,12 +130,7 @@ RenderArguments argumentsOf(const GradeCase& test, int longEdge) {
 
 // Our own renderer, in this process.
 Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out) {
-    SceneDescription scene;
-    try {
-        scene = loadScene(test.scene).description;
-    } catch (const Error& error) {
-        return {true, error.what(), ""};
-    }
+    SceneDescription scene = loadScene(test.scene).description;
     const RenderOptions options = argumentsOf(test, longEdge).prepare(scene);
     requirePictureFits(test.scene, options.crop, false);
     ByteSink sink(options.crop);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -56,9 +57,17 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
+// One that is too large for int is outside of any picture, as the largest int is.
+std::optional<int> edgeIn(const std::string& text) {
+    using Limits = std::numeric_limits<int>;
+    const std::optional<int> edge = numberOf<int>(text);
+    if (edge || !isWholeNumber(text)) return edge;
+    return text[0] == '-' ? Limits::min() : Limits::max();
+}
+
 PixelRectangle parseCrop(const std::string& text) {
     std::vector<std::optional<int>> numbers;
-    for (const std::string& part : split(text)) numbers.push_back(numberOf<int>(part));
+    for (const std::string& part : split(text)) numbers.push_back(edgeIn(part));
     if (numbers.size() != 4 || std::ranges::count(numbers, std::optional<int>()) > 0)
         throw usageError("--crop: expected four whole numbers x0,y0,x1,y1, found " + inQuotes(text));
     const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};

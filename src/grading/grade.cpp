@@ -61,16 +61,6 @@ void planScene(GradePlan& plan, const fs::path& scene, const fs::path& reference
         plan.scenesWithoutReference.push_back(scene.filename().string());
 }
 
-// Files that the scene names are read behind its own text.
-void requireFilesOf(const std::string& scene) {
-    std::vector<std::string> named;
-    try {
-        loadScene(scene, {}, &named);
-    } catch (const Error&) {
-        if (named.size() > 1) throw;
-    }
-}
-
 // False where the program has failed; the result says how.
 bool renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
     const auto start = std::chrono::steady_clock::now();
@@ -128,7 +118,7 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
 void requireGradable(const GradePlan& plan) {
     std::set<std::string> scenes;
     for (const GradeCase& test : plan.cases)
-        if (scenes.insert(test.scene).second) requireFilesOf(test.scene);
+        if (scenes.insert(test.scene).second) loadScene(test.scene);
 }
 
 CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options) {

@@ -52,6 +52,7 @@ void writePicture(JsonWriter& json, const GradeResult& result, const Thresholds&
     if (result.comparison) json.key("differing").value(result.comparison->pixelsOver(0));
     else json.key("differing").null();
     json.key("message").value(printable(result.message.empty() ? result.note : result.message));
+    json.key("output").value(printable(result.output, "\n"));
     json.key("mistakes").beginArray();
     for (const std::string& mistake : result.mistakes) json.value(mistake);
     json.endArray();
@@ -122,6 +123,16 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
+// Of the pictures that are there.
+std::string worstOf(const GradedSubmission& submission, const Thresholds& thresholds) {
+    const GradeResult* worst = nullptr;
+    for (const GradeResult& result : submission.results)
+        if (!result.isMissing && !within(result, thresholds) && (!worst || isWorse(result, *worst)))
+            worst = &result;
+    if (!worst || submission.results.size() == 1) return {};
+    return "; worst: " + worst->test.name + formatted(" (%d)", worst->score());
+}
+
 }  // namespace
 
 std::string classTable(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
@@ -132,10 +143,8 @@ std::string classTable(std::span<const GradedSubmission> graded, const Threshold
     for (const GradedSubmission& submission : graded) {
         const std::size_t right = submission.rightCount(thresholds), all = submission.results.size();
         const std::string name = printable(submission.name);
-        std::string remarks = printable(submission.remarks(thresholds));
-        if (right < all && all > 1 && !submission.worst().isMissing)
-            remarks +=
-                "; worst: " + submission.worst().test.name + formatted(" (%d)", submission.worst().score());
+        const std::string remarks =
+            printable(submission.remarks(thresholds) + worstOf(submission, thresholds));
         table += formatted("%5.1f %3zu/%-3zu  ", submission.mean(), right, all) +
                  (remarks.empty() ? name : padded(name, width) + "  " + remarks) + "\n";
     }

@@ -49,14 +49,9 @@ int stepsUp(const files::path& relative) {
 }
 
 // The scene with the files that it names, copied so that the relative paths lead to them. A file that is
-// named absolutely is found where it is. A scene that cannot be read is copied alone.
+// named absolutely is found where it is.
 std::string copyScene(const std::string& scene, const std::string& folder) {
-    std::vector<std::string> named;
-    try {
-        named = loadScene(scene).files;
-    } catch (const Error&) {
-        named = {scene};
-    }
+    const std::vector<std::string> named = loadScene(scene).files;
     const files::path from = files::path(scene).parent_path();
     int up = 0;
     for (const std::string& file : named)

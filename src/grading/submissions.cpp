@@ -215,21 +215,35 @@ double GradedSubmission::seconds() const {
                            [](double total, const GradeResult& result) { return total + result.seconds; });
 }
 
+namespace {
+
+// "a, b and 3 more are missing"; empty where none is.
+std::string missingPictures(const std::vector<GradeResult>& results) {
+    constexpr std::size_t most = 3;  // parts of the list: names, the last for all that are left
+    std::vector<std::string> names;
+    for (const GradeResult& result : results)
+        if (result.isMissing) names.push_back(result.test.name);
+    if (names.empty()) return {};
+    const std::size_t count = names.size();
+    if (count > most) {
+        names.resize(most - 1);
+        names.push_back(std::to_string(count - names.size()) + " more");
+    }
+    return listed(names, "and") + (count == 1 ? " is missing" : " are missing");
+}
+
 // A picture that several mistakes explain counts for each of them: what explains the others too is the one.
-std::string GradedSubmission::fault(const Thresholds& thresholds) const {
+std::string mistakeOfMost(const std::vector<GradeResult>& results, const Thresholds& thresholds) {
     std::map<std::string, std::size_t> count;
     std::vector<std::string> order;
     std::size_t wrong = 0;
-    const auto missing = std::ranges::count_if(results, &GradeResult::isMissing);
-    if (missing > 0 && static_cast<std::size_t>(missing) == results.size()) return "nothing handed in";
     const auto add = [&](const std::string& text) {
         if (!text.empty() && count[withoutNumbers(text)]++ == 0) order.push_back(text);
     };
     for (const GradeResult& result : results) {
-        if (within(result, thresholds)) continue;
+        if (result.isMissing || within(result, thresholds)) continue;
         ++wrong;
-        if (!result.comparison)
-            add(result.isMissing && missing > 1 ? "pictures are missing" : result.message);
+        if (!result.comparison) add(result.message);
         for (const std::string& mistake : result.mistakes) add(mistake);
     }
     if (wrong == 0) return {};
@@ -239,6 +253,14 @@ std::string GradedSubmission::fault(const Thresholds& thresholds) const {
     const std::size_t times = count[withoutNumbers(*most)];
     if (times == wrong) return *most;
     return *most + " (" + std::to_string(times) + " of " + std::to_string(wrong) + " wrong pictures)";
+}
+
+}  // namespace
+
+std::string GradedSubmission::fault(const Thresholds& thresholds) const {
+    if (!results.empty() && std::ranges::all_of(results, &GradeResult::isMissing)) return "nothing handed in";
+    const std::string mistake = mistakeOfMost(results, thresholds), missing = missingPictures(results);
+    return mistake + (mistake.empty() || missing.empty() ? "" : "; ") + missing;
 }
 
 std::string GradedSubmission::remarks(const Thresholds& thresholds) const {

@@ -157,6 +157,9 @@ std::string aboutForeign(std::string_view text) {
     if (isDashes || text.starts_with("//") || text.starts_with("/*") || text.starts_with('#') ||
         isCommentBySign(text) || text.starts_with("<!--"))
         return "a comment, which JSON does not have: delete it";
+    const bool isPng = text.starts_with("\x89PNG");  // no text at all
+    if (!text.empty() && !isPng && utf8Bytes(text) == 0)
+        return "a byte that is no UTF-8: save the file as UTF-8";
     const unsigned code = invisible(text);
     return code == 0 ? "" : formatted("an invisible character (U+%04X): delete it", code);
 }

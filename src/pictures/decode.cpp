@@ -5,10 +5,10 @@
 #include <string_view>
 #include <utility>
 
-#include <libdeflate.h>
 #include <stb_image.h>
 
 #include "jpeg_check.h"
+#include "png_chunks.h"
 #include "png_format.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/file_bytes.h"
@@ -19,100 +19,6 @@ namespace raytracer {
 namespace {
 
 constexpr int rgb = 3;
-
-std::uint32_t bigEndian(std::string_view bytes) {
-    std::uint32_t number = 0;
-    for (const char byte : bytes.substr(0, 4)) number = number << 8 | static_cast<unsigned char>(byte);
-    return number;
-}
-
-// A chunk of a PNG: length, type, data of that length, and a CRC of type and data.
-constexpr std::size_t chunkFrame = 12;
-
-// The whole chunk that the text begins with; empty where it is cut short or its checksum is wrong. stb
-// ignores checksums, so a flipped bit would pass for another colour.
-std::string_view firstChunk(std::string_view text) {
-    if (text.size() < chunkFrame) return {};
-    const std::size_t length = bigEndian(text);
-    if (length > text.size() - chunkFrame) return {};
-    const std::uint32_t crc = libdeflate_crc32(0, text.data() + 4, 4 + length);
-    return crc == bigEndian(text.substr(8 + length)) ? text.substr(0, chunkFrame + length)
-                                                     : std::string_view{};
-}
-
-std::string_view typeOf(std::string_view chunk) { return chunk.substr(4, 4); }
-
-// What the header says, after width and height, and the values that there are.
-struct HeaderField {
-    std::size_t place;
-    const char* name;
-    std::string_view values;
-};
-using namespace std::string_view_literals;
-constexpr HeaderField colorType{17, "colour type", "\0\2\3\4\6"sv};
-constexpr HeaderField otherFields[] = {
-    {18, "compression method", "\0"sv}, {19, "filter method", "\0"sv}, {20, "interlace method", "\0\1"sv}};
-
-HeaderField bitDepth(char ofColorType) {
-    const std::string_view values = "\x10\x8\4\2\1";
-    const bool isGrey = ofColorType == 0, hasPalette = ofColorType == 3;
-    return {16, "bit depth", isGrey ? values : hasPalette ? values.substr(1) : values.substr(0, 2)};
-}
-
-bool isPaletted(std::string_view header) { return header[colorType.place] == 3; }
-
-void requireSoundHeader(const FileBytes& file, std::string_view header) {
-    const auto fail = [&](const std::string& name, std::uint32_t value, const char* none) {
-        file.fail("broken PNG picture: its " + name + " is " + std::to_string(value) + ", which " + none +
-                  " has");
-    };
-    const auto require = [&](const HeaderField& field, const char* none) {
-        const char value = header[field.place];
-        if (field.values.find(value) == field.values.npos)
-            fail(field.name, static_cast<unsigned char>(value), none);
-    };
-    for (const auto& [place, name] : {std::pair{8U, "width"}, {12U, "height"}}) {
-        const std::uint32_t size = bigEndian(header.substr(place));
-        if (size == 0 || size >> 31 != 0) fail(name, size, "no PNG");
-    }
-    require(colorType, "no PNG");
-    require(bitDepth(header[colorType.place]), "no PNG of its colour type");
-    for (const HeaderField& field : otherFields) require(field, "no PNG");
-}
-
-void requirePaletteAndPixels(const FileBytes& file, const std::vector<std::string_view>& chunks) {
-    bool hasPalette = !isPaletted(chunks.front());
-    for (const std::string_view chunk : chunks) {
-        const std::size_t size = chunk.size() - chunkFrame;
-        if (typeOf(chunk) == "PLTE" && (size == 0 || size % 3 != 0 || size > std::size_t{3} * 256))
-            file.fail("broken PNG picture: its palette has " + std::to_string(size) +
-                      " bytes, not 3 for each of 1 to 256 colours");
-        if (typeOf(chunk) == "PLTE") hasPalette = true;
-        if (typeOf(chunk) != "IDAT") continue;
-        if (!hasPalette) file.fail("broken PNG picture: it has no palette before its pixels");
-        return;
-    }
-    file.fail("broken PNG picture: it has no pixels (no chunk IDAT)");
-}
-
-std::vector<std::string_view> readChunks(const FileBytes& file) {
-    std::string_view png = file.text();
-    std::vector<std::string_view> chunks;
-    do {
-        png.remove_prefix(chunks.empty() ? pngSignature.size() : chunks.back().size());
-        chunks.push_back(firstChunk(png));
-        if (chunks.back().empty())
-            file.fail("broken PNG picture: it is cut short, or a checksum in it is wrong");
-        // Apple's own form, which stb takes: its deflate stream has no header, and its colours another order.
-        if (typeOf(chunks.back()) == "CgBI") file.fail("no PNG by the standard, but one made for iOS (CgBI)");
-    } while (typeOf(chunks.back()) != "IEND");
-    constexpr std::size_t headerSize = 13;
-    if (typeOf(chunks.front()) != "IHDR" || chunks.front().size() != chunkFrame + headerSize)
-        file.fail("broken PNG picture: it does not begin with its header");
-    requireSoundHeader(file, chunks.front());
-    requirePaletteAndPixels(file, chunks);
-    return chunks;
-}
 
 // For a texel beyond the palette, stb returns whatever its memory holds. So a palette of 256 transparent
 // colours is put before the file's own, and the file's transparency is left out: a texel that is still
@@ -130,36 +36,66 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     return png;
 }
 
-// The bytes of the pixels, with one more for each row, and at most twice that where the picture is
-// interlaced.
-std::size_t mostInflated(std::string_view header) {
-    constexpr std::size_t width = 8, height = 12, bitDepth = 16, mostChannels = 4;
-    const std::size_t rowBits =
-        bigEndian(header.substr(width)) * mostChannels * static_cast<std::size_t>(header[bitDepth]);
-    return 2 * bigEndian(header.substr(height)) * (rowBits / 8 + 2);
-}
-
 // stb inflates whatever is there, however small the picture is. Where that could be more than the memory
-// holds, it is inflated here before, but not beyond the picture's size.
+// holds, it is inflated here before.
 void requireFewInflated(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
-    std::string deflated;
-    for (const std::string_view chunk : chunks)
-        if (typeOf(chunk) == "IDAT") deflated += chunk.substr(8, chunk.size() - chunkFrame);
+    const std::string deflated = deflatedData(chunks);
     if (!sizeInHeader(file) || hasMemory(mostRatio * static_cast<double>(deflated.size()))) return;
     requireMemoryToDecode(file);
-    std::vector<char> inflated(mostInflated(chunks.front()));
-    const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
-        libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
-    std::size_t size = 0;
-    if (libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
-                                   inflated.size(), &size) == LIBDEFLATE_INSUFFICIENT_SPACE)
+    if (inflate(deflated, chunks.front()) == LIBDEFLATE_INSUFFICIENT_SPACE)
         file.fail("broken PNG picture: it has more data than pixels");
 }
 
-bool hasDeepTexels(std::string_view header) {
-    constexpr std::size_t bitDepth = 16;
-    return header.size() > bitDepth && header[bitDepth] == 16;
+// stb's own words for a picture that is too large are those for a broken one or for too little memory.
+void requirePixelsFit(const FileBytes& file, const ImageSize& size, std::uint64_t most,
+                      const std::string& kind) {
+    constexpr int mostSide = 1 << 24;  // stb: STBI_MAX_DIMENSIONS
+    const auto fail = [&](std::uint64_t limit, const std::string& of) {
+        file.fail(pixelsInWords(size.width, size.height) + ": at most " + std::to_string(limit) + of);
+    };
+    if (std::max(size.width, size.height) > mostSide) fail(mostSide, " on a side");
+    if (static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height) > most)
+        fail(most, kind);
+}
+
+// stb counts the bytes of the pixels, and one more for each row, in int; of values in the file it takes 2^30.
+void requirePixelsFit(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+    constexpr std::uint64_t mostValues = 1 << 30, mostBytes = std::numeric_limits<int>::max() - (1 << 24);
+    constexpr std::uint64_t channelsOf[] = {1, 0, 3, 4, 2, 0, 4};  // with an alpha; a palette as it is read
+    const std::string_view header = chunks.front();
+    const std::uint64_t inFile = channelsOf[colorTypeOf(header)];
+    const bool hasAlpha = !isPaletted(header) && std::ranges::find(chunks, "tRNS", typeOf) != chunks.end();
+    const std::uint64_t channels = std::max<std::uint64_t>(rgb, inFile + hasAlpha);
+    const std::uint64_t most =
+        std::min(mostValues / inFile, mostBytes / (channels * (hasDeepTexels(header) ? 2 : 1)));
+    const ImageSize size{static_cast<int>(bigEndian(header.substr(8))),
+                         static_cast<int>(bigEndian(header.substr(12)))};
+    requirePixelsFit(file, size, most, " of " + std::to_string(channels) + " channels");
+}
+
+constexpr const char* noReason = "Image not of any known type, or corrupt";
+
+// Makes that stb's reason.
+void forgetReason() {
+    int ignored = 0;
+    stbi_info_from_memory(nullptr, 0, &ignored, &ignored, &ignored);
+}
+
+// Says why stb has failed. It gives no reason for some broken data, nor where it gets no memory to inflate
+// them; an older reason stays then.
+[[noreturn]] void failToDecode(const FileBytes& file) {
+    const bool isPng = file.text().starts_with(pngSignature);
+    if (isPng) {
+        const auto chunks = readChunks(file);
+        if (inflate(deflatedData(chunks), chunks.front()) == LIBDEFLATE_BAD_DATA)
+            file.fail("broken PNG picture: its compressed data are broken");
+    }
+    const std::string reason = stbi_failure_reason();
+    const auto size = sizeInHeader(file);
+    if (size && (reason == "Out of memory" || (isPng && reason == noReason)))
+        file.fail("not enough memory to decode " + pixelsInWords(size->width, size->height));
+    file.fail("cannot decode as PNG or JPEG: " + reason);
 }
 
 template <class Channel>
@@ -170,12 +106,13 @@ template <class Channel>
 LargeVector<Channel> decode(const FileBytes& file, std::string_view text, int wanted, Texture& image,
                             Decoder<Channel> decoder) {
     requireMemoryToDecode(file, sizeof(Channel));
+    forgetReason();
     int channelsInFile = 0;
     const std::unique_ptr<Channel, decltype(&stbi_image_free)> pixels(
         decoder(reinterpret_cast<const stbi_uc*>(text.data()), static_cast<int>(text.size()), &image.width,
                 &image.height, &channelsInFile, wanted),
         &stbi_image_free);
-    if (!pixels) file.fail(std::string("cannot decode as PNG or JPEG: ") + stbi_failure_reason());
+    if (!pixels) failToDecode(file);
     const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     return {pixels.get(), pixels.get() + count * static_cast<std::size_t>(wanted)};
 }
@@ -190,15 +127,23 @@ void decodePaletted(const FileBytes& file, const std::vector<std::string_view>& 
     }
 }
 
+void requireJpegFits(const FileBytes& file) {
+    constexpr int mostChannels = 4;  // of which stb holds the bytes of all, counted in int
+    requireSoundJpeg(file);
+    if (const auto size = sizeInHeader(file))
+        requirePixelsFit(file, *size, std::numeric_limits<int>::max() / mostChannels, "");
+}
+
 Texture decode(const FileBytes& file) {
     const std::string_view text = file.text();
     if (text.size() > std::numeric_limits<int>::max() / 2) file.fail("cannot decode: the file is over 1 GiB");
     const bool isPng = text.starts_with(pngSignature);
-    if (isJpeg(file)) requireSoundJpeg(file);
+    if (isJpeg(file)) requireJpegFits(file);
     else if (!isPng) file.fail("it is no PNG and no JPEG");
     std::vector<std::string_view> chunks{{}};
     if (isPng) {
         chunks = readChunks(file);
+        requirePixelsFit(file, chunks);
         requireFewInflated(file, chunks);
     }
     Texture image;

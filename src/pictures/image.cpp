@@ -17,6 +17,7 @@
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/number.h"
+#include "raytracer/util/text.h"
 #include "whole_picture.h"
 
 namespace raytracer {
@@ -41,11 +42,17 @@ std::string_view takeWord(std::string_view& text) {
     return word;
 }
 
+constexpr const char* noPixels = "not a PFM picture: it has no pixels";
+
 template <class Number>
 Number takeNumber(const FileBytes& file, std::string_view& text, const char* what) {
-    const std::optional<Number> number = numberOf<Number>(takeWord(text));
-    if (!number) file.fail(std::string("not a PFM picture: its ") + what + " is no number");
-    return *number;
+    const std::string_view word = takeWord(text);
+    const std::optional<Number> number = numberOf<Number>(word);
+    if (number) return *number;
+    if (!isWholeNumber(word)) file.fail(std::string("not a PFM picture: its ") + what + " is no number");
+    if (word[0] == '-') file.fail(noPixels);
+    file.fail(std::string("cannot read: its ") + what + " is too large, " + inQuotes(word) + ": at most " +
+              std::to_string(std::numeric_limits<Number>::max()));
 }
 
 std::size_t pixelBytes(const PfmHeader& header) {
@@ -62,7 +69,7 @@ PfmHeader readPfmHeader(const FileBytes& file) {
     const auto scale = takeNumber<double>(file, text, "scale");
     if (!std::isfinite(scale)) file.fail("not a PFM picture: its scale is no finite number");
     if (scale == 0) file.fail("not a PFM picture: its scale is 0, which has no sign to tell the byte order");
-    if (header.width < 1 || header.height < 1) file.fail("not a PFM picture: it has no pixels");
+    if (header.width < 1 || header.height < 1) file.fail(noPixels);
     header.order = scale < 0 ? std::endian::little : std::endian::big;
     header.rows = text.substr(std::min<std::size_t>(1, text.size()));
     // A program that writes text in Windows' way puts two bytes there.

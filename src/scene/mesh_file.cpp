@@ -59,6 +59,13 @@ ObjCounts sumAbove(std::vector<ObjCounts>& counts) {
     return whole;
 }
 
+// A line with one could pass for a line that has no meaning here.
+[[noreturn]] void failAtNul(std::string_view text, const std::string& path) {
+    const auto lines = std::ranges::count(text.substr(0, text.find('\0')), '\n');
+    throw Error({.file = path, .line = static_cast<std::size_t>(lines) + 1},
+                "a NUL byte, which no OBJ mesh has");
+}
+
 void requireUsable(const ObjCounts& whole, const std::string& path) {
     if (whole.faces == 0) throw Error({path}, "no faces, so not an OBJ mesh");
     // noTexCoord is no index.
@@ -146,6 +153,7 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const s
     parallelFor(jobs, 0, [&](std::uint32_t i) { above[i] = countObjChunk(chunks[i]); });
     const ObjCounts whole = sumAbove(above);
     if (whole.hasReturns) return parseObjInChunks(withNewlines(text), chunkCount, path);
+    if (whole.hasNul) failAtNul(text, path);
     requireUsable(whole, path);
 
     requireTriangles(whole.triangles, path);

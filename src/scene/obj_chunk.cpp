@@ -143,13 +143,15 @@ ObjCounts& ObjCounts::operator+=(const ObjCounts& other) {
     faces += other.faces;
     triangles += other.triangles;
     hasReturns |= other.hasReturns;
+    hasNul |= other.hasNul;
     return *this;
 }
 
 ObjCounts countObjChunk(std::string_view chunk) {
     ObjCounts counts;
     counts.hasReturns = hasReturns(chunk);
-    if (counts.hasReturns) return counts;
+    counts.hasNul = chunk.find('\0') != chunk.npos;
+    if (counts.hasReturns || counts.hasNul) return counts;
     for (std::size_t physicalLines = 0; !chunk.empty(); counts.lines += physicalLines) {
         ObjLine line(takeObjLine(chunk, physicalLines));
         switch (line.keyword()) {

@@ -16,6 +16,7 @@ namespace raytracer {
 struct ObjCounts {
     std::size_t lines = 0, positions = 0, texCoords = 0, faces = 0, triangles = 0;
     bool hasReturns = false;  // line ends that are a carriage return alone
+    bool hasNul = false;
 
     ObjCounts& operator+=(const ObjCounts& other);
 };

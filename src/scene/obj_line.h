@@ -67,8 +67,9 @@ class ObjLine {
   private:
     Corner textured(std::int64_t position);
     std::int64_t index() {
+        const char* const begin = p_;
         const std::int64_t value = wholeNumber();
-        if (value == 0) failWord("indices begin at 1 or -1, found ");
+        if (value == 0) failIndex({begin, p_});
         return value;
     }
     // Most have few digits and no sign.
@@ -100,6 +101,7 @@ class ObjLine {
         while (p_ != end_ && !isPlain(*p_) && isAtBlank()) ++p_;
         word_ = p_;
     }
+    [[noreturn]] void failIndex(std::string_view written) const;
     [[noreturn]] void failWord(const char* message) const;
 
     const char* p_;

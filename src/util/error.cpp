@@ -25,7 +25,7 @@ std::string afterFile(const Place& place, const std::string& message) {
 std::vector<std::string> characters(std::string_view line) {
     std::vector<std::string> all;
     for (std::size_t size = 1; !line.empty(); line.remove_prefix(size)) {
-        size = std::max<std::size_t>(printableBytes(line), 1);
+        size = std::max<std::size_t>(utf8Bytes(line), 1);
         const bool isShown = printableBytes(line) > 0;
         all.emplace_back(line[0] == '\t' ? " " : isShown ? line.substr(0, size) : "?");
     }

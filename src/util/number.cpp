@@ -7,6 +7,12 @@
 
 namespace raytracer {
 
+bool isWholeNumber(std::string_view text) {
+    const bool hasSign = text.starts_with('-') || text.starts_with('+');
+    const std::string_view digits = text.substr(hasSign);
+    return !digits.empty() && digits.find_first_not_of("0123456789") == digits.npos;
+}
+
 #if defined(__cpp_lib_to_chars)
 
 const char* readNumber(const char* begin, const char* end, double& number) {

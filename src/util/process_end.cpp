@@ -11,6 +11,7 @@ std::string ProcessEnd::description() const {
         case Stop::Hung: return formatted("hung: stopped after %.3g s", seconds);
         case Stop::TooSlow: return formatted("too slow: %.2g s of processor time", processorSeconds);
         case Stop::TooManyProcesses: return "started too many processes";
+        case Stop::TooMuchOutput: return "printed or wrote too much";
         case Stop::None: break;
     }
     if (signal) text << "crashed: " << signalName(signal);

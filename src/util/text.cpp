@@ -12,13 +12,13 @@ namespace {
 
 struct Character {
     std::uint32_t code = 0;
-    std::size_t size = 0;  // bytes; 0: no character that can be shown
+    std::size_t size = 0;  // bytes; 0: not UTF-8
 };
 
 // What the text, which is not empty, begins with (RFC 3629).
 Character firstCharacter(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
-    if (lead < 0x80) return {lead, lead >= 0x20 && lead != 0x7f ? 1U : 0U};
+    if (lead < 0x80) return {lead, 1};
     const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
     if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return {};
     std::uint32_t code = lead & (0x7fU >> size);
@@ -26,9 +26,9 @@ Character firstCharacter(std::string_view text) {
         if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return {};
         code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
     }
-    constexpr std::uint32_t least[] = {0, 0, 0xa0, 0x800, 0x10000};  // less is longer than it need be
-    const bool isSurrogate = code >> 11 == 0xd800 >> 11, isNoCharacter = (code & 0xfffe) == 0xfffe;
-    if (code < least[size] || code > 0x10ffff || isSurrogate || isNoCharacter) return {};
+    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // less is longer than it need be
+    const bool isSurrogate = code >> 11 == 0xd800 >> 11;
+    if (code < least[size] || code > 0x10ffff || isSurrogate) return {};
     return {code, size};
 }
 
@@ -36,6 +36,17 @@ struct CodeRange {
     std::uint32_t first, last;
     bool contains(std::uint32_t code) const { return first <= code && code <= last; }
 };
+
+// Control characters, which terminals take for commands, and those that turn the direction of the text around
+// them (Unicode's Bidi_Control): a name could pass for another.
+constexpr CodeRange hidden[] = {{0, 0x1f},        {0x7f, 0x9f},     {0x61c, 0x61c},
+                                {0x200e, 0x200f}, {0x202a, 0x202e}, {0x2066, 0x2069}};
+
+bool isShown(const Character& character) {
+    const auto has = [&](const CodeRange& range) { return range.contains(character.code); };
+    const bool isNoCharacter = (character.code & 0xfffe) == 0xfffe;
+    return character.size > 0 && !isNoCharacter && std::ranges::none_of(hidden, has);
+}
 
 // Of Unicode's EastAsianWidth.txt, by blocks: wide and fullwidth characters, emoji among them; and marks that
 // stand on the character before.
@@ -49,32 +60,36 @@ std::size_t columnsOf(std::uint32_t code) {
     return std::ranges::any_of(marks, has) ? 0 : std::ranges::any_of(wide, has) ? 2 : 1;
 }
 
-std::string unicodeEscape(char c) { return formatted("\\u%04x", static_cast<unsigned char>(c)); }
-
-// Of the character that the text begins with, of which `size` bytes can be shown.
-std::string escape(std::string_view text, std::size_t size) {
+// The character with which the text begins; `escaped` and what is not shown as JSON's escape sequence. A byte
+// that is not UTF-8 is taken for Latin-1.
+std::string escape(std::string_view text, const Character& character, char escaped) {
     if (text[0] == '"' || text[0] == '\\') return {'\\', text[0]};
     if (text[0] == '\n') return "\\n";
-    return size > 0 ? std::string(text.substr(0, size)) : unicodeEscape(text[0]);
+    const auto [code, size] = character;
+    if (isShown(character) && text[0] != escaped) return std::string(text.substr(0, size));
+    if (code > 0xffff) return formatted("\\u%04x\\u%04x", 0xd7c0 + (code >> 10), 0xdc00 + (code & 0x3ff));
+    return formatted("\\u%04x", size == 0 ? static_cast<unsigned char>(text[0]) : code);
 }
 
 // `escaped`: a character to escape beside those that JSON forbids.
 std::string quoted(std::string_view text, char escaped) {
     std::string quoted = "\"";
     while (!text.empty()) {
-        // U+0080 to U+009F: terminals take these as the beginning of a command.
-        const bool isControl = text.size() > 1 && text[0] == '\xc2' && (text[1] & 0xe0) == 0x80;
-        if (isControl) text.remove_prefix(1);
-        const std::size_t size = isControl ? 0 : printableBytes(text);
-        quoted += escape(text, text[0] == escaped ? 0 : size);
-        text.remove_prefix(std::max<std::size_t>(size, 1));
+        const Character character = firstCharacter(text);
+        quoted += escape(text, character, escaped);
+        text.remove_prefix(std::max<std::size_t>(character.size, 1));
     }
     return quoted + '"';
 }
 
 }  // namespace
 
-std::size_t printableBytes(std::string_view text) { return firstCharacter(text).size; }
+std::size_t utf8Bytes(std::string_view text) { return firstCharacter(text).size; }
+
+std::size_t printableBytes(std::string_view text) {
+    const Character character = firstCharacter(text);
+    return isShown(character) ? character.size : 0;
+}
 
 std::string formatted(const char* format, ...) {
     va_list values, again;

@@ -121,6 +121,8 @@ def check_numbers(command, name, expected, good):
                                           "ten"]:
         is_endless = text in ("1e999", "nan", "inf", "-inf") and re.match("a number (not|above)", expected)
         wanted = expected.replace("a number", "a finite number") if is_endless else expected
+        if (expected, text) == ("a whole number", "2147483648"):
+            wanted = "at most 2147483647"
         check_refused(with_number(command, name, text), f'{name}: expected {wanted}, found "{text}"', full)
     for text in good:
         done = run(*with_number(command, name, text))

@@ -8,6 +8,7 @@ import os
 import pathlib
 import pty
 import random
+import shutil
 import signal
 import stat
 import struct
@@ -197,6 +198,14 @@ def check_write_errors(folder):
             check(f"{name} {where}", (2, f"standard output: {why}\n"),
                   (done.returncode, done.stderr.decode()))
     check("tradeoff leaves nothing", [], names(folder / "t"))
+    for stream, where in (("/dev/stdout", ">&-"), ("/dev/stdin", "<&-"), ("/proc/self/fd/1", ">&-")):
+        out = folder / "link.png"
+        out.unlink(missing_ok=True)
+        out.symlink_to(stream)
+        done = subprocess.run(["sh", "-c", f'"$@" {where}', "sh", RAYTRACER, SCENE, out, "8", "--quiet"],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100)
+        check(f"{stream} {where}", (2, f"{out}: cannot write: Bad file descriptor\n"),
+              (done.returncode, done.stderr))
     closed = ["sh", "-c", '"$@" 2>&- <&- >&-', "sh", RAYTRACER, SCENE, folder / "closed.png", "10", "--stats"]
     check("no stream is open", (2, 10), (subprocess.run(closed).returncode, width(folder / "closed.png")))
 
@@ -266,7 +275,7 @@ def check_locked_folder(folder):
     for name in ("exam", "tmp"):
         (folder / name).mkdir()
         (folder / name).chmod(0o777)
-    (folder / "exam/a.json").write_text("{}")
+    shutil.copy(SCENE, folder / "exam/a.json")
     render(folder / "exam/a.png")
     lock = 'd=$(dirname "$2"); mkdir -p "$d/e/f"; chmod 500 "$d/e/f"; chmod 0 "$d/e"; chmod 0 "$d"'
     (folder / "locker").write_text(f"#!/bin/sh\n{lock}\n")

@@ -30,6 +30,10 @@ def addresses(kibibytes):
     return f'ulimit -v {kibibytes}; exec "$@"'
 
 
+def data(kibibytes):
+    return addresses(kibibytes).replace("-v", "-d")
+
+
 def scene_of(folder, name, **parts):
     scene = json.loads(LEAST.read_text()) | {"materials": [{"name": "m"}],
                                              "transforms": [{"name": "t"}]} | parts
@@ -59,6 +63,7 @@ def png_of_size(width, height, rows=None):
 
 
 LEFT = r"ulimit -v leaves [\d.]+ [MG]B\n"
+DATA_LEFT = LEFT.replace("-v", "-d")
 
 
 def too_large(out):
@@ -72,6 +77,7 @@ def check_pictures(folder):
     check("a PFM", re.escape(f"{pfm}: not enough memory for 65536 × 128 pixels (101 MB): ") + LEFT, LEAST,
           pfm, 65536,
           "--quiet", script=addresses(80000))
+    check("a PNG, of data", too_large(out) + DATA_LEFT, LEAST, out, 5700, "--quiet", script=data(100000))
     check("a part of it", "", LEAST, out, 5700, "--quiet", "--crop", "0,0,9,9", script=addresses(200000),
           status=0)
 
@@ -92,6 +98,7 @@ def check_files(folder):
     text = f"not enough memory for 6000 × 6000 pixels (108 MB) and decoding them (432 MB): "
     place = f'{texture}:1:374: /textures/x: expected a picture in "{folder}/large.png": '
     check("a texture", re.escape(place + text) + LEFT, texture, out, 8, script=addresses(400000))
+    check("a texture, of data", re.escape(place + text) + DATA_LEFT, texture, out, 8, script=data(60000))
     (folder / "bomb.png").write_bytes(png_of_size(1000, 10, 60000))
     check("a PNG that inflates to more",
           re.escape(f"{folder}/bomb.png: broken PNG picture: it has more data than pixels\n"),

@@ -40,7 +40,7 @@ PROGRAMS = {
     "crash": ('{student} "$1" "$2" "$3"; kill -SEGV $$', "crashed: Segmentation fault"),
     "hang": ("sleep 60", "hung: stopped after 10 s"),
     "busy": ("while :; do :; done", "too slow: 0.5 s of processor time"),
-    "flood": ("exec yes", "crashed: File size limit exceeded|too slow: 0.5 s of processor time"),
+    "flood": ("exec yes", "printed or wrote too much|too slow: 0.5 s of processor time"),
     "forks": ("for i in $(seq 300); do sleep 60 & done; wait",
               "started too many processes|too slow: 0.5 s of processor time"),
     "daemon": ('{student} "$1" "$2" "$3"; setsid sh -c \'echo $$ > {pid}; exec sleep 60\' & sleep 0.2', ""),
@@ -301,7 +301,7 @@ def check_hostile(raytracer, folder):
     folder.chmod(0o755)
     (place / "tmp").mkdir()
     (place / "exam").mkdir()
-    (place / "exam/a.json").write_text("{}")
+    shutil.copy("test/good/least.json", place / "exam/a.json")
     shutil.copy(folder / "references/refraction.png", place / "exam/a.png")
     hand_in = f'cp {place}/exam/a.png "$2"\n'
 

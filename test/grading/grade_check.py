@@ -19,6 +19,8 @@ except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
 
+GOOD = Path(__file__).parent.parent / "good"
+LEAST = json.dumps(json.loads((GOOD / "least.json").read_text()))  # in one line
 failures = []
 
 
@@ -77,13 +79,13 @@ def make_class(folder):
     for name in ("exam", "ours"):
         (folder / name).mkdir()
     for name in ENDINGS:
-        (folder / "exam" / f"{name}.json").write_text("{}")
+        (folder / "exam" / f"{name}.json").write_text(LEAST)
         draw_scene(10).save(folder / "exam" / f"{name}.png")
         shown = draw_scene(10, (5, 5)) if name == "off" else draw_scene(10)
         (shown.resize((30, 20)) if name == "size" else shown).save(folder / "ours" / f"{name}.png")
     draw_scene(10).save(folder / "exam" / "off-normals.png")
-    (folder / "exam" / "lonely.json").write_text("{}")
-    (folder / "exam" / "scene.schema.json").write_text("{}")
+    (folder / "exam" / "lonely.json").write_text(LEAST)
+    (folder / "exam" / "scene.schema.json").write_text(LEAST)
     cases = "".join(f"{name}) {body or 'cp $ours $2'};;\n" for name, (body, _, _) in ENDINGS.items())
     return write_program(folder / "student", '[ "$3" = 60 ] || exit 9\nname=$(basename "$1" .json); '
                                              f'ours={folder}/ours/$name.png\n'
@@ -154,7 +156,7 @@ def check_own_failures(program, folder):
 
     (folder / "one").mkdir()
     shutil.copy(folder / "exam/good_one.png", folder / "one/a.png")
-    (folder / "one/a.json").write_text("{}")
+    (folder / "one/a.json").write_text(LEAST)
     failing("no temporary folder", "/no: cannot make a temporary folder: No such file or directory\n", "one",
             TMPDIR="/no")
     failing("the same for a program", "/no: cannot make a temporary folder: No such file or directory\n",
@@ -198,7 +200,7 @@ def check_files(folder, failing):
     failing("--size", "raytracer grade: there is no --size: a picture has its reference's size, which a "
                       "program is told\n",
             "one", *program, "--size", 20)
-    scene = json.loads((Path(__file__).parent.parent / "good/least.json").read_text()) | {
+    scene = json.loads(LEAST) | {
         "textures": {"wood": "no.png"}, "transforms": [{"name": "t"}],
         "materials": [{"name": "m", "use_diffuse_texture": True, "diffuse_texture": "wood"}],
         "shapes": [{"type": "sphere", "transform": "t", "material": "m"}]}
@@ -210,7 +212,24 @@ def check_files(folder, failing):
                 r'one/a.json:1:\d+: /textures/wood: no file "one/no.png" '
                  r'\(relative to the scene file\); .*\n',
                 "one", *arguments)
-    (folder / "one/a.json").write_text("{}")
+    check_broken_scenes(folder, failing)
+    (folder / "one/a.json").write_text(LEAST)
+
+
+def check_broken_scenes(folder, failing):
+    """A scene that cannot be read is the grader's fault, whoever makes the pictures."""
+    slip = json.loads(LEAST) | {"materials": [{"name": "m"}], "transforms": [{"name": "t"}],
+                                "shapes": [{"type": "cubee", "transform": "t", "material": "m"}]}
+    shown = r"\n {4}[^\n]*\n *\^\n"
+    shutil.copytree(folder / "few", folder / "broken")
+    shutil.copy(folder / "exam/good_one.png", folder / "broken/b.png")
+    for text, line in (
+        ('{"camera": ', 'broken/b.json:1:12: "}" is missing at the end of the object' + shown),
+        (json.dumps(slip), r'broken/b.json:1:\d+: /shapes/0/type: expected "cube", found "cubee"\n')):
+        (folder / "broken/b.json").write_text(text)
+        for arguments in ([], ["--program", "true"], ["--submissions", "pupils"],
+                          ["--submissions", "pupils", "--program", "{}/rt"]):
+            failing(f"a broken scene, {arguments}", line, "broken", *arguments)
 
 
 def check_isolation(program, folder):
@@ -218,13 +237,13 @@ def check_isolation(program, folder):
     count."""
     (folder / "alone").mkdir()
     (folder / "my programs").mkdir()
-    (folder / "alone/fresh.json").write_text("{}")
+    (folder / "alone/fresh.json").write_text(LEAST)
     draw_scene(10).save(folder / "alone/fresh.png")
     write_program(folder / "my programs/lists", 'pwd | grep -q "^/.*/raytracer-[^/]*/[^/]*$" || exit 9\n'
                                                 'ls -A | tr "\\n" " "; cat "$2" "$1"\n')
     (folder / "word").write_text(" and a word")
     done = grade(program, folder, "alone", "--program", "'my programs/lists' word")
-    check("fresh: wrote no picture\n" in done.stdout and " fresh.json {} and a word\n" in done.stdout,
+    check("fresh: wrote no picture\n" in done.stdout and f" fresh.json {LEAST} and a word\n" in done.stdout,
           f"in a fresh folder: {done.stdout}")
     (folder / "threads.py").write_text(
         "import subprocess, threading, time\n"

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "raytracer/grading/grade_files.h"
 #include "raytracer/grading/grade_report.h"
 #include "raytracer/util/child_process.h"
 #include "raytracer/util/temporary_folder.h"
@@ -32,7 +33,8 @@ ByteImage flat(int size, int value) {
 // A case whose reference is black and 10 pixels large.
 GradeCase blackCase(const TemporaryFolder& folder, const std::string& name = "black") {
     writePng(folder.file(name + ".png"), flat(10, 0));
-    touch(folder.file(name + ".json"));
+    std::filesystem::copy_file(SOURCE_DIR "/test/good/least.json", folder.file(name + ".json"),
+                               std::filesystem::copy_options::overwrite_existing);
     return {name, name, &completeStage(), folder.file(name + ".json"), folder.file(name + ".png")};
 }
 
@@ -260,7 +262,7 @@ TEST_CASE("child process: how it ends") {
     SECTION("with too much output, too much memory") {
         ProcessLimits limits;
         limits.output = 1 << 20;
-        CHECK(runProcess({"exec yes", {}, log, limits}).description() == "crashed: File size limit exceeded");
+        CHECK(runProcess({"exec yes", {}, log, limits}).description() == "printed or wrote too much");
         CHECK(std::filesystem::file_size(log) == 1 << 20);
         limits.memory = 1 << 27;
         CHECK_FALSE(
@@ -333,6 +335,40 @@ TEST_CASE("grade: worst first") {
     GradeResult named = high;
     named.test.name = "b";
     CHECK(isWorse(high, named));
+}
+
+TEST_CASE("grade: what is wrong with a submission, beside the pictures that are missing") {
+    const TemporaryFolder folder;
+    GradedSubmission ada{"ada", {}};
+    const auto addMissing = [&](const char* name) {
+        GradeResult& result = ada.results.emplace_back();
+        result.test.name = name;
+        result.isMissing = true;
+        result.message = std::string("no picture ") + name + ".png";
+    };
+    ada.results.push_back(gradeCase(blackCase(folder, "mesh"), flatRenderer(10, 9)));
+    addMissing("cone");
+    CHECK(ada.fault({}) == "no known mistake; cone is missing");
+    ada.results[0].mistakes = {"without shadows"};
+    addMissing("cube");
+    CHECK(ada.fault({}) == "without shadows; cone and cube are missing");
+    addMissing("glass");
+    CHECK(ada.remarks({}) == "without shadows; cone, cube and glass are missing");
+    ada.results.push_back(gradeCase(blackCase(folder, "plane"), flatRenderer(10, 1)));
+    addMissing("scene");
+    addMissing("texture");
+    CHECK(ada.fault({}) == "without shadows (1 of 2 wrong pictures); cone, cube and 3 more are missing");
+    CHECK_THAT(classTable({&ada, 1}, {}), Catch::Matchers::EndsWith(" missing; worst: mesh (65)\n"));
+    ada.results[0] = ada.results[4] = gradeCase(blackCase(folder, "plane"), flatRenderer(10, 0));
+    CHECK(ada.fault({}) == "cone, cube and 3 more are missing");
+    CHECK_THAT(classTable({&ada, 1}, {}), Catch::Matchers::EndsWith(" and 3 more are missing\n"));
+}
+
+TEST_CASE("grade: what a program printed is in the JSON") {
+    GradedSubmission ada{"ada", std::vector<GradeResult>(1)};
+    ada.results[0].message = "exit status 3, wrote no picture";
+    ada.results[0].output = "line 1\nline 2\x1b[2J\n";
+    CHECK_THAT(gradesAsJson({&ada, 1}, {}), Contains("\"output\": \"line 1\\nline 2\\\\x1b[2J\\n\""));
 }
 
 TEST_CASE("grade: the report") {

@@ -266,6 +266,10 @@ TEST_CASE("json: what is wrong is said in words, where it is") {
     CHECK(errorOf("[-pi*f(2, 3), 4]") ==
           "x.json:1:2: JSON does not calculate: write the result of \"-pi*f(2, 3)\"");
     CHECK(errorOf("{\"a\": 0,125}") == "x.json:1:8: a number has a decimal point: write 0.125");
+    for (const char* text : {"\xef\xbb", "\xff", "\xc0\x80", "\x80{}"})
+        CHECK(errorOf(text) == "x.json:1:1: a byte that is no UTF-8: save the file as UTF-8");
+    CHECK(errorOf("[1, \xe4]") == "x.json:1:5: a byte that is no UTF-8: save the file as UTF-8");
+    CHECK(errorOf("\x89PNG\r\n") == "x.json:1:1: expected JSON, found what is no text");
     CHECK(errorOf("[1,\u20602]") == "x.json:1:4: an invisible character (U+2060): delete it");
     CHECK(errorOf("[] /*") == "x.json:1:4: a comment, which JSON does not have: delete it");
     CHECK(errorOf("{\"a\": 1: 2}") == "x.json:1:8: expected a comma, found \":\"");
@@ -282,6 +286,7 @@ TEST_CASE("an error of syntax shows its line, and a mark below") {
         return Lines();
     };
     CHECK(excerptOf("[1,\r\n\t+2\r\n]", 80) == Lines{"     +2", "     ^"});
+    CHECK(excerptOf("[\"\u202e\u009b\", x]", 80) == Lines{"    [\"??\", x]", "           ^"});
     CHECK(excerptOf("[\"\u00e4\x1b\xff", 80) == Lines{"    [\"\u00e4??", "       ^"});
     CHECK(excerptOf("[" + std::string(200, ' ') + "+2" + std::string(200, ' ') + "]", 60) ==
           Lines{std::string(24, ' ') + "+2" + std::string(34, ' '), std::string(24, ' ') + "^"});

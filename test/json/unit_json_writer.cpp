@@ -49,5 +49,6 @@ TEST_CASE("JsonWriter: strings are escaped") {
     CHECK(jsonString("a \"b\" \\ \n \t") == "\"a \\\"b\\\" \\\\ \\n \\u0009\"");
     CHECK(jsonString("</script>") == "\"\\u003c/script>\"");
     CHECK(jsonString("Å") == "\"Å\"");
+    CHECK(jsonString("\u202e\uffff\U0001f600\U0001ffff!") == "\"\\u202e\\uffff\U0001f600\\ud83f\\udfff!\"");
     CHECK(jsonString("\x7f \u009b \xff") == "\"\\u007f \\u009b \\u00ff\"");
 }

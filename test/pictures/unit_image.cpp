@@ -173,14 +173,42 @@ TEST_CASE("A picture that cannot be read is told") {
     check("GIF89a", "it is no PNG and no JPEG");
     check(png.substr(0, png.size() / 2), "broken PNG picture: it is cut short, or a checksum in it is wrong");
     check(jpeg.substr(0, jpeg.size() - 10), "broken JPEG picture: it has no end marker");
-    std::string huge = png;
-    huge.replace(16, 8, std::string("\0\xff\xff\xff\0\xff\xff\xff", 8));  // IHDR's width and height
-    check(checksummed(huge), "cannot decode as PNG or JPEG: Image too large to decode");
     CHECK_THROWS_WITH(readImage(folder.file("nowhere.png")),
                       folder.file("nowhere.png") + ": cannot read: No such file or directory");
     CHECK_THROWS_WITH(readImage(folder.file("")),
                       folder.file("") + ": cannot read: Is a directory; name a file in it");
     CHECK_THROWS_AS(readImage(folder.file("")), Error);
+}
+
+TEST_CASE("A picture that stb cannot hold is told, with its size and the limit") {
+    const TestFolder folder;
+    const auto check = [&](const std::string& size, const std::string& kind, const std::string& message) {
+        std::string png = pngOf(20, 20, 3, testPicture(20, 20).pixels);
+        png.replace(16, 8, size);  // IHDR's width and height
+        png.replace(24, 2, kind);  // bit depth, colour type
+        if (kind[1] == 3) png.insert(33, {"\0\0\0\3PLTE\1\2\3@@@@", 15});
+        CHECK_THROWS_WITH(readImage(folder.write("a.png", checksummed(png))),
+                          folder.file("a.png") + ": " + message);
+    };
+    const std::string square("\0\0\x4e\x20\0\0\x4e\x20", 8), flat("\1\0\0\1\0\0\0\1", 8);
+    check(square, "\x8\2", "20000 × 20000 pixels: at most 357913941 of 3 channels");
+    check(square, "\x8\3", "20000 × 20000 pixels: at most 268435456 of 4 channels");
+    check(square, "\x10\6", "20000 × 20000 pixels: at most 266338303 of 4 channels");
+    check(std::string("\0\0\x80\0\0\0\x80\0", 8), {"\x8\0", 2},
+          "32768 × 32768 pixels: at most 710235477 of 3 channels");
+    check(flat, "\x8\2", "16777217 × 1 pixels: at most 16777216 on a side");
+    check({"\0\0\0\1\1\0\0\1", 8}, "\x8\2", "1 × 16777217 pixels: at most 16777216 on a side");
+}
+
+TEST_CASE("A PNG whose data cannot be inflated is told") {
+    const TestFolder folder;
+    const std::string head("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\2\0\0\0@@@@", 33);
+    const std::string end("\0\0\0\0IEND@@@@", 12);
+    for (const std::string data : {"\x78\x9c\xff\xff", "\x78\x9c\1\1", "@@@@"}) {
+        const std::string chunk = std::string("\0\0\0\4IDAT", 8) + data + "@@@@";
+        const std::string path = folder.write("a.png", checksummed(head + chunk + end));
+        CHECK_THROWS_WITH(readImage(path), path + ": broken PNG picture: its compressed data are broken");
+    }
 }
 
 namespace {
@@ -293,6 +321,10 @@ TEST_CASE("A JPEG is read if its segments are sound") {
             CHECK_THROWS_WITH(read(jpeg), folder.file("a.jpg") +
                                               ": cannot decode: neither a baseline nor a progressive JPEG");
         }
+    }
+    SECTION("too large a size") {
+        jpeg.frame = segmentOf(0xc0, {"\x8\xff\xff\xff\xff\1\1\x11\0", 9});
+        CHECK_THROWS_WITH(read(jpeg), folder.file("a.jpg") + ": 65535 × 65535 pixels: at most 536870911");
     }
     SECTION("no frame") {
         jpeg.frame = jpeg.scan = "";
@@ -433,6 +465,13 @@ TEST_CASE("A PFM that is broken is told") {
     check("", "not a colour PFM picture: it does not begin with \"PF\"");
     check("Pf\n1 1\n-1.0\n1234", "not a colour PFM picture: it does not begin with \"PF\"");
     check("PF\n1 x\n-1.0\n", "not a PFM picture: its height is no number");
+    check("PF\n99999999999 99999999999\n-1.0\n",
+          "cannot read: its width is too large, \"99999999999\": at most 2147483647");
+    check("PF\n2147483648 2\n-1.0\n",
+          "cannot read: its width is too large, \"2147483648\": at most 2147483647");
+    check("PF\n2 2147483648\n-1.0\n",
+          "cannot read: its height is too large, \"2147483648\": at most 2147483647");
+    check("PF\n-2147483649 2\n-1.0\n", "not a PFM picture: it has no pixels");
     check("PF\n1 1", "not a PFM picture: its scale is no number");
     for (const char* scale : {"0", "-0.0", "-1e-400"})
         check(std::string("PF\n1 1\n") + scale + "\n123456789012",

@@ -164,8 +164,18 @@ TEST_CASE("A broken OBJ is told with the line") {
         check(square + "f 1 0 3", "line 5: indices begin at 1 or -1, found \"0\"");
         check(square + "f 1/0 2/0 3/0", "line 5: indices begin at 1 or -1, found \"1/0\"");
         check(square + "f 1 2 4294967297", "line 5: there is no vertex 4294967297: the file has 4");
-        check(square + "f 1 2 99999999999999999999",
-              "line 5: indices begin at 1 or -1, found \"99999999999999999999\"");
+        for (const std::string index :
+             {"99999999999999999999", "-99999999999999999999", "1/99999999999999999999"})
+            check(square + "f 1 2 " + index, "line 5: no mesh has such an index: \"" + index + "\"");
+        check(square + "f 1 2 00000000000000000000",
+              "line 5: indices begin at 1 or -1, found \"00000000000000000000\"");
+    }
+    SECTION("a NUL") {
+        const std::string nul(1, '\0'), message = "a NUL byte, which no OBJ mesh has";
+        check(square + nul + "f 1 2 3 4\n", "line 5: " + message);
+        check(square + "f 1 2 3\n# a" + nul, "line 6: " + message);
+        check(nul + square + "f 1 2 3\n", "line 1: " + message);
+        check("# old Mac\r" + nul + square + "f 1 2 3\n", "line 2: " + message);
     }
     SECTION("faces") {
         check(square + "f 1 2\n", "line 5: a face has at least 3 corners, found 2");

@@ -18,6 +18,11 @@ TEST_CASE("printable text is UTF-8 without control characters") {
     CHECK(printable({"\0\n\x1b[31m\x7f", 8}) == "\\x00\\x0a\\x1b[31m\\x7f");
     CHECK(printable("a\r\n\t", "\n\t") == "a\\x0d\n\t");
     CHECK(printable("\u009b\uffff") == "\\xc2\\x9b\\xef\\xbf\\xbf");
+    // What turns the direction of the text around it.
+    CHECK(printable("a\u202eb\u2066") == "a\\xe2\\x80\\xaeb\\xe2\\x81\\xa6");
+    for (const char* mark : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202d", "\u2067", "\u2069"})
+        CHECK(printableBytes(mark) == 0);
+    CHECK(inQuotes("\u202efdp") == "\"\\u202efdp\"");
     // Too long, a surrogate, beyond Unicode, cut short, without a beginning.
     CHECK(printable("\xc0\x80") == "\\xc0\\x80");
     CHECK(printable("\xe0\x9f\xbf") == "\\xe0\\x9f\\xbf");

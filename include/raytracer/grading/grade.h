@@ -45,8 +45,7 @@ struct GradePlan {
 // the same. Throws Error if a folder cannot be read.
 GradePlan planGrading(const std::string& scenes, const std::string& references);
 
-// Throws Error where a scene names a file that is not there or broken, which no program can be blamed for.
-// What else is wrong with a scene is not told: it may be made for other programs than ours.
+// Throws Error where a scene, or a file that it names, cannot be read: no program can be blamed for that.
 void requireGradable(const GradePlan& plan);
 
 // The outcome of rendering a case. It does not say whether there is a picture.
@@ -76,7 +75,7 @@ CaseRenderer programRenderer(const std::string& command, const ProgramOptions& o
 // Empty where it can be, where only a shell knows, and where "{}" stands for several.
 std::string programFault(const std::string& command);
 
-// The namer of a case's scene; nothing where the scene cannot be read.
+// The namer of a case's scene; nothing where it has another size, or cannot be made.
 using NamerMaker = std::function<std::unique_ptr<MistakeNamer>(const GradeCase& test, const ImageSize& size)>;
 
 struct GradeResult {

@@ -29,8 +29,8 @@ struct GradedSubmission {
     std::size_t rightCount(const Thresholds& thresholds) const;
     const GradeResult& worst() const;
     double seconds() const;  // of running programs
-    // What is wrong with most of the wrong pictures: a mistake, or why there is no picture; empty if nothing
-    // is wrong.
+    // What is wrong with most of the wrong pictures: a mistake, or why there is no picture; and which are
+    // missing. Empty if nothing is wrong.
     std::string fault(const Thresholds& thresholds) const;
     std::string remarks(const Thresholds& thresholds) const;  // the fault, and what else is to be known
 };

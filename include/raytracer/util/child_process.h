@@ -30,7 +30,7 @@ struct ProcessStart {
 std::string signalName(int signal);  // "Segmentation fault"
 
 struct ProcessEnd {
-    enum class Stop { None, Hung, TooSlow, TooManyProcesses };
+    enum class Stop { None, Hung, TooSlow, TooManyProcesses, TooMuchOutput };
 
     int exitStatus = 0;  // as the shell has it; 127: no such program
     int signal = 0;      // that killed it, or 0

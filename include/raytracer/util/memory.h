@@ -7,8 +7,8 @@
 
 namespace raytracer {
 
-// How much the process can still take, and who sets that limit: the least of ulimit -v (RLIMIT_AS), the
-// limits of its control groups (version 1 and 2), and the machine's available memory.
+// How much the process can still take, and who sets that limit: the least of ulimit -v (RLIMIT_AS), ulimit -d
+// (RLIMIT_DATA), the limits of its control groups (version 1 and 2), and the machine's available memory.
 struct MemoryLeft {
     double bytes = 0;
     std::string inWords;  // "ulimit -v leaves 12.3 MB"

@@ -36,8 +36,8 @@ std::string nearbyName(const std::string& folder, std::string_view written);
 // `; there is "NEARBY"`, or nothing. Leaves errno as it is.
 std::string hintAt(const std::string& path);
 
-// Why a folder cannot be read, and where it is missing, which one has a name like its; where it is a file, the
-// file's folder.
+// Why a folder cannot be read, and where it is missing, which one has a name like its; where it is a file,
+// the file's folder.
 Error folderError(const std::string& folder, std::error_code error);
 
 // `; there is no folder "FOLDER"` where errno says that a file cannot be made, for want of its folder; else

@@ -19,6 +19,9 @@ const char* readNumber(const char* begin, const char* end, Number& number) {
 }
 const char* readNumber(const char* begin, const char* end, double& number);
 
+// Whether the whole text is a whole number, which may be too large for any type.
+bool isWholeNumber(std::string_view text);
+
 // The number that the whole text is; a plus may stand before it. Nothing for a whole number that does not
 // fit.
 template <class Number>

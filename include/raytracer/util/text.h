@@ -22,8 +22,12 @@ constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8, without
 // ASCII characters at its beginning (RFC 4627, section 3).
 std::string wideEncoding(std::string_view text);
 
-// The bytes of the character that the text, which is not empty, begins with. 0 where that is a control
-// character (those of U+0080 to U+009F too), no character, or not UTF-8 (RFC 3629).
+// The bytes of the character that the text, which is not empty, begins with; 0 where that is not UTF-8 (RFC
+// 3629).
+std::size_t utf8Bytes(std::string_view text);
+
+// The same, and 0 where that is a control character (those of U+0080 to U+009F too), one that turns the
+// direction of text, or no character.
 std::size_t printableBytes(std::string_view text);
 
 // The text as terminals, tables and pages may show it: what printableBytes refuses becomes \xNN, byte by

@@ -57,6 +57,7 @@ ProcessEnd endOf(const SupervisorReport& report) {
     if (WIFSIGNALED(report.status)) end.signal = WTERMSIG(report.status);
     if (WIFEXITED(report.status)) end.exitStatus = WEXITSTATUS(report.status);
     if (end.exitStatus > 128 && end.exitStatus <= 128 + lastSignal) end.signal = end.exitStatus - 128;
+    if (end.signal == SIGXFSZ) end.stop = ProcessEnd::Stop::TooMuchOutput;
     return end;
 }
 

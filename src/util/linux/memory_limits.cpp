@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <utility>
 
 namespace raytracer {
 namespace {
@@ -54,27 +53,32 @@ double controlGroupLimit() {
     return least;
 }
 
-// Of the process: its addresses, and what of them is in memory.
-std::pair<double, double> usedBytes() {
-    double addresses = 0, resident = 0;
-    std::ifstream("/proc/self/statm") >> addresses >> resident;
+struct UsedBytes {
+    double addresses = 0, resident = 0, data = 0;
+};
+
+// Of the process: its addresses, what of them is in memory, and what of them only it can write to.
+UsedBytes usedBytes() {
+    double addresses = 0, resident = 0, shared = 0, code = 0, libraries = 0, data = 0;
+    std::ifstream("/proc/self/statm") >> addresses >> resident >> shared >> code >> libraries >> data;
     const auto page = static_cast<double>(::sysconf(_SC_PAGESIZE));
-    return {page * addresses, page * resident};
+    return {page * addresses, page * resident, page * data};
 }
 
-double addressLimit() {
+double processLimit(__rlimit_resource resource) {
     rlimit limit{};
-    const bool isSet = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    const bool isSet = ::getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
     return isSet ? static_cast<double>(limit.rlim_cur) : unlimited;
 }
 
 }  // namespace
 
 std::vector<MemoryLeft> memoryLimits() {
-    const auto [addresses, resident] = usedBytes();
+    const UsedBytes used = usedBytes();
     return {{availableBytes(), "the machine has left "},
-            {controlGroupLimit() - resident, "the control group's limit leaves "},
-            {addressLimit() - addresses, "ulimit -v leaves "}};
+            {controlGroupLimit() - used.resident, "the control group's limit leaves "},
+            {processLimit(RLIMIT_AS) - used.addresses, "ulimit -v leaves "},
+            {processLimit(RLIMIT_DATA) - used.data, "ulimit -d leaves "}};
 }
 
 }  // namespace raytracer

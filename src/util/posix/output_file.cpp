@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -31,17 +33,34 @@ bool isInProc(const fs::path& link) {
     return folder.string().starts_with("/proc/");
 }
 
-// What is behind the symbolic links, whether it is there or not; empty where a rename cannot get there.
+// What is behind the symbolic links, whether it is there or not; of an open file its link in /proc, behind
+// which a rename cannot get. Empty where there are too many.
 fs::path behindLinks(fs::path path) {
     constexpr int mostLinks = 40;  // as Linux
     for (int links = 0; links < mostLinks; ++links) {
         std::error_code isNoLink;
         const fs::path next = fs::read_symlink(path, isNoLink);
         if (isNoLink) return path;
-        if (isInProc(path)) return {};
+        if (isInProc(path)) return path;
         path = path.parent_path() / next;
     }
     return {};
+}
+
+// Whether the link in /proc is that of a standard stream of ours which is closed. /dev/null stands in for it
+// (prepareStandardStreams), where what is written would be lost.
+bool isClosedStream(const fs::path& link) {
+    std::error_code error;
+    const fs::path folder = fs::canonical(link.parent_path(), error);
+    const std::string ours = "/proc/" + std::to_string(::getpid()) + "/";
+    if (!folder.string().starts_with(ours) || folder.filename() != "fd") return false;
+    Status null{}, open{};
+    return std::ranges::any_of(std::array{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}, [&](int stream) {
+        const int mode = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+        return link.filename() == std::to_string(stream) && (::fcntl(stream, F_GETFL) & O_ACCMODE) == mode &&
+               ::fstat(stream, &open) == 0 && ::stat("/dev/null", &null) == 0 && S_ISCHR(open.st_mode) &&
+               open.st_rdev == null.st_rdev;
+    });
 }
 
 // Random, since processes in two containers may have the same number. In the target's folder, since a rename
@@ -84,14 +103,18 @@ struct OutputFile::State {
 };
 
 void OutputFile::State::open() {
+    const fs::path behind = behindLinks(name);
+    const bool isClosed = isClosedStream(behind);
+    if (isClosed) errno = EBADF;
+    require(!isClosed);
     Status old{};
     const bool exists = ::stat(name.c_str(), &old) == 0;
     require(exists || errno == ENOENT);
     if (exists) inPlace = Descriptor(::open(name.c_str(), O_WRONLY | O_CLOEXEC));
     require(!exists || inPlace);
     isCut = exists && S_ISREG(old.st_mode);
-    target = behindLinks(name).string();
-    if ((exists && !isCut) || target.empty()) return;
+    if ((exists && !isCut) || behind.empty() || isInProc(behind)) return;
+    target = behind.string();
     openBeside(exists ? S_IRUSR | S_IWUSR : 0666);
     require(beside || exists);
     if (beside && exists && !takeOver(beside.get(), old)) discardBeside();

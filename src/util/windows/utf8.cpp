@@ -32,7 +32,7 @@ std::size_t wideFromUtf8(wchar_t* to, const char* from, std::size_t size, std::m
     if (size < bytes) return incomplete;
     const std::string_view character(from, bytes);
     const bool isAscii = bytes == 1;
-    if (!isAscii && printableBytes(character) != bytes) {
+    if (!isAscii && utf8Bytes(character) != bytes) {
         errno = EILSEQ;
         return wrong;
     }

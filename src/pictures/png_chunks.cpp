@@ -1,0 +1,139 @@
+#include "png_chunks.h"
+
+#include <memory>
+#include <utility>
+
+#include "png_format.h"
+
+namespace raytracer {
+
+std::uint32_t bigEndian(std::string_view bytes) {
+    std::uint32_t number = 0;
+    for (const char byte : bytes.substr(0, 4)) number = number << 8 | static_cast<unsigned char>(byte);
+    return number;
+}
+
+std::string_view typeOf(std::string_view chunk) { return chunk.substr(4, 4); }
+
+namespace {
+
+// A chunk of a PNG: length, type, data of that length, and a CRC of type and data.
+constexpr std::size_t chunkFrame = 12;
+
+// The whole chunk that the text begins with; empty where it is cut short or its checksum is wrong.
+std::string_view firstChunk(std::string_view text) {
+    if (text.size() < chunkFrame) return {};
+    const std::size_t length = bigEndian(text);
+    if (length > text.size() - chunkFrame) return {};
+    const std::uint32_t crc = libdeflate_crc32(0, text.data() + 4, 4 + length);
+    return crc == bigEndian(text.substr(8 + length)) ? text.substr(0, chunkFrame + length)
+                                                     : std::string_view{};
+}
+
+// What the header says, after width and height, and the values that there are.
+struct HeaderField {
+    std::size_t place;
+    const char* name;
+    std::string_view values;
+};
+using namespace std::string_view_literals;
+constexpr HeaderField colorType{17, "colour type", "\0\2\3\4\6"sv};
+constexpr HeaderField otherFields[] = {
+    {18, "compression method", "\0"sv}, {19, "filter method", "\0"sv}, {20, "interlace method", "\0\1"sv}};
+
+HeaderField bitDepth(char ofColorType) {
+    const std::string_view values = "\x10\x8\4\2\1";
+    const bool isGrey = ofColorType == 0, hasPalette = ofColorType == 3;
+    return {16, "bit depth", isGrey ? values : hasPalette ? values.substr(1) : values.substr(0, 2)};
+}
+
+void requireSoundHeader(const FileBytes& file, std::string_view header) {
+    const auto fail = [&](const std::string& name, std::uint32_t value, const char* none) {
+        file.fail("broken PNG picture: its " + name + " is " + std::to_string(value) + ", which " + none +
+                  " has");
+    };
+    const auto require = [&](const HeaderField& field, const char* none) {
+        const char value = header[field.place];
+        if (field.values.find(value) == field.values.npos)
+            fail(field.name, static_cast<unsigned char>(value), none);
+    };
+    for (const auto& [place, name] : {std::pair{8U, "width"}, {12U, "height"}}) {
+        const std::uint32_t size = bigEndian(header.substr(place));
+        if (size == 0 || size >> 31 != 0) fail(name, size, "no PNG");
+    }
+    require(colorType, "no PNG");
+    require(bitDepth(header[colorType.place]), "no PNG of its colour type");
+    for (const HeaderField& field : otherFields) require(field, "no PNG");
+}
+
+void requirePaletteAndPixels(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+    bool hasPalette = !isPaletted(chunks.front());
+    for (const std::string_view chunk : chunks) {
+        const std::size_t size = chunk.size() - chunkFrame;
+        if (typeOf(chunk) == "PLTE" && (size == 0 || size % 3 != 0 || size > std::size_t{3} * 256))
+            file.fail("broken PNG picture: its palette has " + std::to_string(size) +
+                      " bytes, not 3 for each of 1 to 256 colours");
+        if (typeOf(chunk) == "PLTE") hasPalette = true;
+        if (typeOf(chunk) != "IDAT") continue;
+        if (!hasPalette) file.fail("broken PNG picture: it has no palette before its pixels");
+        return;
+    }
+    file.fail("broken PNG picture: it has no pixels (no chunk IDAT)");
+}
+
+// The bytes of the pixels, with one more for each row, and at most twice that where the picture is
+// interlaced.
+std::size_t mostInflated(std::string_view header) {
+    constexpr std::size_t width = 8, height = 12, bitDepth = 16, mostChannels = 4;
+    const std::size_t rowBits =
+        bigEndian(header.substr(width)) * mostChannels * static_cast<std::size_t>(header[bitDepth]);
+    return 2 * bigEndian(header.substr(height)) * (rowBits / 8 + 2);
+}
+
+}  // namespace
+
+int colorTypeOf(std::string_view header) { return header[colorType.place]; }
+
+bool isPaletted(std::string_view header) { return colorTypeOf(header) == 3; }
+
+bool hasDeepTexels(std::string_view header) {
+    constexpr std::size_t bitDepth = 16;
+    return header.size() > bitDepth && header[bitDepth] == 16;
+}
+
+std::vector<std::string_view> readChunks(const FileBytes& file) {
+    std::string_view png = file.text();
+    std::vector<std::string_view> chunks;
+    do {
+        png.remove_prefix(chunks.empty() ? pngSignature.size() : chunks.back().size());
+        chunks.push_back(firstChunk(png));
+        if (chunks.back().empty())
+            file.fail("broken PNG picture: it is cut short, or a checksum in it is wrong");
+        // Apple's own form, which stb takes: its deflate stream has no header, and its colours another order.
+        if (typeOf(chunks.back()) == "CgBI") file.fail("no PNG by the standard, but one made for iOS (CgBI)");
+    } while (typeOf(chunks.back()) != "IEND");
+    constexpr std::size_t headerSize = 13;
+    if (typeOf(chunks.front()) != "IHDR" || chunks.front().size() != chunkFrame + headerSize)
+        file.fail("broken PNG picture: it does not begin with its header");
+    requireSoundHeader(file, chunks.front());
+    requirePaletteAndPixels(file, chunks);
+    return chunks;
+}
+
+std::string deflatedData(const std::vector<std::string_view>& chunks) {
+    std::string deflated;
+    for (const std::string_view chunk : chunks)
+        if (typeOf(chunk) == "IDAT") deflated += chunk.substr(8, chunk.size() - chunkFrame);
+    return deflated;
+}
+
+libdeflate_result inflate(const std::string& deflated, std::string_view header) {
+    std::vector<char> inflated(mostInflated(header));
+    const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
+        libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
+    std::size_t size = 0;
+    return libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
+                                      inflated.size(), &size);
+}
+
+}  // namespace raytracer
