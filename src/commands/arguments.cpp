@@ -43,9 +43,9 @@ void refuseSameOutput(std::span<const std::string> outputs) {
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm) {
     const PixelRectangle band = largestBand(crop, isPfm);
     const std::string pixels = pixelsInWords(band.width(), band.height());
-    if (isPfm) return requireMemory(file, {{pixels, 3 * sizeof(float) * band.area()}});
-    // The rows as they are filtered, and their compressed form.
-    requireMemory(file, {{pixels, 3 * band.area()}, {"the PNG", 6 * band.area()}});
+    if (isPfm) return requireMemory(file, pixels, 3 * sizeof(float) * static_cast<double>(band.area()));
+    // As bytes, as they are filtered, and their compressed form.
+    requireMemory(file, pixels, 9 * static_cast<double>(band.area()));
 }
 
 void addThreads(CommandLine& line, int& threads) {

@@ -24,8 +24,7 @@ void requireMemoryToDecode(const FileBytes& file, std::size_t channelBytes) {
     const auto size = sizeInHeader(file);
     if (!size) return;
     const double channel = static_cast<double>(channelBytes) * size->width * size->height;
-    requireMemory(file.path(),
-                  {{pixelsInWords(size->width, size->height), 3 * channel}, {"decoding them", 12 * channel}});
+    requireMemory(file.path(), pixelsInWords(size->width, size->height), (3 + 12) * channel);
 }
 
 std::string pixelsInWords(int width, int height) {

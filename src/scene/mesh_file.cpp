@@ -73,10 +73,10 @@ void requireUsable(const ObjCounts& whole, const std::string& path) {
         throw Error({path}, "too many vertices: indices have 32 bits");
     // A triangle and its part of the tree (bench/README.md), while the tree is built.
     constexpr double triangleBytes = 80;
-    requireMemory(path, {{std::to_string(whole.triangles) + " triangles",
-                          triangleBytes * static_cast<double>(whole.triangles)},
-                         {"their vertices", 24.0 * static_cast<double>(whole.positions) +
-                                                16.0 * static_cast<double>(whole.texCoords)}});
+    requireMemory(path, std::to_string(whole.triangles) + " triangles",
+                  triangleBytes * static_cast<double>(whole.triangles) +
+                      24.0 * static_cast<double>(whole.positions) +
+                      16.0 * static_cast<double>(whole.texCoords));
 }
 
 }  // namespace

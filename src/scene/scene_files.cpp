@@ -22,9 +22,6 @@ MeshData readMesh(const std::string& file) {
     return mesh;
 }
 
-constexpr const char* aMesh = "an OBJ mesh";
-constexpr const char* aPicture = "a picture";
-
 }  // namespace
 
 SceneFiles::SceneFiles(const std::string& scenePath)
@@ -32,34 +29,33 @@ SceneFiles::SceneFiles(const std::string& scenePath)
 
 // Calls read(file). An Error about the file becomes one about the value of the scene that names it.
 template <class Read>
-auto SceneFiles::readNamed(JsonView path, const std::string& file, const char* expected, Read read) const {
+auto SceneFiles::readNamed(JsonView path, const std::string& file, Read read) const {
     std::error_code unknown;
     if (std::filesystem::status(file, unknown).type() == std::filesystem::file_type::not_found)
         failMissing(path, folder_.string(), file);
     try {
         return read(file);
     } catch (const Error& error) {
-        path.fail(std::string("expected ") + expected + " in " + jsonString(file) + ": " + error.inFile());
+        path.fail("in " + jsonString(file) + ": " + error.inFile());
     }
 }
 
 std::shared_ptr<const MeshData> SceneFiles::mesh(JsonView path) {
     const std::string file = resolve(path);
     std::shared_ptr<const MeshData>& mesh = meshes_[file];
-    if (!mesh) mesh = std::make_shared<MeshData>(readNamed(path, file, aMesh, readMesh));
+    if (!mesh) mesh = std::make_shared<MeshData>(readNamed(path, file, readMesh));
     return mesh;
 }
 
 std::shared_ptr<const Texture> SceneFiles::texture(JsonView path) {
     const std::string file = resolve(path);
     std::shared_ptr<const Texture>& texture = textures_[file];
-    if (!texture) texture = std::make_shared<Texture>(readNamed(path, file, aPicture, readTexture));
+    if (!texture) texture = std::make_shared<Texture>(readNamed(path, file, readTexture));
     return texture;
 }
 
 void SceneFiles::requireTexture(JsonView path) {
-    readNamed(path, resolve(path), aPicture,
-              [](const std::string& file) { FileBytes(file, FileKind::Regular); });
+    readNamed(path, resolve(path), [](const std::string& file) { FileBytes(file, FileKind::Regular); });
 }
 
 // The operating system would read a path only up to a NUL.

@@ -30,7 +30,7 @@ class SceneFiles {
   private:
     std::string resolve(JsonView path);
     template <class Read>
-    auto readNamed(JsonView path, const std::string& file, const char* expected, Read read) const;
+    auto readNamed(JsonView path, const std::string& file, Read read) const;
 
     std::filesystem::path folder_;
     std::set<std::string> names_;

@@ -50,7 +50,7 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
 
 // The file may have no end.
 void FileBytes::resize(std::size_t size) {
-    requireMemory(path_, {{"what is in it", static_cast<double>(size)}});
+    requireMemory(path_, "what is in it", static_cast<double>(size));
     bytes_.resize(size);
 }
 

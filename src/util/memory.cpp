@@ -31,14 +31,10 @@ bool hasMemory(double bytes) {
     return bytes <= little || bytes <= memoryLeft().bytes;
 }
 
-void requireMemory(const std::string& file, std::initializer_list<MemoryNeed> needs) {
-    double all = 0;
-    std::string words;
-    for (const MemoryNeed& need : needs) {
-        all += need.bytes;
-        words += (words.empty() ? "" : " and ") + need.what + " (" + inBytes(need.bytes) + ")";
-    }
-    if (!hasMemory(all)) throw Error({file}, "not enough memory for " + words + ": " + memoryLeft().inWords);
+void requireMemory(const std::string& file, const std::string& what, double bytes) {
+    if (hasMemory(bytes)) return;
+    throw Error({file},
+                "not enough memory for " + what + " (" + inBytes(bytes) + "): " + memoryLeft().inWords);
 }
 
 }  // namespace raytracer

@@ -27,8 +27,7 @@ VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
 # How the loader begins what a schema cannot know.
 SEMANTIC = ("no material named", "no transform named", "no texture named", "the name ",
             "expected a transform that has an inverse", "expected a number other than film_",
-            "expected another direction than look's", "expected an OBJ mesh in", "expected a picture in",
-            "no file ",
+            "expected another direction than look's", "in \"", "no file ",
             "expected each key once", "expected a finite number")
 
 # How advice on a scene begins that is in order otherwise, and none of the schema's business.

@@ -2,7 +2,6 @@
 // it all the same, and kills the process when it is used.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 
 namespace raytracer {
@@ -16,13 +15,8 @@ struct MemoryLeft {
 MemoryLeft memoryLeft();
 bool hasMemory(double bytes);
 
-struct MemoryNeed {
-    std::string what;  // "18000 × 18000 pixels"
-    double bytes = 0;
-};
-
-// Throws Error, about `file`, where there is not enough for all of them: "not enough memory for
-// 18000 × 18000 pixels (972 MB) and the PNG (1.94 GB): ulimit -v leaves 12.3 MB".
-void requireMemory(const std::string& file, std::initializer_list<MemoryNeed> needs);
+// Throws Error, about `file`, where there is not enough: "not enough memory for 18000 × 18000 pixels (972
+// MB): ulimit -v leaves 12.3 MB".
+void requireMemory(const std::string& file, const std::string& what, double bytes);
 
 }  // namespace raytracer
