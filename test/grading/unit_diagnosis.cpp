@@ -303,7 +303,7 @@ TEST_CASE("mistakes: settings of a picture that is right otherwise") {
         return nameOf(one, bytesOf(one, edge, Precision::Double, change));
     };
     for (const auto& [bounces, said] : {std::pair{1, "1"}, {5, "5"}, {6, "6"}, {8, "8 or more"}})
-        CHECK_THAT(named(scene, [=](RenderOptions& options) { options.max_recursion = bounces; }),
+        CHECK_THAT(named(scene, [depth = bounces](RenderOptions& options) { options.max_recursion = depth; }),
                    Contains(formatted("with max_recursion %s instead of 3", said)));
     CHECK(named(textured, [](RenderOptions& options) { options.bilinear = true; }) ==
           "with bilinear texture look-ups");
