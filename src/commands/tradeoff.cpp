@@ -55,10 +55,11 @@ struct TradeoffArguments {
 // The other commands have a picture and a size behind the scene.
 void requireScenes(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
-        const std::string alone = inQuotes(name) + " is no scene: tradeoff takes scenes alone; ";
-        if (numberOf<int>(name) && !std::filesystem::exists(name))
-            throw usageError(alone + "write --size " + name);
-        if (endsIn(name, ".png") || endsIn(name, ".pfm")) throw usageError(alone + "--out names a folder");
+        std::string remedy;
+        if (numberOf<int>(name) && !std::filesystem::exists(name)) remedy = "write --size " + name;
+        if (endsIn(name, ".png") || endsIn(name, ".pfm")) remedy = "--out names a folder";
+        if (remedy.empty()) continue;
+        throw usageError(inQuotes(name) + " is no scene: tradeoff takes scenes alone; " + remedy);
     }
 }
 

@@ -113,14 +113,15 @@ bool isSharp(const Scene& scene) {
     const RenderOptions options;
     RenderCounts counts;
     const RenderContext context{&options, nullptr, &counts};
-    for (int i = 0; i < rays * rays; ++i) {
-        const Real x = static_cast<Real>(i % rays) + Real(0.5), y = static_cast<Real>(i / rays) + Real(0.5);
-        const Ray ray = scene.camera.getRay(scene.camera.getPixelUV(x, y, rays, rays));
-        const Intersection hit = scene.closestIntersection(ray, context);
-        if (!hit.valid) continue;
-        const Real most = mostPositionError * viewingDistance(scene, ray, hit.position);
-        if (maxComponent(hit.positionError) > most || !isPlaced(ray, hit)) return false;
-    }
+    for (int y = 0; y < rays; ++y)
+        for (int x = 0; x < rays; ++x) {
+            const Vec2 centre(static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5));
+            const Ray ray = scene.camera.getRay(scene.camera.getPixelUV(centre.x, centre.y, rays, rays));
+            const Intersection hit = scene.closestIntersection(ray, context);
+            if (!hit.valid) continue;
+            const Real most = mostPositionError * viewingDistance(scene, ray, hit.position);
+            if (maxComponent(hit.positionError) > most || !isPlaced(ray, hit)) return false;
+        }
     return true;
 }
 
