@@ -79,10 +79,12 @@ fs::path nearbyFolder(const fs::path& path) {
     return nearest.found() ? above / nearest.name() : fs::path();
 }
 
-// The last `count` names of a path.
+// The last `count` names of a path. Its iterators only go forward (libc++).
 fs::path lastNames(const fs::path& path, std::ptrdiff_t count) {
     fs::path last;
-    for (auto name = std::prev(path.end(), count); name != path.end(); ++name) last /= *name;
+    auto left = std::distance(path.begin(), path.end());
+    for (const fs::path& name : path)
+        if (left-- <= count) last /= name;
     return last;
 }
 
