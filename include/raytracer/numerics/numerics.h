@@ -71,10 +71,10 @@ inline constexpr Real farSquared = powerOfTwo(std::numeric_limits<Real>::digits 
 // From this squared distance on, the rounding error of a move to the shape takes half of its digits.
 inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits);
 
-// A camera that is this many sizes of the shapes away sees them to within 1/4096 of that size.
-inline constexpr Real farthestEye = powerOfTwo(std::numeric_limits<Real>::digits - 12);
 // The most that a hit may be wrong by, of its distance from the eye and from the lights.
 inline constexpr Real mostPositionError = 1 / powerOfTwo(12);
+// A camera that is this many sizes of the shapes away sees them to within that part of their size.
+inline constexpr Real farthestEye = powerOfTwo(std::numeric_limits<Real>::digits) * mostPositionError;
 // What a scene's numbers may be for Real to see it (buildScene). From the finest unit of a shape to the
 // farthest point, so that the rounding error of a coordinate in either is a normal number; lengths that are
 // squared are checked where they are (isSafeSquare). The brightest colour, so that an eighth of the
