@@ -29,6 +29,7 @@ NamedMistake nameOf(const Candidate& candidate) {
     name.sampled = candidate.fit.sampled;
     name.unknown = candidate.fit.unknown;
     name.off = candidate.fit.off;
+    name.rounded = candidate.fit.rounded;
     return name;
 }
 
@@ -133,13 +134,18 @@ std::string likenessInWords(const NamedMistake& mistake, const Diagnosis& diagno
     if (!mistake.off)
         return "is, in the " + inDigits(mistake.sampled) + " pixels looked at" +
                (mistake.unknown > 0 ? ", none of which shows glass" : "") + ", the picture ";
-    if (*mistake.off > 0) return "is, but for " + inDigits(*mistake.off) + " of " + pixels + ", the picture ";
-    return "equals the picture ";
+    std::vector<std::string> but;
+    if (*mistake.off > 0) but.push_back(inDigits(*mistake.off) + " of " + pixels);
+    if (mistake.rounded > 0)
+        but.push_back(inDigits(mistake.rounded) + " of " + pixels + " that rounding decides");
+    if (but.empty()) return "equals the picture ";
+    return "is, but for " + listed(but, "and") + ", the picture ";
 }
 
 std::string differenceInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
     const std::string of = " of " + inDigits(diagnosis.pixels), wrong = inDigits(diagnosis.wrong);
-    if (mistake.off == 0U) return " (0" + of + " pixels differ; " + wrong + " differ from the right one)";
+    if (mistake.off == 0U && mistake.rounded == 0)
+        return " (0" + of + " pixels differ; " + wrong + " differ from the right one)";
     return " (" + wrong + of + " pixels differ from the right one)";
 }
 

@@ -69,6 +69,7 @@ struct Mistake {
     std::function<glm::dvec3(const glm::dvec3&)> color = {};
     ToByte toByte = nullptr;
     bool alone = false;                    // not looked for together with another
+    bool moves = false;                    // shapes: onto others, or onto the eye
     std::vector<glm::dvec2> samples = {};  // whose mean a pixel is: how far into it; empty: its centre
 };
 

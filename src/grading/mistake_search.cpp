@@ -48,7 +48,7 @@ class Search {
     const Candidates& bestSingles() {
         constexpr double least = 0.3;  // by the first sample
         for (const auto& single : known_.singles) {
-            const Fit fit = fitTo(some_, *single);
+            const Fit fit = fitTo(some_, *single, single->mistakes()[0]->moves);
             alone_.push_back(fit.explained);
             if (fit.explained >= least) singles_.push_back({single, fit});
         }
@@ -108,7 +108,7 @@ class Search {
     // The best of them, each held against more pixels.
     Candidates refitted(Candidates candidates) const {
         keepBest(candidates, 16, [](const Candidate& c) { return c.fit.explained; });
-        for (Candidate& candidate : candidates) candidate.fit = fitTo(many_, *candidate.variant);
+        for (Candidate& candidate : candidates) candidate.fit = fitTo(many_, *candidate.variant, true);
         keepBest(candidates, 6, netOf);
         return candidates;
     }
@@ -128,9 +128,9 @@ class Search {
         keepBest(candidates, candidates.size(), netOf);
         std::erase_if(candidates,
                       [&](const Candidate& c) { return netOf(c) < netOf(candidates.front()) - equallyWell; });
-        const auto isExact = [](const Candidate& c) { return c.fit.off == 0U; };
+        const auto isExact = [](const Candidate& c) { return c.fit.isExact(); };
         if (std::ranges::any_of(candidates, isExact))
-            std::erase_if(candidates, [](const Candidate& c) { return c.fit.unknown > 0; });
+            std::erase_if(candidates, [](const Candidate& c) { return c.fit.unknown + c.fit.rounded > 0; });
         return candidates;
     }
 
@@ -141,8 +141,8 @@ class Search {
             candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(count), candidates.end());
     }
 
-    Fit fitTo(Sample& sample, Variant& variant) const {
-        return fitOfSome(picture_, known_.right, sample, variant);
+    Fit fitTo(Sample& sample, Variant& variant, bool anyRounding = false) const {
+        return fitOfSome(picture_, known_.right, sample, variant, anyRounding);
     }
 
     const KnownVariants& known_;

@@ -134,6 +134,7 @@ bool canTurn(const CameraDescription& camera) {
 }  // namespace
 
 void addTransformMistakes(std::vector<Mistake>& mistakes) {
+    const std::size_t first = mistakes.size();
     mistakes.push_back({"whose rotations take degrees as radians",
                         "Is glm::radians(degrees) passed to glm::rotate?", "rotation",
                         ofTransforms([](TransformDescription& transform) {
@@ -159,6 +160,7 @@ void addTransformMistakes(std::vector<Mistake>& mistakes) {
                  wordOf(order[2]),
              "The transform is translate * rotate * scale: a point is scaled first.", "order",
              ofTransforms([=](TransformDescription& transform) { reorder(transform, order); })});
+    for (std::size_t i = first; i < mistakes.size(); ++i) mistakes[i].moves = true;
 }
 
 // Turned pictures before rays through corners: those are corners of the picture's pixels as it is shown.

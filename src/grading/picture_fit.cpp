@@ -19,13 +19,27 @@ std::vector<std::size_t> someOf(std::vector<std::size_t> all, std::size_t count)
     return all;
 }
 
-// An equal pixel counts 1. One that is off by 1 is rounding, unless all are.
-double likeness(const std::uint8_t* picture, const std::uint8_t* right, const Rgb& variant) {
-    constexpr double offByOne = 0.8;
-    const int off = largestDifference(picture, variant.data());
-    if (off == 0) return 1;
-    return off == 1 && largestDifference(picture, right) > 2 ? offByOne : 0;
-}
+// A pixel of a picture, and which of several colours is most like it.
+class Likest {
+  public:
+    Likest(const std::uint8_t* picture, const std::uint8_t* right) : picture_(picture), right_(right) {}
+
+    void add(const std::uint8_t* color) { off_ = std::min(off_, largestDifference(picture_, color)); }
+    bool isKnown() const { return off_ <= 255; }
+    bool isEqual() const { return off_ == 0; }
+    bool isOff() const { return off_ > 1; }
+
+    // An equal pixel counts 1. One that is off by 1 is rounding, unless all are.
+    double likeness() const {
+        constexpr double offByOne = 0.8;
+        if (off_ == 0) return 1;
+        return off_ == 1 && largestDifference(picture_, right_) > 2 ? offByOne : 0;
+    }
+
+  private:
+    const std::uint8_t *picture_, *right_;
+    int off_ = 256;
+};
 
 }  // namespace
 
@@ -54,38 +68,52 @@ Sample::Sample(const SplitPixels& split, std::size_t wrong, std::size_t right, i
                     static_cast<double>(std::max<std::size_t>(1, split.wrongPixels.size()));
 }
 
-Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant) {
-    const auto bytes = variant.bytes(sample.pixels, sample.trees);
+Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant,
+              bool anyRounding) {
+    std::vector<std::vector<std::optional<Rgb>>> takes;
+    takes.push_back(variant.bytes(sample.pixels, sample.trees));
+    if (anyRounding && variant.isPicture())
+        for (Variant& other : variant.otherRoundings())
+            takes.push_back(other.bytes(sample.pixels, sample.trees));
     double wrong = 0, explained = 0, rights = 0, contradicted = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        if (!bytes[i]) continue;
-        const std::uint8_t* pixel = at(picture, sample.numbers[i]);
+    for (std::size_t i = 0; i < sample.pixels.size(); ++i) {
+        const std::size_t number = sample.numbers[i];
+        Likest likest(at(picture, number), at(right, number));
+        for (const auto& bytes : takes)
+            if (bytes[i]) likest.add(bytes[i]->data());
+        if (!likest.isKnown()) continue;
         (i < sample.wrongCount ? wrong : rights) += 1;
-        if (i < sample.wrongCount) explained += likeness(pixel, at(right, sample.numbers[i]), *bytes[i]);
-        else contradicted += largestDifference(pixel, bytes[i]->data()) > 1;
+        if (i < sample.wrongCount) explained += likest.likeness();
+        else contradicted += likest.isOff();
     }
     constexpr double leastKnown = 0.25;  // of the wrong pixels
     if (wrong < leastKnown * static_cast<double>(sample.wrongCount)) return {};
-    const auto unknown =
-        static_cast<std::size_t>(std::ranges::count_if(bytes, [](const auto& pixel) { return !pixel; }));
-    return {explained / wrong, rights > 0 ? contradicted / rights * sample.rightsOfWrong : 0,
-            bytes.size() - unknown, unknown};
+    const auto known = static_cast<std::size_t>(wrong + rights);
+    return {explained / wrong, rights > 0 ? contradicted / rights * sample.rightsOfWrong : 0, known,
+            sample.pixels.size() - known};
 }
 
 Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels& split, Variant& variant) {
-    const ByteImage whole = variant.picture();
-    double explained = 0, contradicted = 0;
-    for (const std::size_t i : split.wrongPixels) {
-        const std::uint8_t* made = at(whole, i);
-        explained += likeness(at(picture, i), at(right, i), {made[0], made[1], made[2]});
+    std::vector<ByteImage> takes;
+    takes.push_back(variant.picture());
+    if (takes.front().pixels != picture.pixels)
+        for (Variant& other : variant.otherRoundings()) takes.push_back(other.picture());
+    const auto likestOf = [&](std::size_t pixel) {
+        Likest likest(at(picture, pixel), at(right, pixel));
+        for (const ByteImage& take : takes) likest.add(at(take, pixel));
+        return likest;
+    };
+    const std::size_t pixels = picture.pixels.size() / 3;
+    std::uint64_t differing = 0, off = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        differing += largestDifference(at(picture, i), at(takes.front(), i)) > 0;
+        off += !likestOf(i).isEqual();
     }
-    for (const std::size_t i : split.rightPixels)
-        contradicted += largestDifference(at(picture, i), at(whole, i)) > 1;
-    std::uint64_t off = 0;
-    for (std::size_t i = 0; i < whole.pixels.size() / 3; ++i)
-        off += largestDifference(at(picture, i), at(whole, i)) != 0;
+    double explained = 0, contradicted = 0;
+    for (const std::size_t i : split.wrongPixels) explained += likestOf(i).likeness();
+    for (const std::size_t i : split.rightPixels) contradicted += likestOf(i).isOff();
     const auto wrong = static_cast<double>(split.wrongPixels.size());
-    return {explained / wrong, contradicted / wrong, whole.pixels.size() / 3, 0, off};
+    return {explained / wrong, contradicted / wrong, pixels, 0, off, differing - off};
 }
 
 SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
@@ -96,8 +124,9 @@ SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const Byte
     left.wrongPixels.clear();
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const std::size_t pixel = dense.numbers[i];
-        if (bytes[i] && likeness(at(picture, pixel), at(right, pixel), *bytes[i]) < 1)
-            left.wrongPixels.push_back(pixel);
+        Likest likest(at(picture, pixel), at(right, pixel));
+        if (bytes[i]) likest.add(bytes[i]->data());
+        if (likest.likeness() < 1) left.wrongPixels.push_back(pixel);
     }
     return left;
 }

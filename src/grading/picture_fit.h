@@ -38,17 +38,20 @@ struct Fit {
     double contradicted = 0;  // right pixels that the variant has wrong, as a share of the wrong ones
     std::size_t sampled = 0;  // pixels
     std::size_t unknown = 0;  // more of them, of which the variant does not tell
-    std::optional<std::uint64_t> off = {};  // of the whole picture
+    std::optional<std::uint64_t> off = {};  // as in NamedMistake
+    std::uint64_t rounded = 0;
+    bool isExact() const { return off == 0U && rounded == 0; }
     double net() const { return explained - contradicted; }
 };
 
-// By the pixels of the sample.
-Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant);
+// By the pixels of the sample. With `anyRounding`, a pixel may be as one of the variant's other roundings.
+Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant,
+              bool anyRounding = false);
 
-// By all pixels.
+// By all pixels, with any rounding.
 Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels& split, Variant& variant);
 
-// Of some wrong pixels, those that the variant does not explain.
+// Of some wrong pixels, those that the variant does not explain, or does not tell of.
 SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
                           const SplitPixels& split);
 

@@ -9,6 +9,28 @@
 
 namespace raytracer {
 
+namespace {
+
+void moveEye(CameraDescription& camera, double way) {
+    constexpr double littleMore = 1e-9;  // than rounding; no byte of an eye in free space changes
+    const double size = glm::length(camera.eye) + std::abs(camera.focal_length);
+    camera.eye += way * littleMore * size * glm::dvec3(1);
+}
+
+// Edits for Variant::otherRoundings.
+const Mistake roundings[] = {{.what = "",
+                              .hint = "",
+                              .edit =
+                                  [](SceneDescription& scene, RenderOptions&) {
+                                      std::ranges::reverse(scene.shapes);
+                                      moveEye(scene.camera, 1);
+                                  }},
+                             {.what = "", .hint = "", .edit = [](SceneDescription& scene, RenderOptions&) {
+                                  moveEye(scene.camera, -1);
+                              }}};
+
+}  // namespace
+
 RenderedScene::RenderedScene(SceneDescription scene, const RenderOptions& options)
     : scene_(std::move(scene)),
       options_(options),
@@ -128,6 +150,16 @@ ByteImage Variant::picture() {
     for (const glm::dvec3& color : sink.colors())
         for (const std::uint8_t byte : toBytes(color)) image.pixels.push_back(byte);
     return image;
+}
+
+std::vector<Variant>& Variant::otherRoundings() {
+    if (otherRoundings_.empty())
+        for (const Mistake& rounding : roundings) {
+            std::vector<const Mistake*> both = mistakes_;
+            both.push_back(&rounding);
+            otherRoundings_.emplace_back(std::move(both), right_);
+        }
+    return otherRoundings_;
 }
 
 }  // namespace raytracer

@@ -52,6 +52,10 @@ class Variant {
 
     ByteImage picture();  // isPicture
 
+    // isPicture: the same mistakes where rounding decides otherwise which of two surfaces in one place is
+    // nearer, and whether an eye sees the surface that it lies on.
+    std::vector<Variant>& otherRoundings();
+
   private:
     const std::shared_ptr<RenderedScene>& madeScene();
     std::vector<glm::dvec3> colorsOf(const Pixels& pixels);  // none where the rays are too many
@@ -61,6 +65,7 @@ class Variant {
     std::vector<const Mistake*> mistakes_;
     std::shared_ptr<RenderedScene> right_, made_;
     Formula formula_;
+    std::vector<Variant> otherRoundings_;
 };
 
 }  // namespace raytracer

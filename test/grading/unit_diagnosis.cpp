@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "../support/described.h"
+#include "../tracer/plain_tracer.h"
 #include "raytracer/grading/diagnosis.h"
 #include "raytracer/grading/grade.h"
 #include "raytracer/pictures/color_sink.h"
@@ -327,6 +328,36 @@ TEST_CASE("mistakes: specks that shadows or mirrors make are acne, others have n
         nameOf(scene, withSpecks(scene, [](const RayExplanation& ray) { return 0.5 * ray.color; })).empty());
 }
 
+// Turned the wrong way, the cone's and the cylinder's bases lie in the floor, and each program shows another
+// one of the two. In the other order, walls stand where the eye is.
+TEST_CASE("mistakes: what rounding decides in the wrong picture does not hide the mistake") {
+    const auto plainly = [](const SceneDescription& scene) { return plain::Tracer(scene).render(edge); };
+    for (const char* name : {"cone_cube", "camera_test1"}) {
+        CAPTURE(name);
+        const SceneDescription scene = courseScene(name);
+        SceneDescription turned = scene;
+        for (TransformDescription& transform : turned.transforms)
+            if (transform.rotate) transform.rotate->degrees = -transform.rotate->degrees;
+        const Diagnosis diagnosis = MistakeNamer(scene, wholePicture(scene, edge)).diagnose(plainly(turned));
+        CHECK(diagnosis.names() == "whose rotations go in the other sense");
+        CHECK_THAT(diagnosis.sentence(), Contains("pixels that rounding decides, the picture"));
+    }
+    const SceneDescription scene = courseScene("refraction");
+    SceneDescription reordered = scene;
+    for (TransformDescription& transform : reordered.transforms) {
+        glm::dmat4 matrix(1);
+        if (transform.rotate)
+            matrix = glm::rotate(matrix, glm::radians(transform.rotate->degrees), transform.rotate->axis);
+        if (transform.translate) matrix = glm::translate(matrix, *transform.translate);
+        if (transform.scale) matrix = glm::scale(matrix, *transform.scale);
+        transform.translate.reset();
+        transform.rotate = {};
+        transform.scale.reset();
+        transform.matrix = matrix;
+    }
+    CHECK_THAT(nameOf(scene, plainly(reordered)), Contains("transforms are rotate * translate * scale"));
+}
+
 TEST_CASE("mistakes: few pixels that are off by one are rounding") {
     const SceneDescription scene = courseScene("spheres_cylinder");
     ByteImage picture = bytesOf(scene, edge);
@@ -347,6 +378,10 @@ TEST_CASE("mistakes: what is said of a picture that is another one but for some 
     CHECK(diagnosis.sentence() ==
           "is, but for 6 of 3600 pixels, the picture without shadows (500 of 3600 "
           "pixels differ from the right one)");
+    mistake.rounded = 20;
+    CHECK(diagnosis.sentence() ==
+          "is, but for 6 of 3600 pixels and 20 of 3600 pixels that rounding decides, the picture without "
+          "shadows (500 of 3600 pixels differ from the right one)");
     mistake.off.reset();
     mistake.sampled = 640;
     CHECK(diagnosis.sentence() ==

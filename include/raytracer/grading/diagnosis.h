@@ -20,8 +20,11 @@ struct NamedMistake {
     double explained = 0;     // the share of the wrong pixels that have the bytes which the mistake makes
     std::size_t sampled = 0;  // pixels that the share was measured on
     std::size_t unknown = 0;  // more of them, of which it is not known what the mistake makes: glass
-    // Of the whole picture, where it was made: those that differ all the same.
+    // Of the whole picture, where it was made: those that differ all the same, whatever rounding decides.
     std::optional<std::uint64_t> off{};
+    // Those that would not differ if rounding decided otherwise which of two surfaces in one place is nearer,
+    // or whether an eye sees the surface that it lies on.
+    std::uint64_t rounded = 0;
 };
 
 struct Diagnosis {
@@ -32,8 +35,9 @@ struct Diagnosis {
     // "without specular light", or "A, or B"; empty without a name.
     std::string names() const;
     // "equals the picture without specular light (0 of 360000 pixels differ; 41022 differ from the right
-    // one)", "is, but for 6 of 360000 pixels, the picture ..." or "is wrong: 93 % of its 41022 wrong pixels
-    // are as in the picture ..."; empty without a name.
+    // one)", "is, but for 6 of 360000 pixels, the picture ...", "is, but for 6 of 360000 pixels that rounding
+    // decides, the picture ..." or "is wrong: 99 % of its 41022 wrong pixels are as in the picture ...";
+    // empty without a name.
     std::string sentence() const;
 };
 
