@@ -20,51 +20,58 @@ namespace {
 
 namespace files = std::filesystem;
 
-// Where a picture was found, or why not.
+// Where a picture was found, or a file that may be meant instead; relative to the submission's folder.
 struct FoundPicture {
-    std::string path, note;
+    std::string path, note, instead;
 };
 
-// The PNG files beneath a folder, by name; of each name the nearest to the top first, then by path.
-using PicturesByName = std::map<std::string, std::vector<std::pair<int, std::string>>>;
+// The files beneath a folder, by name in small letters: PNG files with their ending, others without; of each
+// name the nearest to the top first, then by path.
+using FilesByName = std::map<std::string, std::vector<std::pair<int, files::path>>>;
 
-PicturesByName picturesBeneath(const std::string& folder) {
-    PicturesByName pictures;
+FilesByName filesBeneath(const std::string& folder) {
+    FilesByName found;
     std::error_code error;
     files::recursive_directory_iterator entry(folder, files::directory_options::skip_permission_denied,
                                               error);
     for (const files::recursive_directory_iterator end; !error && entry != end; entry.increment(error))
-        if (entry->path().extension() == ".png" &&
-            entry->symlink_status(error).type() == files::file_type::regular)
-            pictures[entry->path().filename().string()].emplace_back(entry.depth(), entry->path().string());
-    for (auto& [name, places] : pictures) std::ranges::sort(places);
-    return pictures;
+        if (entry->symlink_status(error).type() == files::file_type::regular) {
+            const files::path& path = entry->path();
+            const files::path name = endsIn(path.string(), ".png") ? path.filename() : path.stem();
+            found[inLowerCase(name.string())].emplace_back(entry.depth(), path.lexically_relative(folder));
+        }
+    for (auto& [name, places] : found) std::ranges::sort(places);
+    return found;
 }
 
-// A reference X-raytracing.png is matched by X.png, too.
+// A reference X-raytracing.png is matched by X.png, too. Without the ending.
 std::vector<std::string> fileNames(const GradeCase& test) {
-    std::vector<std::string> names{test.name + ".png"};
+    std::vector<std::string> names{test.name};
     const std::string ending = "-" + std::string(completeStage().name);
-    if (test.name.ends_with(ending))
-        names.push_back(test.name.substr(0, test.name.size() - ending.size()) + ".png");
+    if (test.name.ends_with(ending)) names.push_back(test.name.substr(0, test.name.size() - ending.size()));
     return names;
 }
 
-FoundPicture findPicture(const Submission& submission, const PicturesByName& pictures,
-                         const GradeCase& test) {
-    for (const std::string& name : fileNames(test)) {
-        const auto known = pictures.find(name);
-        if (known == pictures.end()) continue;
-        const auto& places = known->second;
-        const auto inside = [&](std::size_t i) {
-            return files::path(places[i].second).lexically_relative(submission.folder).string();
-        };
-        const bool isDoubled = places.size() > 1 && places[1].first == places[0].first;
-        return {places[0].second,
-                isDoubled ? name + " is there twice: " + inside(0) + " counts, not " + inside(1) : ""};
-    }
-    return {};
+// What is odd about the picture that counts for this name, the first.
+std::string noteOn(const std::string& name, const FilesByName::mapped_type& places) {
+    const auto inside = [&](std::size_t i) { return places[i].second.string(); };
+    if (places.size() > 1 && places[1].first == places[0].first)
+        return name + " is there twice: " + inside(0) + " counts, not " + inside(1);
+    return places[0].second.filename() == name ? "" : inside(0) + " counts as " + name;
 }
+
+FoundPicture findPicture(const FilesByName& files, const GradeCase& test) {
+    FoundPicture found;
+    for (const std::string& name : fileNames(test)) {
+        const std::string png = name + ".png";
+        const auto known = files.find(inLowerCase(png)), other = files.find(inLowerCase(name));
+        if (known != files.end()) return {known->second[0].second.string(), noteOn(png, known->second), ""};
+        if (other != files.end() && found.instead.empty()) found.instead = other->second[0].second.string();
+    }
+    return found;
+}
+
+std::string thereIs(const std::string& file) { return file.empty() ? "" : ", but " + file + " is there"; }
 
 std::string commandOf(std::string program, const Submission& submission) {
     const std::string folder = inShellQuotes(submission.folder);
@@ -95,11 +102,12 @@ class ClassGrading {
 
     void findPictures() {
         for (std::size_t s = 0; s < submissions_.size(); ++s) {
-            const PicturesByName pictures = picturesBeneath(submissions_[s].folder);
+            const Submission& submission = submissions_[s];
+            const FilesByName files = filesBeneath(submission.folder);
             for (std::size_t c = 0; c < plan_.cases.size(); ++c) {
-                const FoundPicture found = findPicture(submissions_[s], pictures, plan_.cases[c]);
-                path(s, c) = found.path;
-                take(graded_[s].results[c], found, submissions_[s]);
+                const FoundPicture found = findPicture(files, plan_.cases[c]);
+                take(graded_[s].results[c], found, submission);
+                if (!found.path.empty()) path(s, c) = (files::path(submission.folder) / found.path).string();
             }
         }
     }
@@ -137,10 +145,10 @@ class ClassGrading {
     static void take(GradeResult& result, const FoundPicture& found, const Submission& submission) {
         result.note = found.note;
         result.isMissing = found.path.empty();
-        if (result.isMissing) result.message = "no picture " + result.test.name + ".png";
-        else
-            result.path =
-                (submission.given / files::path(found.path).lexically_relative(submission.folder)).string();
+        result.instead = found.instead;
+        if (result.isMissing)
+            result.message = "no picture " + result.test.name + ".png" + thereIs(found.instead);
+        else result.path = (submission.given / files::path(found.path)).string();
     }
 
     std::string& path(std::size_t submission, std::size_t test) {
@@ -217,7 +225,7 @@ double GradedSubmission::seconds() const {
 
 namespace {
 
-// "a, b and 3 more are missing"; empty where none is.
+// "a, b and 3 more are missing, but a.jpg is there"; empty where none is.
 std::string missingPictures(const std::vector<GradeResult>& results) {
     constexpr std::size_t most = 3;  // parts of the list: names, the last for all that are left
     std::vector<std::string> names;
@@ -225,11 +233,13 @@ std::string missingPictures(const std::vector<GradeResult>& results) {
         if (result.isMissing) names.push_back(result.test.name);
     if (names.empty()) return {};
     const std::size_t count = names.size();
+    const auto instead = std::ranges::find_if_not(results, &std::string::empty, &GradeResult::instead);
     if (count > most) {
         names.resize(most - 1);
         names.push_back(std::to_string(count - names.size()) + " more");
     }
-    return listed(names, "and") + (count == 1 ? " is missing" : " are missing");
+    return listed(names, "and") + (count == 1 ? " is missing" : " are missing") +
+           (instead == results.end() ? "" : thereIs(instead->instead));
 }
 
 // A picture that several mistakes explain counts for each of them: what explains the others too is the one.
@@ -258,7 +268,8 @@ std::string mistakeOfMost(const std::vector<GradeResult>& results, const Thresho
 }  // namespace
 
 std::string GradedSubmission::fault(const Thresholds& thresholds) const {
-    if (!results.empty() && std::ranges::all_of(results, &GradeResult::isMissing)) return "nothing handed in";
+    const auto isNowhere = [](const GradeResult& r) { return r.isMissing && r.instead.empty(); };
+    if (!results.empty() && std::ranges::all_of(results, isNowhere)) return "nothing handed in";
     const std::string mistake = mistakeOfMost(results, thresholds), missing = missingPictures(results);
     return mistake + (mistake.empty() || missing.empty() ? "" : "; ") + missing;
 }

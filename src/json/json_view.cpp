@@ -5,6 +5,7 @@
 #include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/nearest_name.h"
+#include "raytracer/util/text.h"
 #include "word_mistake.h"
 
 namespace raytracer {

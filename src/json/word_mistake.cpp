@@ -74,12 +74,6 @@ unsigned invisible(std::string_view text) {
 
 }  // namespace
 
-std::string inLowerCase(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    return lower;
-}
-
 bool isHexColor(std::string_view word) {
     return (word.size() == 4 || word.size() == 7) && word[0] == '#' &&
            std::ranges::all_of(word.substr(1), [](unsigned char c) { return std::isxdigit(c); });

@@ -8,8 +8,6 @@ namespace raytracer {
 
 bool isDigitAt(std::string_view text, std::size_t at);
 
-std::string inLowerCase(std::string_view text);
-
 // #fff, #ff8000: as other programs write colors.
 bool isHexColor(std::string_view word);
 std::string aboutHexColor(std::string_view color);

@@ -192,10 +192,14 @@ std::string wrapped(std::string_view text, std::size_t columns, std::size_t inde
     return lines;
 }
 
+std::string inLowerCase(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    return lower;
+}
+
 bool endsIn(std::string_view name, std::string_view ending) {
-    const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-    return name.size() >= ending.size() &&
-           std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending), same);
+    return inLowerCase(name).ends_with(inLowerCase(ending));
 }
 
 }  // namespace raytracer

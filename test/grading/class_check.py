@@ -190,13 +190,17 @@ def check_pictures(raytracer, folder):
 
 
 def check_odd(raytracer, folder):
-    """Nothing handed in, some missing, one that is there twice, a name of more bytes than characters."""
+    """Nothing handed in, some missing, one that is there twice, names in capitals, pictures of another type,
+    a name of more bytes than characters."""
     right = folder / "pictures/right_1"
-    for name in ("none", "some", "twice", "Zoé"):
+    for name in ("capitals", "jpegs", "none", "some", "twice", "Zoé"):
         (folder / "odd" / name).mkdir(parents=True)
     for name in ("twice/a", "twice/b", "Zoé/a"):
         shutil.copytree(right, folder / "odd" / name)
     shutil.copy(next(right.rglob("refraction.png")), folder / "odd/some")
+    for name in SCENES:
+        shutil.copy(next(right.rglob(name + ".png")), folder / "odd/capitals" / (name.title() + ".PNG"))
+        (folder / "odd/jpegs" / (name + ".jpg")).write_text("a picture")
     (folder / "odd/some/spheres_cylinder.png").write_text("no picture")
     grade = [raytracer, "grade", "exam", "--references", "references", "--submissions", "odd"]
     done = run(*grade, "--max-pixels", 20, "--csv", "odd.csv", "--json", "odd.json", "--report", "odd.html",
@@ -206,12 +210,14 @@ def check_odd(raytracer, folder):
              "b/out/pictures/refraction.png (so with 2 pictures)")
     three = said["none"], said["twice"], said["Zoé"]
     check(three == ("nothing handed in", twice, ""), f"odd ones: {said}")
+    check(said["capitals"].startswith("Refraction.PNG counts as refraction.png"), said["capitals"])
+    check(said["jpegs"].endswith(" are missing, but refraction.jpg is there"), said["jpegs"])
     answer = json.loads((folder / "odd.json").read_text("utf-8"))["submissions"]
     check({one["submission"]: one["mistake"] for one in answer} == said, "odd ones, as JSON")
-    lines, absent = done.stdout.splitlines(), 2 * len(SCENES) - 2
+    lines, absent = done.stdout.splitlines(), 3 * len(SCENES) - 2
     names = [line[15:27].rstrip() for line in lines[1:]]
-    check(names == sorted(said) and twice in lines[4], f"the table: {lines}")
-    check(lines[2][27:].startswith("nothing handed in"), f"the table's columns: {lines}")
+    check(names == sorted(said) and twice in lines[6], f"the table: {lines}")
+    check(lines[4][27:].startswith("nothing handed in"), f"the table's columns: {lines}")
     check(all(line == line.rstrip() for line in lines), f"the table's ends: {lines}")
     page = (folder / "odd.html").read_text("utf-8")
     counts = page.count("not comparable"), page.count(">no picture<")

@@ -83,8 +83,9 @@ struct GradeResult {
     std::optional<Comparison> comparison;      // of our picture with the reference; empty if one is missing
     std::string message, output;               // as in Rendered, or why there is no comparison
     std::string path;                          // of a picture that was handed in
-    std::string note;                          // of a picture that counts: that there is another of its name
+    std::string note;                          // of a picture that counts: what is odd about its name
     bool isMissing = false;                    // no picture was handed in
+    std::string instead;                       // of a missing one: a file with its name, no PNG
     bool isUnreadable = false;                 // there is a file, which cannot be compared
     double seconds = 0, processorSeconds = 0;  // of rendering; the latter of programs only
     std::string referencePng, ourPng, differencePng;  // the files' bytes; empty if there is no file

@@ -59,6 +59,9 @@ std::string listed(const std::vector<std::string>& names, const std::string& las
 // none for a mark on the one before it.
 std::size_t columnCount(std::string_view text);
 
+// ASCII's letters; the others as they are.
+std::string inLowerCase(std::string_view text);
+
 // Whether a file's name ends so, in large or small letters (ASCII).
 bool endsIn(std::string_view name, std::string_view ending);
 
