@@ -46,11 +46,10 @@ bool endsInWord(std::string_view name, std::string_view part) {
     return std::isalnum(static_cast<unsigned char>(name[name.size() - part.size() - 1])) == 0;
 }
 
-// Whether the name is the beginning of the candidate.
-bool isShortened(std::string_view name, std::string_view candidate) {
-    constexpr std::size_t least = 3;  // letters
-    return name.size() >= least && candidate.size() > name.size() &&
-           std::ranges::equal(name, candidate.substr(0, name.size()), {}, lower, lower);
+// Whether the whole begins with the part, which has at least so many letters.
+bool begins(std::string_view whole, std::string_view part, std::size_t least) {
+    return part.size() >= least && whole.size() > part.size() &&
+           std::ranges::equal(part, whole.substr(0, part.size()), {}, lower, lower);
 }
 
 }  // namespace
@@ -61,7 +60,7 @@ NearestName::NearestName(std::string_view name)
 void NearestName::consider(std::string_view candidate) {
     if (name_.size() > longestName) return;
     if (endsInWord(candidate, name_) || endsInWord(name_, candidate)) last_.add(candidate);
-    if (isShortened(name_, candidate)) first_.add(candidate);
+    if (begins(candidate, name_, 3) || begins(name_, candidate, 4)) first_.add(candidate);
     if (lengthDifference(name_, candidate) >= limit_) return;
     const std::size_t errors = distance(name_, candidate);
     if (errors >= limit_) return;

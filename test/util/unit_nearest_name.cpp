@@ -25,6 +25,8 @@ TEST_CASE("the nearest name has the fewest errors, or the same last words") {
           "; did you mean \"color_diffuse\"?");
     CHECK(questionFor("edge", {"left_edge", "right_edge"}) == "");  // either could be meant
     CHECK(questionFor("sam", {"samples", "only"}) == "; did you mean \"samples\"?");
+    CHECK(questionFor("difference", {"diff", "a"}) == "; did you mean \"diff\"?");
+    CHECK(questionFor("edge_of_all", {"edg", "a"}) == "");
     CHECK(questionFor("target", {"target-time", "target-error"}) == "");
     CHECK(questionFor("-", {"e", "-a"}) == "");  // a name of one letter is like no other
     CHECK(questionFor("ab", {"b"}) == "; did you mean \"b\"?");

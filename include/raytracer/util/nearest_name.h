@@ -13,7 +13,8 @@ namespace raytracer {
 // swapped with a neighbour. A candidate with more than one error for each three letters is a different word
 // and does not count, and so is one with as many errors as the name has letters. Nearer than two errors is
 // the one candidate that has the name as its last words, or is the last words of the name: "color_diffuse"
-// and "diffuse"; and else the one that begins with the name: "focal" and "focal_length".
+// and "diffuse"; and else the one that begins with the name, or that the name begins with: "focal" and
+// "focal_length".
 class NearestName {
   public:
     explicit NearestName(std::string_view name);
@@ -42,7 +43,7 @@ class NearestName {
     std::string name_, nearest_;
     std::size_t limit_;  // a candidate counts if its distance is below this, that of nearest_
     bool found_ = false;
-    Kin last_, first_;  // by their last words, and by their beginning
+    Kin last_, first_;  // by their last words, and by their first letters
 };
 
 }  // namespace raytracer
