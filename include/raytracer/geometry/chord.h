@@ -64,19 +64,22 @@ void closeChord(Chord<T>& chord, const T& shift = T(0)) {
 // Where `far`, moves an origin that has been moved to the point of the line that is closest to zero closer to
 // it, and returns how far along the line; `last`: the last move. A move leaves its own rounding error: along
 // the line of a shape that is 1e-20 thick, a distance of many thicknesses. Each further one leaves that part
-// of what the one before has left.
+// of what the one before has left. A line is as near as it comes where a move is below half of the digits of
+// its distance, and passes the shape by.
 template <int n, class T>
 T moveCloser(Truth<T> far, glm::vec<n, T, glm::defaultp>& origin,
              const glm::vec<n, T, glm::defaultp>& direction, const T& squared, T& last) {
     constexpr int moves = 2 * std::numeric_limits<Real>::max_exponent / std::numeric_limits<Real>::digits;
-    T shift(0);
+    T shift(0), before = glm::dot(origin, origin);
     for (int i = 0; i < moves && any(far); ++i) {
-        const T before = glm::dot(origin, origin);
         last = select(far, -glm::dot(origin, direction) / squared, last);
         const T move = select(far, last, T(0));
         shift += move;
         origin += move * direction;
-        far = far & (before > T(distantSquared));
+        const T after = glm::dot(origin, origin);
+        const Truth<T> passes = move * move * squared < after / T(distantSquared);
+        far = far & (before > T(distantSquared)) & !passes;
+        before = after;
     }
     return shift;
 }
