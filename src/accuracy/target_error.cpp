@@ -30,7 +30,7 @@ constexpr double pilotPart = 0.3;
 constexpr double finer = 1 / 1.09;
 constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
-constexpr double mostRaysOfPixel = 1 << 16;     // that pilot samples cast, for each pixel of the picture
+constexpr double mostRaysOfPixel = 1 << 16;     // that pilot samples cast, about, for each of the picture
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {
@@ -72,7 +72,6 @@ class Search {
         drawPixels(fewestPilots);
         choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
         chooseAdaptive();
-        if (isSpent()) endHere();
         choice_.reached = choice_.reached && !choice_.isLimited;
         if (choice_.setting.adaptive >= 0.25) {  // no pixel would take a second sample
             choice_.setting.samples = 1;
@@ -137,13 +136,16 @@ class Search {
     void chooseAdaptive() {
         double& adaptive = choice_.setting.adaptive;
         adaptive = rounded(errorMargin * target_);
+        before_ = choice_.counts.all();
         for (bool isLast = false;;) {
             takeSamples(adaptive);
-            const auto [square, deviation] = squaredError();
+            const auto [estimate, deviation] = squaredError();
+            const double square = std::max(0.0, estimate);  // below zero by chance
             const double left = target_ * target_ - depth_.squaredError - square;
-            choice_.sampleError = std::sqrt(std::max(0.0, square));
+            choice_.sampleError = std::sqrt(square);
             choice_.reached =
                 left >= (isLast ? 0 : standardErrors * std::hypot(deviation, depth_.standardError));
+            if (isSpent()) endHere();
             if (choice_.reached || isLast || isSpent()) return;
             if (left >= 0 && mayDrawMore()) {
                 drawPixels(count_);
@@ -154,14 +156,15 @@ class Search {
         }
     }
 
-    bool isSpent() const { return static_cast<double>(choice_.counts.all()) > mostRaysOfPixel * area_; }
+    bool isSpent() const {
+        return static_cast<double>(choice_.counts.all() - before_) > mostRaysOfPixel * area_;
+    }
 
     // No pixel of the picture takes more samples than a pilot pixel has taken.
     void endHere() {
         choice_.setting.samples = 1;
         for (const PilotPixel& pixel : pilots_)
             choice_.setting.samples = std::max(choice_.setting.samples, pixel.own.samples());
-        choice_.isLimited = true;
     }
 
     // Whether twice the pilot samples are cheap beside the picture.
@@ -175,9 +178,10 @@ class Search {
         return 2 * taken <= pilotPart * perPixel * static_cast<double>(pixels_.size());
     }
 
-    // Takes the pilot pixels to their end.
+    // Takes the pilot pixels to their end, or as far as the rays go: each at least a first step.
     void takeSamples(double adaptive) {
-        for (bool isEnd = false; !isEnd && !isSpent();) {
+        bool isEnd = false;
+        do {
             isEnd = true;
             for (PilotPixel& pixel : pilots_) {
                 int samples = pixel.own.samples();
@@ -189,7 +193,7 @@ class Search {
                             std::max(samples, nextLevel(1, mostSamples)));
             }
             take();
-        }
+        } while (!isEnd && !isSpent());
     }
 
     void request(const PixelPlace& place, std::uint32_t number, PixelEstimate& estimate, int samples) {
@@ -239,6 +243,7 @@ class Search {
     std::vector<PilotPixel> pilots_;
     double count_ = 0;                // draws
     std::uint32_t draws_ = 0;         // calls of drawPixels
+    std::uint64_t before_ = 0;        // rays, the pilot samples
     std::vector<glm::dvec2> points_;  // requested samples
     std::vector<PixelEstimate*> takers_;
 };

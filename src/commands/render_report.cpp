@@ -1,5 +1,7 @@
 #include "render_report.h"
 
+#include <cmath>
+
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/progress_bar.h"
@@ -21,9 +23,20 @@ void printTimes(JsonWriter& json, const Timings& timings, const char* name, doub
     json.endObject();
 }
 
+// Estimates, without bias: that of the samples may be zero or below where there is an error.
 std::string errorInWords(double ofSamples, double ofDepth) {
+    if (ofSamples == 0)
+        return "pilot samples show no error for want of samples; for want of depth it is about " +
+               shortNumber(ofDepth);
     return "the error is about " + shortNumber(ofSamples) + " for want of samples and " +
            shortNumber(ofDepth) + " for want of depth";
+}
+
+std::string whyNotReached(const TargetChoice& choice, double target) {
+    if (choice.isLimited) return "perhaps not reached: deeper rays are too many to follow";
+    if (std::hypot(choice.sampleError, choice.depthError) <= target)
+        return "perhaps not reached: the pilot samples are too few to tell";
+    return formatted("not reached: %d samples are too few", choice.setting.samples);
 }
 
 }  // namespace
@@ -76,9 +89,7 @@ TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, dou
     if (quiet) return choice;
     tell(head + commandLine(choice.setting));
     tell(head + errorInWords(choice.sampleError, choice.depthError));
-    if (!choice.reached)
-        tell(head + (choice.isLimited ? "perhaps not reached: the rays beyond are too many to follow"
-                                      : "not reached"));
+    if (!choice.reached) tell(head + whyNotReached(choice, target));
     return choice;
 }
 
@@ -89,7 +100,8 @@ TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options
     if (command.empty()) return choice;
     Setting told = choice.setting;
     told.bilinear = false;  // the command says it already
-    tell("--target-time: the expected time is " + durationInWords(choice.seconds));
+    tell("--target-time: the expected time is " + durationInWords(choice.seconds) +
+         (choice.seconds > seconds ? "; no setting takes less" : ""));
     tell("--target-time: " + errorInWords(choice.sampleError, choice.depthError));
     tell("--target-time: the same picture again:");
     tellUnbroken(command + " " + commandLine(told));
