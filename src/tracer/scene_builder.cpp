@@ -91,12 +91,15 @@ Real brightestOf(const Scene& scene) {
     return maxComponent(brightest);
 }
 
-// How far a hit is from what makes its colour: the eye, or its nearest light.
-Real viewingDistance(const Scene& scene, const Ray& ray, const Vec3& position) {
-    const auto from = [&](const Vec3& place) { return maxComponent(abs(place - position)); };  // no squares
-    Real light = infinity;
-    for (const Light& one : scene.lights) light = std::min(light, from(one.position));
-    return std::max(light, from(ray.origin));
+// How far a hit is from the eye. Of an eye that touches the shape: the shape's size, or how far its nearest
+// light is.
+Real viewingDistance(const Scene& scene, const Ray& ray, const Intersection& hit) {
+    const auto from = [&](const Vec3& place) {
+        return maxComponent(abs(place - hit.position));
+    };  // no squares
+    Real least = hit.shape->transform().largestScale();
+    for (const Light& light : scene.lights) least = std::min(least, from(light.position));
+    return std::max(least, from(ray.origin));
 }
 
 // Whether it is known where on a sphere or a cone the hit is: a point of the ray is put onto them, and of a
@@ -119,7 +122,7 @@ bool isSharp(const Scene& scene) {
             const Ray ray = scene.camera.getRay(scene.camera.getPixelUV(centre.x, centre.y, rays, rays));
             const Intersection hit = scene.closestIntersection(ray, context);
             if (!hit.valid) continue;
-            const Real most = mostPositionError * viewingDistance(scene, ray, hit.position);
+            const Real most = mostPositionError * viewingDistance(scene, ray, hit);
             if (maxComponent(hit.positionError) > most || !isPlaced(ray, hit)) return false;
         }
     return true;

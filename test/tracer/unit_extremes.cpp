@@ -161,6 +161,10 @@ TEST_CASE("a floor whose numbers are large is the same floor, or it is told that
         SceneDescription moved = make.scene, mesh = make.scene;
         moved.transforms[0].translate = {size, 0, 0};
         check(moved, exponent, 15);
+        moved.lights[0].position *= size;  // a light far away says nothing of what the eye sees
+        CHECK(makeRenderer(moved, Precision::Double)->fits() == (exponent <= 15));
+        moved.lights.clear();
+        CHECK(makeRenderer(moved, Precision::Double)->fits() == (exponent <= 15));
         mesh.shapes[0] = {ShapeType::Mesh, 0, 0, floor};
         mesh.transforms[0].scale = glm::dvec3(size);
         check(mesh, exponent, 15);

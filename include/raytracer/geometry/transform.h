@@ -68,7 +68,8 @@ class Transform {
 
     // The largest numbers on the way to object space, and back from there.
     Real finest() const { return largest(inverse_); }
-    Real farthest() const { return std::max(largest(linear_), maxComponent(abs(translation_))); }
+    Real farthest() const { return std::max(largestScale(), maxComponent(abs(translation_))); }
+    Real largestScale() const { return largest(linear_); }
 
     const Mat3& linear() const { return linear_; }
     const Vec3& translation() const { return translation_; }

@@ -71,7 +71,8 @@ inline constexpr Real farSquared = powerOfTwo(std::numeric_limits<Real>::digits 
 // From this squared distance on, the rounding error of a move to the shape takes half of its digits.
 inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits);
 
-// The most that a hit may be wrong by, of its distance from the eye and from the lights.
+// The most that a hit may be wrong by, of its distance from the eye, and on a sphere or cone of that one's
+// size.
 inline constexpr Real mostPositionError = 1 / powerOfTwo(12);
 // A camera that is this many sizes of the shapes away sees them to within that part of their size.
 inline constexpr Real farthestEye = powerOfTwo(std::numeric_limits<Real>::digits) * mostPositionError;
