@@ -130,7 +130,8 @@ class Search {
                       [&](const Candidate& c) { return netOf(c) < netOf(candidates.front()) - equallyWell; });
         const auto isExact = [](const Candidate& c) { return c.fit.isExact(); };
         if (std::ranges::any_of(candidates, isExact))
-            std::erase_if(candidates, [](const Candidate& c) { return c.fit.unknown + c.fit.rounded > 0; });
+            std::erase_if(candidates, [](const Candidate& c) { return c.fit.unknown > 0; });
+        std::ranges::stable_partition(candidates, isExact);
         return candidates;
     }
 

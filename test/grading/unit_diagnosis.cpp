@@ -217,8 +217,8 @@ TEST_CASE("mistakes: more than three that make one picture, but of two kinds") {
     const SceneDescription whole = scene;
     scene.transforms[0].translate.reset();
     CHECK(nameOf(whole, bytesOf(scene, edge)) ==
-          "whose transforms are rotate * scale * translate, rotate * translate * scale or scale * rotate * "
-          "translate, or without translations");
+          "whose transforms are rotate * scale * translate, rotate * translate * scale, scale * rotate * "
+          "translate or scale * translate * rotate, or without translations");
 }
 
 TEST_CASE("mistakes: where rays are too many to follow, none is named") {
