@@ -15,8 +15,11 @@ glm::dvec3 clamped(const glm::dvec3& color) { return glm::clamp(color, 0.0, 1.0)
 }  // namespace
 
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth) {
-    const glm::dvec3 difference = clamped(color) - clamped(truth);
-    return glm::dot(difference, difference) / 3;
+    return squaredError(color, truth, truth);
+}
+
+double squaredError(const glm::dvec3& color, const glm::dvec3& one, const glm::dvec3& other) {
+    return glm::dot(clamped(color) - clamped(one), clamped(color) - clamped(other)) / 3;
 }
 
 PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth) {

@@ -1,16 +1,12 @@
 // Each pixel stops by its own estimate (pixel_estimate.h), so that the picture's error is a slowly changing
 // part of one number, --adaptive. Some pixels, more where the contrast is large, are taken to their end with
-// it, and the truth at them is estimated twice from other samples: the product of the differences from both
-// is their squared error, without bias. The depth is chosen before that, from ray trees of points all over
-// the picture.
+// it, and the truth at them is estimated twice from other samples, which gives their squared error without
+// bias. The depth is chosen before that, from ray trees of points all over the picture.
 #include "raytracer/accuracy/target_error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "depth.h"
 #include "picture_points.h"
@@ -139,7 +135,7 @@ class Search {
         before_ = choice_.counts.all();
         for (bool isLast = false;;) {
             takeSamples(adaptive);
-            const auto [estimate, deviation] = squaredError();
+            const auto [estimate, deviation] = meanSquaredError();
             const double square = std::max(0.0, estimate);  // below zero by chance
             const double left = target_ * target_ - depth_.squaredError - square;
             choice_.sampleError = std::sqrt(square);
@@ -216,14 +212,11 @@ class Search {
     }
 
     // Of the picture, without bias, and its standard error.
-    std::pair<double, double> squaredError() const {
+    std::pair<double, double> meanSquaredError() const {
         double sum = 0, squares = 0;
         for (const PilotPixel& pixel : pilots_) {
-            const auto difference = [&](int other) {
-                return glm::clamp(pixel.own.color(), 0.0, 1.0) -
-                       glm::clamp(pixel.truth[other].color(), 0.0, 1.0);
-            };
-            const double value = pixel.weight * glm::dot(difference(0), difference(1)) / 3;
+            const double value = pixel.weight * squaredError(pixel.own.color(), pixel.truth[0].color(),
+                                                             pixel.truth[1].color());
             sum += pixel.draws * value;
             squares += pixel.draws * value * value;
         }

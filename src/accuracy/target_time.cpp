@@ -7,9 +7,6 @@
 #include <cmath>
 #include <mutex>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include "depth.h"
 #include "picture_points.h"
 #include "raytracer/pictures/color_sink.h"
@@ -124,7 +121,6 @@ class TimeSearch {
         return seconds * samplesOfPicture / samples * options_.crop.area() / pixels;
     }
 
-    // The product of the differences from two others is the squared error, without bias.
     void estimateError() {
         double sum = 0, pixels = 0;
         forEachTile([&](const PixelRectangle& tile) {
@@ -132,12 +128,8 @@ class TimeSearch {
             for (const std::uint32_t sequence : {0U, 1U, 2U})
                 colors[sequence] = colorsOf(choice_.setting, tile, sequence);
             const std::lock_guard lock(mutex_);
-            for (std::size_t i = 0; i < colors[0].size(); ++i) {
-                const glm::dvec3 shown = glm::clamp(colors[0][i], 0.0, 1.0);
-                sum += glm::dot(shown - glm::clamp(colors[1][i], 0.0, 1.0),
-                                shown - glm::clamp(colors[2][i], 0.0, 1.0)) /
-                       3;
-            }
+            for (std::size_t i = 0; i < colors[0].size(); ++i)
+                sum += squaredError(colors[0][i], colors[1][i], colors[2][i]);
             pixels += tile.area();
         });
         choice_.sampleError = std::sqrt(std::max(0.0, sum) / pixels);

@@ -21,4 +21,8 @@ PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const gl
 // Of one pixel: the mean over the channels of the squared difference.
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
 
+// The same against a truth of which two estimates are known, from other samples each: their own errors are as
+// often above as below, so that the product of the differences from both has no bias.
+double squaredError(const glm::dvec3& color, const glm::dvec3& one, const glm::dvec3& other);
+
 }  // namespace raytracer
