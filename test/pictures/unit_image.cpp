@@ -15,6 +15,7 @@
 #include <libdeflate.h>
 #include <stb_image_write.h>
 
+#include "../../src/pictures/png_chunks.h"
 #include "../support/test_folder.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/pictures/picture_writer.h"
@@ -209,6 +210,20 @@ TEST_CASE("A PNG whose data cannot be inflated is told") {
         const std::string path = folder.write("a.png", checksummed(head + chunk + end));
         CHECK_THROWS_WITH(readImage(path), path + ": broken PNG picture: its compressed data are broken");
     }
+}
+
+TEST_CASE("What a PNG's header says") {
+    const auto headerOf = [](const std::string& bytes) { return std::string(8, '@') + bytes; };
+    const std::string five = headerOf({"\0\0\0\5\0\0\0\5\x8\0\0\0\1", 13});
+    CHECK(sizeOf(five).width == 5);
+    CHECK(channelsOf(five) == 1);
+    CHECK(bitDepthOf(five) == 8);
+    CHECK(inflatedSize(five) == 25 + 11);  // interlaced: 11 rows
+    CHECK(inflatedSize(headerOf({"\0\0\0\1\0\0\0\1\x8\0\0\0\1", 13})) == 2);
+    CHECK(inflatedSize(headerOf({"\0\0\0\5\0\0\0\3\x10\6\0\0\0", 13})) == 3 * (1 + 5 * 8));
+    CHECK(inflatedSize(headerOf({"\0\0\0\x9\0\0\0\3\1\3\0\0\0", 13})) == 3 * (1 + 2));
+    CHECK(hasDeepTexels(headerOf({"\0\0\0\5\0\0\0\3\x10\2\0\0\0", 13})));
+    CHECK_FALSE(hasDeepTexels(""));
 }
 
 namespace {
