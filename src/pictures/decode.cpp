@@ -140,12 +140,34 @@ void requireJpegFits(const FileBytes& file) {
         requirePixelsFit(file, *size, std::numeric_limits<int>::max() / mostChannels, "");
 }
 
+// Other types that people have pictures in: how their files begin.
+struct OtherType {
+    std::size_t place;
+    std::string_view bytes;
+    const char* name;
+};
+using namespace std::string_view_literals;
+constexpr OtherType otherTypes[] = {
+    {0, "GIF8"sv, "GIF"},   {0, "BM"sv, "BMP"},     {8, "WEBP"sv, "WebP"}, {4, "ftyp"sv, "HEIC or AVIF"},
+    {0, "II*\0"sv, "TIFF"}, {0, "MM\0*"sv, "TIFF"}, {0, "P3"sv, "PPM"},    {0, "P6"sv, "PPM"},
+    {0, "PF"sv, "PFM"},     {0, "Pf"sv, "PFM"}};
+
+// Of a file that is no PNG and no JPEG.
+[[noreturn]] void failAsOther(const FileBytes& file) {
+    const std::string_view text = file.text();
+    if (text.empty()) file.fail("it is empty");
+    for (const auto& [place, bytes, name] : otherTypes)
+        if (text.size() > place && text.substr(place).starts_with(bytes))
+            file.fail(std::string("it is a ") + name + " picture: convert it to PNG");
+    file.fail("it is no PNG, JPEG or PFM picture: convert it to PNG");
+}
+
 Texture decodeSound(const FileBytes& file) {
     const std::string_view text = file.text();
     if (text.size() > std::numeric_limits<int>::max() / 2) file.fail("cannot decode: the file is over 1 GiB");
     const bool isPng = text.starts_with(pngSignature);
     if (isJpeg(file)) requireJpegFits(file);
-    else if (!isPng) file.fail("it is no PNG and no JPEG");
+    else if (!isPng) failAsOther(file);
     std::vector<std::string_view> chunks{{}};
     if (isPng) {
         chunks = readChunks(file);

@@ -193,7 +193,7 @@ COMMANDS = [
     ("scene.json out.png 8 --watch --crop 1,2",
      'raytracer: --crop: expected four whole numbers x0,y0,x1,y1, found "1,2"'),
     ("compare - out.png", "-: cannot read: No such file or directory"),
-    ("compare out.png scene.json", "scene.json: it is no PNG and no JPEG"),
+    ("compare out.png scene.json", "scene.json: it is no PNG, JPEG or PFM picture: convert it to PNG"),
     ("compare out.png small.png", "small.png: expected 4 x 4 pixels, as in out.png, found 8 x 8"),
     ("sceen.json out.png 8", 'sceen.json: cannot read: No such file or directory; there is "scene.json"'),
     ("scene out.png 8", 'scene: cannot read: No such file or directory; there is "scene.json"'),

@@ -157,7 +157,7 @@ TEST_CASE("grade: what fails on the grader's side is no result") {
                   [](const GradeCase&, int, const std::string&) -> Rendered { throw std::bad_alloc(); }),
         std::bad_alloc);
     touch(test.reference);
-    CHECK_THROWS_WITH(gradeCase(test, flatRenderer(10, 0)), test.reference + ": it is no PNG and no JPEG");
+    CHECK_THROWS_WITH(gradeCase(test, flatRenderer(10, 0)), test.reference + ": it is empty");
     std::filesystem::remove(test.reference);
     REQUIRE(::mkfifo(test.reference.c_str(), 0600) == 0);
     CHECK_THROWS_WITH(gradeCase(test, flatRenderer(10, 0)),

@@ -170,8 +170,19 @@ TEST_CASE("A picture that cannot be read is told") {
         CHECK_THROWS_WITH(readImage(folder.write("a.png", bytes)), folder.file("a.png") + ": " + message);
     };
     const std::string png = pngOf(20, 20, 3, testPicture(20, 20).pixels), jpeg = jpegOf(testPicture(20, 20));
-    check("", "it is no PNG and no JPEG");
-    check("GIF89a", "it is no PNG and no JPEG");
+    check("", "it is empty");
+    check("{}", "it is no PNG, JPEG or PFM picture: convert it to PNG");
+    check("GIF89a", "it is a GIF picture: convert it to PNG");
+    check("BM6\3\0\0", "it is a BMP picture: convert it to PNG");
+    check("RIFF@@@@WEBPVP8", "it is a WebP picture: convert it to PNG");
+    check({"\0\0\0\x1c"
+           "ftypheic",
+           12},
+          "it is a HEIC or AVIF picture: convert it to PNG");
+    check({"II*\0", 4}, "it is a TIFF picture: convert it to PNG");
+    check({"MM\0*", 4}, "it is a TIFF picture: convert it to PNG");
+    check("P6 1 1 255\n@@@", "it is a PPM picture: convert it to PNG");
+    check("PF\n1 1\n-1\n", "it is a PFM picture: convert it to PNG");
     check(png.substr(0, png.size() / 2), "broken PNG picture: it is cut short, or a checksum in it is wrong");
     check(jpeg.substr(0, jpeg.size() - 10), "broken JPEG picture: it has no end marker");
     CHECK_THROWS_WITH(readImage(folder.file("nowhere.png")),
