@@ -179,7 +179,7 @@ int explainPixel(ExplainArguments& arguments) {
     const PixelPlace pixel{*arguments.x, *arguments.y};
     SceneDescription scene = render.load();
     if (!render.quiet)
-        for (const Error& remark : remarksOn(render.scene, colorsWithoutEffect(scene), render.sets))
+        for (const Error& remark : remarksOn(render.scene, sceneNotes(scene), render.sets))
             tell(std::string("note: ") + remark.what());
     const RenderOptions options = render.prepare(scene);
     requirePixel(options.size, pixel);
