@@ -78,8 +78,8 @@ def check_all_advice(folder):
           run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
 
     scene_with(folder, **good | {"materials": [{}]} | {"lights": [light | {"position": [0, 0, -9]}]})
-    check_advice(folder, "black", ": the picture is all black: the lights are behind what is seen; "
-                                  "its color_ambient is black")
+    check_advice(folder, "black", ": all black: what is seen faces no light: move one, or set "
+                                  "/materials/0/color_ambient")
     for partial in (["--only", "ambient"], ["--crop", "0,0,1,1"], ["--pass", "raycast"]):
         check(f"black with {partial}", (0, []), run(folder, "scene.json", out, 8, "--strict", *partial)[:2])
     out.unlink()
