@@ -110,11 +110,16 @@ std::string verdict(const Suspect& suspect) {
            std::to_string(found.pixels) + " pixels, as no known mistake explains";
 }
 
+// Of the width of a message (standard_streams.cpp).
+std::string inLines(const std::string& begin, const std::string& text) {
+    constexpr std::size_t columns = 100, indent = 2;
+    return begin + wrapped(text, columns, indent, columnCount(begin)) + "\n";
+}
+
 void printSuspect(const Suspect& suspect, const std::string& name, const PixelPlace& pixel,
                   const std::vector<std::string>& missing) {
-    print(name + " " + verdict(suspect) + "\n");
-    for (const NamedMistake& mistake : suspect.diagnosis.mistakes)
-        if (!mistake.hint.empty()) print("  " + mistake.hint + "\n");
+    print(inLines(name + " ", verdict(suspect)));
+    for (const std::string& hint : suspect.diagnosis.hints()) print(inLines("  ", hint));
     print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + inWords(bytesAt(suspect.image, pixel)) + " in " +
           name + ", " + inWords(bytesAt(suspect.right, pixel)) + " is right\n");
     const std::string asIn = " it would be as in " + name + "\n";
@@ -164,7 +169,7 @@ int explainSuspect(ExplainArguments& arguments) {
         return isRight(suspect.diagnosis) ? 0 : 1;
     }
     printSuspect(suspect, name, pixel, missing);
-    print(explanationSentence(tree, scene) + "\n" + explanationText(tree, scene, arguments.depth));
+    print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
     return isRight(suspect.diagnosis) ? 0 : 1;
 }
 
@@ -174,13 +179,13 @@ int explainPixel(ExplainArguments& arguments) {
     const PixelPlace pixel{*arguments.x, *arguments.y};
     SceneDescription scene = render.load();
     if (!render.quiet)
-        for (const Error& remark : remarksOn(render.scene, colorsWithoutEffect(scene), render.sets))
+        for (const Error& remark : remarksOn(render.scene, sceneNotes(scene), render.sets))
             tell(std::string("note: ") + remark.what());
     const RenderOptions options = render.prepare(scene);
     requirePixel(options.size, pixel);
     const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
     if (arguments.json) print(explanationJson(tree, scene));
-    else print(explanationSentence(tree, scene) + "\n" + explanationText(tree, scene, arguments.depth));
+    else print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
     return 0;
 }
 

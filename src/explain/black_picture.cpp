@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "raytracer/explain/scene_advice.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
@@ -66,6 +67,7 @@ struct Tally {
     std::size_t behind = 0, shadowed = 0, black = 0;
     std::set<std::size_t> shadowedBy;
     double brightest = 0;               // of the pixels
+    std::size_t material = 0;           // of what the first pixel shows
     std::optional<std::size_t> around;  // the one shape whose inner side all pixels see
 
     void add(const LightExplanation& light) {
@@ -85,34 +87,56 @@ struct Tally {
     }
 };
 
-std::string inShadow(const Tally& tally) {
-    if (tally.shadowedBy.size() != 1) return "what is seen is in shadow";
-    return "/shapes/" + std::to_string(*tally.shadowedBy.begin()) + " shadows what is seen";
-}
+// What a picture of the scene is black for, and what to change.
+class Reason {
+  public:
+    Reason(const Tally& tally, const SceneDescription& scene) : tally_(tally), scene_(scene) {}
 
-std::string unlit(const Tally& tally, const SceneDescription& scene) {
-    const bool noLight =
-        std::ranges::all_of(scene.lights, [](const LightDescription& light) { return isBlack(light.color); });
-    if (noLight) return "what is seen has only black lights";
-    if (tally.behind + tally.shadowed == 0) return "what is seen has black materials";
-    if (tally.behind + tally.black == 0) return inShadow(tally);
-    if (tally.shadowed + tally.black == 0) return "the lights are behind what is seen";
-    return "no light reaches what is seen";
-}
+    std::string inWords() const {
+        if (tally_.brightest > 0)
+            return formatted("it is too dark: the largest channel is %.3g of 1: brighten a light",
+                             tally_.brightest);
+        if (std::ranges::all_of(scene_.lights, isBlackLight))
+            return "what is seen has only black lights: set /lights/0/color";
+        if (const auto around = shapeAround())
+            return "the camera is inside of " + pointer("shapes", *around) + ", a " +
+                   typeName(scene_.shapes[*around].type) + ": move it out, or a light in";
+        if (areLightsHidden(scene_)) return "its lights are inside of opaque shapes: move one out";
+        if (tally_.behind + tally_.shadowed == 0)
+            return "what is seen is black: set " + pointer("materials", tally_.material) + "/color_diffuse";
+        return unlit() + ", or set " + ambientColor();
+    }
 
-std::string withoutAmbient(const SceneDescription& scene) {
-    const bool noLight = std::ranges::all_of(
-        scene.lights, [](const LightDescription& light) { return isBlack(light.color_ambient); });
-    return noLight ? "; no light has color_ambient" : "; its color_ambient is black";
-}
+  private:
+    static bool isBlackLight(const LightDescription& light) { return isBlack(light.color); }
 
-std::string reason(const Tally& tally, const SceneDescription& scene) {
-    if (tally.around)
-        return "the eye is inside of /shapes/" + std::to_string(*tally.around) + ", a " +
-               typeName(scene.shapes[*tally.around].type);
-    if (tally.brightest <= 0) return unlit(tally, scene) + withoutAmbient(scene);
-    return formatted("it is too dark: the largest channel is %.3g of 1", tally.brightest);
-}
+    static std::string pointer(const char* list, std::size_t index) {
+        return std::string("/") + list + "/" + std::to_string(index);
+    }
+
+    std::optional<std::size_t> shapeAround() const {
+        if (const auto around = darkShapeAroundCamera(scene_)) return around;
+        const bool isMesh = tally_.around && scene_.shapes[*tally_.around].type == ShapeType::Mesh;
+        return isMesh ? tally_.around : std::nullopt;
+    }
+
+    std::string unlit() const {
+        if (tally_.shadowed + tally_.black == 0) return "what is seen faces no light: move one";
+        if (tally_.behind + tally_.black > 0) return "no light reaches what is seen: move one";
+        if (tally_.shadowedBy.size() > 1) return "what is seen is in shadow: move a light";
+        return pointer("shapes", *tally_.shadowedBy.begin()) + " shadows what is seen: move it";
+    }
+
+    // The one that is black, or keeps the other from being seen.
+    std::string ambientColor() const {
+        const bool noLight = std::ranges::all_of(
+            scene_.lights, [](const LightDescription& light) { return isBlack(light.color_ambient); });
+        return (noLight ? pointer("lights", 0) : pointer("materials", tally_.material)) + "/color_ambient";
+    }
+
+    const Tally& tally_;
+    const SceneDescription& scene_;
+};
 
 std::vector<PixelPlace> pixelsThatHit(const Renderer& renderer, RenderOptions options) {
     options.pass = Pass::Normals;
@@ -132,24 +156,27 @@ bool isAllBlack(const FloatImage& image) {
 }
 
 std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, const RenderOptions& options) {
-    const std::string black = "the picture is all black: ";
-    if (scene.shapes.empty()) return black + "the scene has no shapes";
-    if (scene.lights.empty()) return black + "the scene has no lights";
+    const std::string black = "all black: ";
+    if (scene.shapes.empty()) return black + "the scene has no shapes: add one to \"shapes\"";
+    if (scene.lights.empty()) return black + "the scene has no lights: add one to \"lights\"";
     RenderOptions centres = options;
     centres.samples = 1;
     centres.adaptive = 0;
     const std::vector<PixelPlace> pixels = pixelsThatHit(renderer, centres);
-    if (pixels.empty()) return black + "no ray through a pixel's centre hits a shape";
+    if (pixels.empty())
+        return black + "no ray through a pixel's centre hits a shape: turn or move the camera";
     Tally tally;
     for (const PixelPlace& pixel : pixels) {
         const RayExplanation explanation = renderer.explain(centres, pixel.x, pixel.y);
-        if (&pixel == &pixels.front() && scene.shapes[explanation.shape].type != ShapeType::Plane)
+        if (&pixel == &pixels.front()) {
             tally.around = explanation.shape;
+            tally.material = scene.shapes[explanation.shape].material;
+        }
         if (explanation.entering || explanation.shape != tally.around) tally.around.reset();
         tally.add(explanation);
         tally.brightest = std::max(tally.brightest, brightest(explanation.color));
     }
-    return black + reason(tally, scene);
+    return black + Reason(tally, scene).inWords();
 }
 
 }  // namespace raytracer

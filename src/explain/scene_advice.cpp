@@ -176,17 +176,25 @@ void adviseOnCamera(const CameraDescription& camera, AdviceLines& lines) {
 
 std::string pointer(const char* list, std::size_t index) { return list + std::to_string(index); }
 
+bool isOpaqueAround(const SceneDescription& scene, const PlacedShape& solid, const Vec& point) {
+    return !scene.materials[solid.shape->material].refractive && isInside(solid, point);
+}
+
+bool isBlack(const LightDescription& light) { return light.color == glm::dvec3(0); }
+
+// Whether the light is inside of the solid, which is opaque and no room that the camera is in, too.
+bool isHidden(const LightDescription& light, const PlacedShape& solid, const SceneDescription& scene,
+              const View& view) {
+    return !isBlack(light) && isOpaqueAround(scene, solid, Vec(light.position) - view.eye) &&
+           std::ranges::none_of(view.starts, [&](const Vec& start) { return isInside(solid, start); });
+}
+
 void adviseOnLights(const SceneDescription& scene, const PlacedShape& solid, std::size_t index,
                     const View& view, AdviceLines& lines) {
-    if (scene.materials[solid.shape->material].refractive) return;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const LightDescription& light = scene.lights[i];
-        if (light.color == glm::dvec3(0) || !isInside(solid, Vec(light.position) - view.eye)) continue;
-        if (std::ranges::any_of(view.starts, [&](const Vec& start) { return isInside(solid, start); }))
-            continue;  // a room
-        lines.add(pointer("/lights/", i) + ": inside of " + pointer("/shapes/", index) + ", an opaque " +
-                  typeName(solid.shape->type) + ": its color has no effect");
-    }
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (isHidden(scene.lights[i], solid, scene, view))
+            lines.add(pointer("/lights/", i) + ": hidden inside of " + pointer("/shapes/", index) +
+                      ", an opaque " + typeName(solid.shape->type) + ": move the light out");
 }
 
 }  // namespace
@@ -201,10 +209,33 @@ std::vector<std::string> sceneAdvice(const SceneDescription& scene) {
         const char* where = mirrored ? nullptr : whereUnseen(shape, view);
         if (where)
             lines.add(pointer("/shapes/", i) + ": the " + typeName(shape.shape->type) + " is " + where +
-                      "; only its shadow may be seen");
+                      ", so unseen: move it or the camera");
         adviseOnLights(scene, shape, i, view, lines);
     }
     return lines.take();
+}
+
+std::optional<std::size_t> darkShapeAroundCamera(const SceneDescription& scene) {
+    const View view = viewOf(scene.camera);
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const PlacedShape shape = placed(scene, scene.shapes[i]);
+        const auto isAround = [&](const Vec& point) { return isOpaqueAround(scene, shape, point); };
+        const auto shines = [&](const LightDescription& light) {
+            return !isBlack(light) && isAround(Vec(light.position) - view.eye);
+        };
+        if (std::ranges::all_of(view.starts, isAround) && std::ranges::none_of(scene.lights, shines))
+            return i;
+    }
+    return std::nullopt;
+}
+
+bool areLightsHidden(const SceneDescription& scene) {
+    const View view = viewOf(scene.camera);
+    return std::ranges::all_of(scene.lights, [&](const LightDescription& light) {
+        return isBlack(light) || std::ranges::any_of(scene.shapes, [&](const ShapeDescription& shape) {
+                   return isHidden(light, placed(scene, shape), scene, view);
+               });
+    });
 }
 
 }  // namespace raytracer

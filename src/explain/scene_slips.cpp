@@ -17,15 +17,31 @@ namespace {
 
 using Color = glm::dvec3;
 
-std::string shown(const Color& color) { return formatted("%.4g %.4g %.4g", color.x, color.y, color.z); }
+std::string shown(const Color& color) { return formatted("%.6g %.6g %.6g", color.x, color.y, color.z); }
 
-// One number is larger than a color of 0 to 1 is in any scene: our own have 1.6. Twice as much as white is as
-// far as such a color is overdone; more has another unit.
-bool isOfBytes(const Color& color, double least) {
-    constexpr double white = 255;
-    const double most = std::max({color.x, color.y, color.z});
-    return most >= least && most <= 2 * white && std::min({color.x, color.y, color.z}) >= 0;
+double most(const Color& color) { return std::max({color.x, color.y, color.z}); }
+
+bool isNegative(const Color& color) { return std::min({color.x, color.y, color.z}) < 0; }
+
+// The white of the bytes, or of 16 bits, that the color is written in; 0 where it is in neither. `least`, of
+// white: what the largest number of such a color reaches. Twice as much as white is as far as one is
+// overdone.
+int otherWhite(const Color& color, double least) {
+    for (const int white : {255, 65535})
+        if (!isNegative(color) && most(color) >= least * white && most(color) <= 2.0 * white) return white;
+    return 0;
 }
+
+// The film of a camera, on which lenses of 18 mm are wide. Taken with a film 2 wide, such a number is 9 times
+// the film; in mm, no usual lens is.
+constexpr double filmInMm = 36, leastTele = 9;
+
+// In a white light, what has a color of 10 is burnt out where the light comes from up to 84 degrees beside
+// the normal, and shows no shape; in bytes, 10 is nearly black.
+constexpr double leastOfSurface = 10.0 / 255;
+// A light may well be ten times as bright as white, for dark surfaces or grazing light; one in bytes is white
+// or near to it.
+constexpr double leastOfLight = 0.5;
 
 class SlipFinder {
   public:
@@ -36,7 +52,10 @@ class SlipFinder {
         for (std::size_t i = 0; i < scene_.textures.size(); ++i) lookAtTexture(scene_.textures[i]);
         for (std::size_t i = 0; i < scene_.materials.size(); ++i) lookAtMaterial(i);
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) lookAtLight(i);
-        for (std::size_t i = 0; i < scene_.shapes.size(); ++i) lookAtMesh(i);
+        for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+            lookAtMesh(i);
+            lookAtTexturedMesh(i);
+        }
         return lines_.take();
     }
 
@@ -47,6 +66,12 @@ class SlipFinder {
             lines_.add("/camera/film_left: the picture is mirrored: swap it with film_right");
         if (camera.film_bottom > camera.film_top)
             lines_.add("/camera/film_bottom: the picture is upside down: swap it with film_top");
+        const double side = std::max(std::abs(camera.film_right - camera.film_left),
+                                     std::abs(camera.film_top - camera.film_bottom));
+        if (camera.type == CameraDescription::Type::Perspective && camera.focal_length >= leastTele * side)
+            lines_.add("/camera/focal_length: " + formatted("%.4g", camera.focal_length) + " for a film of " +
+                       formatted("%.4g", side) + " sees next to nothing: if in mm, write " +
+                       formatted("%.4g", camera.focal_length / filmInMm * side));
     }
 
     void lookAtTexture(const TextureDescription& texture) {
@@ -58,30 +83,39 @@ class SlipFinder {
                        ": no material uses it: name it in a diffuse_texture, or delete it");
     }
 
-    void lookAtColor(const std::string& place, const Color& color, double least) {
-        if (isOfBytes(color, least))
-            lines_.add(place + ": colors end at 1: divide " + shown(color) + " by 255");
+    void lookAtSign(const std::string& place, const Color& color) {
+        if (isNegative(color)) lines_.add(place + ": a negative color takes light away: write 0 or more");
+    }
+
+    void lookAtSurface(const std::string& place, const Color& color) {
+        lookAtSign(place, color);
+        if (const int white = otherWhite(color, leastOfSurface))
+            lines_.add(place + ": colors end at 1: divide " + shown(color) + " by " + std::to_string(white));
+    }
+
+    void lookAtLamp(const std::string& place, const Color& color) {
+        lookAtSign(place, color);
+        if (const int white = otherWhite(color, leastOfLight))
+            lines_.add(place + ": white is 1 1 1: if this is in " + (white == 255 ? "bytes" : "16 bits") +
+                       ", divide it by " + std::to_string(white));
     }
 
     void lookAtMaterial(std::size_t i) {
-        constexpr double least = 11;
         const MaterialDescription& material = scene_.materials[i];
         const std::string place = "/materials/" + std::to_string(i);
-        lookAtColor(place + "/color_ambient", material.color_ambient, least);
-        lookAtColor(place + "/color_diffuse", material.color_diffuse, least);
-        lookAtColor(place + "/color_specular", material.color_specular, least);
-        lookAtColor(place + "/color_reflect", material.color_reflect, least);
-        lookAtColor(place + "/color_refract", material.color_refract, least);
+        lookAtSurface(place + "/color_ambient", material.color_ambient);
+        lookAtSurface(place + "/color_diffuse", material.color_diffuse);
+        lookAtSurface(place + "/color_specular", material.color_specular);
+        lookAtSurface(place + "/color_reflect", material.color_reflect);
+        lookAtSurface(place + "/color_refract", material.color_refract);
         if (!material.diffuse_texture.empty() && !material.use_diffuse_texture)
             lines_.add(place + "/diffuse_texture: not shown without \"use_diffuse_texture\": true");
     }
 
-    // A light may well be brighter than 1.
     void lookAtLight(std::size_t i) {
-        constexpr double least = 32;
         const std::string place = "/lights/" + std::to_string(i);
-        lookAtColor(place + "/color", scene_.lights[i].color, least);
-        lookAtColor(place + "/color_ambient", scene_.lights[i].color_ambient, least);
+        lookAtLamp(place + "/color", scene_.lights[i].color);
+        lookAtLamp(place + "/color_ambient", scene_.lights[i].color_ambient);
     }
 
     // The areas of a closed surface, as vectors, add up to nothing; then a sixth of the sum of the triple
@@ -104,10 +138,19 @@ class SlipFinder {
     }
 
     void lookAtMesh(std::size_t i) {
-        const MeshData* const mesh = scene_.shapes[i].mesh.get();
-        if (mesh && seen_.insert(mesh).second && isInsideOut(*mesh))
+        const ShapeDescription& shape = scene_.shapes[i];
+        if (!shape.mesh || !seen_.insert(shape.mesh.get()).second) return;
+        const std::string place = "/shapes/" + std::to_string(i) + "/path: ";
+        if (isInsideOut(*shape.mesh))
+            lines_.add(place + "the mesh is inside out: turn its clockwise triangles round");
+    }
+
+    void lookAtTexturedMesh(std::size_t i) {
+        const ShapeDescription& shape = scene_.shapes[i];
+        if (shape.mesh && shape.mesh->texCoordIndex.empty() &&
+            scene_.materials[shape.material].use_diffuse_texture)
             lines_.add("/shapes/" + std::to_string(i) +
-                       "/path: the mesh is inside out: turn its clockwise triangles round");
+                       "/path: the mesh has no vt, so shows one texel: save it with texture coordinates");
     }
 
     const SceneDescription& scene_;
@@ -119,18 +162,30 @@ class SlipFinder {
 
 std::vector<std::string> sceneSlips(const SceneDescription& scene) { return SlipFinder(scene).find(); }
 
-std::vector<std::string> colorsWithoutEffect(const SceneDescription& scene) {
+namespace {
+
+void noteMaterial(const SceneDescription& scene, std::size_t i, AdviceLines& lines) {
+    const MaterialDescription& material = scene.materials[i];
+    const std::string place = "/materials/" + std::to_string(i);
+    const auto isSet = [](const Color& color) { return color != Color(0) && color != Color(1); };
+    const char* const none = ": it has no effect without ";
+    if (!material.reflective && isSet(material.color_reflect))
+        lines.add(place + "/color_reflect" + none + "\"reflective\": true");
+    if (!material.refractive && isSet(material.color_refract))
+        lines.add(place + "/color_refract" + none + "\"refractive\": true");
+    if (material.refractive && material.index_of_refraction == 1)
+        lines.add(place + "/index_of_refraction: 1 bends no ray: glass has 1.5");
+}
+
+}  // namespace
+
+std::vector<std::string> sceneNotes(const SceneDescription& scene) {
     AdviceLines lines;
-    const auto look = [&](std::size_t i, const char* color, const char* flag) {
-        lines.add("/materials/" + std::to_string(i) + "/" + color + ": it has no effect without \"" + flag +
-                  "\": true");
-    };
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const MaterialDescription& material = scene.materials[i];
-        const auto isSet = [](const Color& color) { return color != Color(0) && color != Color(1); };
-        if (!material.reflective && isSet(material.color_reflect)) look(i, "color_reflect", "reflective");
-        if (!material.refractive && isSet(material.color_refract)) look(i, "color_refract", "refractive");
-    }
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) noteMaterial(scene, i, lines);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (scene.lights[i].position == glm::dvec3(0))
+            lines.add("/lights/" + std::to_string(i) +
+                      ": it stands at 0 0 0, as one without a position does: set its position");
     return lines.take();
 }
 

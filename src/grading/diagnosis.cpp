@@ -161,6 +161,14 @@ std::string Diagnosis::names() const {
     return text;
 }
 
+std::vector<std::string> Diagnosis::hints() const {
+    std::vector<std::string> hints;
+    for (const NamedMistake& mistake : mistakes)
+        if (!mistake.hint.empty() && std::ranges::find(hints, mistake.hint) == hints.end())
+            hints.push_back(mistake.hint);
+    return hints;
+}
+
 std::string Diagnosis::sentence() const {
     if (mistakes.empty()) return {};
     const NamedMistake& first = mistakes.front();

@@ -161,6 +161,7 @@ void NamedCase::name(GradeResult& result, const ByteImage& picture) {
     const Diagnosis diagnosis = namer_->diagnose(picture);
     for (const NamedMistake& mistake : diagnosis.mistakes) result.mistakes.push_back(mistake.what);
     result.sentence = diagnosis.sentence();
+    result.isRounding = diagnosis.wrong == 0 || diagnosis.isRounding;
 }
 
 void gradePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture,

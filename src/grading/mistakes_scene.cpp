@@ -71,7 +71,7 @@ void addDepths(std::vector<Mistake>& mistakes, int depth) {
     for (int other = 1; other <= most; ++other)
         if (other < depth - 1 || other > depth + 1)
             mistakes.push_back({.what = "with max_recursion " + std::to_string(other) +
-                                        (other == most ? " or more" : "") + " instead of " +
+                                        (other == most && most > depth ? " or more" : "") + " instead of " +
                                         std::to_string(depth),
                                 .hint = hint,
                                 .kind = "depth",

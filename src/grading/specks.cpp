@@ -9,11 +9,16 @@ namespace raytracer {
 
 namespace {
 
-// Of all pixels. Right programs differ at edges, which is no smooth place, and wrong areas have few corners.
+// Measured at 160 px with the programs of test/grading/students.py: with acne on our 16 scenes, with mistakes
+// that have no name (light that fades, more contrast, wider highlights, another camera) on four of them.
+// Of all pixels. Acne: 0.9 to 12 %; the others: 0 to 0.03 %, but for another camera, 0.6 to 3.5 %.
 constexpr double leastSpecks = 0.003;
-constexpr double leastOfSpecks = 0.9;  // of the wrong pixels
-constexpr double leastOfBoth = 0.98;   // what shadows or mirrors alone explain, of what both do
-constexpr double leastKnown = 0.25;    // of the wrong pixels: of glass it is not known what acne makes
+// Of the wrong pixels, what shadows and mirrors explain. Acne: 97 % or more (on textures 89 %, which gets no
+// name); light that fades: up to 81 %; another camera: 2 %.
+constexpr double leastOfSpecks = 0.9;
+// Of the wrong pixels. Those that show glass are known only where shadows explain them, so that few known
+// ones are all explained. Acne: 73 % or more in six scenes with glass, 24 % in one that shows little else.
+constexpr double leastKnown = 0.25;
 
 int offBy(const ByteImage& a, std::size_t pixelA, const ByteImage& b, std::size_t pixelB) {
     return largestDifference(&a.pixels[3 * pixelA], &b.pixels[3 * pixelB]);
@@ -55,9 +60,11 @@ std::vector<const RayExplanation*> mirrorsOf(const SceneDescription& scene, cons
     return mirrors;
 }
 
+using Colors = std::vector<glm::dvec3>;
+
 // What shadows could take away from the pixel: each light's share that is not black, the largest first.
-void collectLit(const RayExplanation& ray, const RayExplanation* end, std::vector<glm::dvec3>& lit) {
-    constexpr std::size_t most = 6;  // 64 ways to shadow them
+void collectLit(const RayExplanation& ray, const RayExplanation* end, Colors& lit) {
+    constexpr std::size_t most = 6;  // each more doubles the ways to shadow them: 64
     for (const LightExplanation& light : ray.lights) {
         const glm::dvec3 share = ray.weight * (light.diffuse + light.specular) * light.S_L;
         if (share != glm::dvec3(0)) lit.push_back(share);
@@ -76,29 +83,34 @@ class AcnePixel {
         : scene_(scene), tree_(tree), bytes_(bytes) {}
 
     // Some shadow rays do.
-    bool hasShadows() const { return isLike(tree_.color, nullptr, true); }
+    bool hasShadows() const { return isLike(tree_.color, litUpTo(nullptr)); }
 
     // A reflected ray does, and perhaps some shadow rays. From inside, the surface has ambient light alone,
     // and sends the ray on into a body whose far side is the same again.
     bool isReflectedHere(bool shadows) const {
         for (const RayExplanation* mirror : mirrorsOf(scene_, tree_)) {
+            const Colors lit = shadows ? litUpTo(mirror) : Colors();
             const glm::dvec3 factor = materialOf(scene_, mirror->shape).color_reflect;
             glm::dvec3 ambient(0), weight = mirror->weight * factor;
             for (const LightExplanation& light : mirror->lights) ambient += light.ambient;
             glm::dvec3 color = tree_.color - weight * mirror->rays.front().color;
             for (int inside = mirror->max_recursion; inside > 0; --inside, weight *= factor) {
                 color += weight * ambient;
-                if (isLike(color, mirror, shadows)) return true;
+                if (isLike(color, lit)) return true;
             }
         }
         return false;
     }
 
   private:
-    // Whether the bytes are the colour's, or those with a shadow on lights up to the ray `end`.
-    bool isLike(const glm::dvec3& whole, const RayExplanation* end, bool shadows) const {
-        std::vector<glm::dvec3> lit;
-        if (shadows) collectLit(tree_, end, lit);
+    Colors litUpTo(const RayExplanation* end) const {
+        Colors lit;
+        collectLit(tree_, end, lit);
+        return lit;
+    }
+
+    // Whether the bytes are the colour's, or those without some of the shares that are lit.
+    bool isLike(const glm::dvec3& whole, const Colors& lit) const {
         for (unsigned shadowed = 0; shadowed < 1u << lit.size(); ++shadowed) {
             glm::dvec3 color = whole;
             for (std::size_t i = 0; i < lit.size(); ++i)
@@ -121,8 +133,7 @@ bool showsGlass(const SceneDescription& scene, const RayExplanation& ray) {
 
 constexpr const char* offset =
     "Is the secondary ray's origin moved by epsilon along its direction, so that it does not meet again the "
-    "surface "
-    "that it leaves?";
+    "surface that it leaves?";
 
 }  // namespace
 
@@ -152,11 +163,8 @@ std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& 
     if (all < leastKnown * static_cast<double>(sample.pixels.size()) ||
         static_cast<double>(both) < leastOfSpecks * all)
         return std::nullopt;
-    const auto nearlyAll = [&](std::size_t some) {
-        return static_cast<double>(some) >= leastOfBoth * static_cast<double>(both);
-    };
-    if (nearlyAll(shadows)) return named("with specks on lit surfaces (shadow acne)", shadows);
-    if (nearlyAll(mirrors)) return named("with specks on mirrors (reflection acne)", mirrors);
+    if (shadows == both) return named("with specks on lit surfaces (shadow acne)", shadows);
+    if (mirrors == both) return named("with specks on mirrors (reflection acne)", mirrors);
     return named("with specks on lit surfaces and on mirrors (shadow and reflection acne)", both);
 }
 

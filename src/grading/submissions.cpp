@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <mutex>
-#include <numeric>
 #include <optional>
 
 #include "programs.h"
@@ -71,19 +71,11 @@ FoundPicture findPicture(const FilesByName& files, const GradeCase& test) {
     return found;
 }
 
-std::string thereIs(const std::string& file) { return file.empty() ? "" : ", but " + file + " is there"; }
-
 std::string commandOf(std::string program, const Submission& submission) {
     const std::string folder = inShellQuotes(submission.folder);
     for (std::size_t at = 0; (at = program.find("{}", at)) != std::string::npos; at += folder.size())
         program.replace(at, 2, folder);
     return program;
-}
-
-// "too slow: 2.1 s" and "too slow: 2.2 s" are one fault.
-std::string withoutNumbers(std::string text) {
-    std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
-    return text;
 }
 
 // The whole class: results, in which a fault may be told already, and the paths of pictures.
@@ -147,7 +139,7 @@ class ClassGrading {
         result.isMissing = found.path.empty();
         result.instead = found.instead;
         if (result.isMissing)
-            result.message = "no picture " + result.test.name + ".png" + thereIs(found.instead);
+            result.message = "no picture " + result.test.name + ".png" + result.butInstead();
         else result.path = (submission.given / files::path(found.path)).string();
     }
 
@@ -189,108 +181,62 @@ class ClassGrading {
     std::map<std::string, int> longEdges_;
 };
 
+// The name of the folder that an archive is to become; empty where the file is none.
+std::string unpackedName(const std::string& file) {
+    for (const std::string_view ending :
+         {".zip", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".7z", ".rar"})
+        if (endsIn(file, ending)) return file.substr(0, file.size() - ending.size());
+    return {};
+}
+
+GradedSubmission notUnpacked(const Submission& archive, const GradePlan& plan) {
+    GradedSubmission graded{archive.name, std::vector<GradeResult>(plan.cases.size()), true};
+    for (std::size_t c = 0; c < plan.cases.size(); ++c) {
+        graded.results[c].test = plan.cases[c];
+        graded.results[c].isMissing = true;
+        graded.results[c].message = toUnpack;
+    }
+    return graded;
+}
+
 }  // namespace
 
 std::vector<Submission> submissionsIn(const std::string& folder) {
-    std::vector<Submission> submissions;
+    std::vector<Submission> submissions, archives;
     std::error_code error, ignored;
-    for (files::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->is_directory(ignored) && !entry->path().filename().string().starts_with('.'))
-            submissions.push_back({entry->path().filename().string(), absolutePath(entry->path().string()),
-                                   entry->path().string()});
+    for (files::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        Submission found{name, absolutePath(entry->path().string()), entry->path().string()};
+        found.isArchive = !entry->is_directory(ignored);
+        if (name.starts_with('.') || (found.isArchive && unpackedName(name).empty())) continue;
+        (found.isArchive ? archives : submissions).push_back(std::move(found));
+    }
     if (error) throw folderError(folder, error);
+    std::erase_if(archives, [&](const Submission& archive) {
+        return std::ranges::find(submissions, unpackedName(archive.name), &Submission::name) !=
+               submissions.end();
+    });
+    std::ranges::move(archives, std::back_inserter(submissions));
     if (submissions.empty()) throw Error({folder}, "expected a folder for each submission, found none");
     std::ranges::sort(submissions, {}, &Submission::name);
     return submissions;
 }
 
-double GradedSubmission::mean() const {
-    const double sum =
-        std::accumulate(results.begin(), results.end(), 0.0,
-                        [](double total, const GradeResult& result) { return total + result.score(); });
-    return results.empty() ? 0 : sum / static_cast<double>(results.size());
-}
-
-std::size_t GradedSubmission::rightCount(const Thresholds& thresholds) const {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        results, [&](const GradeResult& result) { return within(result, thresholds); }));
-}
-
-const GradeResult& GradedSubmission::worst() const { return *std::ranges::min_element(results, isWorse); }
-
-double GradedSubmission::seconds() const {
-    return std::accumulate(results.begin(), results.end(), 0.0,
-                           [](double total, const GradeResult& result) { return total + result.seconds; });
-}
-
-namespace {
-
-// "a, b and 3 more are missing, but a.jpg is there"; empty where none is.
-std::string missingPictures(const std::vector<GradeResult>& results) {
-    constexpr std::size_t most = 3;  // parts of the list: names, the last for all that are left
-    std::vector<std::string> names;
-    for (const GradeResult& result : results)
-        if (result.isMissing) names.push_back(result.test.name);
-    if (names.empty()) return {};
-    const std::size_t count = names.size();
-    const auto instead = std::ranges::find_if_not(results, &std::string::empty, &GradeResult::instead);
-    if (count > most) {
-        names.resize(most - 1);
-        names.push_back(std::to_string(count - names.size()) + " more");
-    }
-    return listed(names, "and") + (count == 1 ? " is missing" : " are missing") +
-           (instead == results.end() ? "" : thereIs(instead->instead));
-}
-
-// A picture that several mistakes explain counts for each of them: what explains the others too is the one.
-std::string mistakeOfMost(const std::vector<GradeResult>& results, const Thresholds& thresholds) {
-    std::map<std::string, std::size_t> count;
-    std::vector<std::string> order;
-    std::size_t wrong = 0;
-    const auto add = [&](const std::string& text) {
-        if (!text.empty() && count[withoutNumbers(text)]++ == 0) order.push_back(text);
-    };
-    for (const GradeResult& result : results) {
-        if (result.isMissing || within(result, thresholds)) continue;
-        ++wrong;
-        if (!result.comparison) add(result.message);
-        for (const std::string& mistake : result.mistakes) add(mistake);
-    }
-    if (wrong == 0) return {};
-    if (order.empty()) return "no known mistake";
-    const auto most = std::ranges::max_element(
-        order, {}, [&](const std::string& text) { return count[withoutNumbers(text)]; });
-    const std::size_t times = count[withoutNumbers(*most)];
-    if (times == wrong) return *most;
-    return *most + " (" + std::to_string(times) + " of " + std::to_string(wrong) + " wrong pictures)";
-}
-
-}  // namespace
-
-std::string GradedSubmission::fault(const Thresholds& thresholds) const {
-    const auto isNowhere = [](const GradeResult& r) { return r.isMissing && r.instead.empty(); };
-    if (!results.empty() && std::ranges::all_of(results, isNowhere)) return "nothing handed in";
-    const std::string mistake = mistakeOfMost(results, thresholds), missing = missingPictures(results);
-    return mistake + (mistake.empty() || missing.empty() ? "" : "; ") + missing;
-}
-
-std::string GradedSubmission::remarks(const Thresholds& thresholds) const {
-    std::string text = fault(thresholds);
-    std::size_t notes = 0;
-    for (const GradeResult& result : results)
-        if (!result.note.empty() && notes++ == 0) text += (text.empty() ? "" : "; ") + result.note;
-    if (notes > 1) text += " (so with " + std::to_string(notes) + " pictures)";
-    return text;
-}
-
 std::vector<GradedSubmission> gradeClass(const GradePlan& plan, const std::vector<Submission>& submissions,
                                          const ClassOptions& options, const NamerMaker& makeNamer,
                                          PictureShelf* shelf, ProgressListener& progress) {
-    ClassGrading grading(plan, submissions, options, progress);
+    std::vector<Submission> folders;
+    std::ranges::remove_copy_if(submissions, std::back_inserter(folders), &Submission::isArchive);
+    ClassGrading grading(plan, folders, options, progress);
     if (options.program.empty()) grading.findPictures();
     else grading.makePictures();
     grading.grade(makeNamer, shelf);
-    return grading.take();
+    std::vector<GradedSubmission> graded = grading.take();
+    for (const Submission& submission : submissions)
+        if (submission.isArchive) graded.push_back(notUnpacked(submission, plan));
+    std::ranges::sort(graded, {}, &GradedSubmission::name);
+    return graded;
 }
 
 }  // namespace raytracer

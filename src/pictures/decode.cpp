@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -42,7 +43,7 @@ void requireFewInflated(const FileBytes& file, const std::vector<std::string_vie
     constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
     const std::string deflated = deflatedData(chunks);
     if (!sizeInHeader(file) || hasMemory(mostRatio * static_cast<double>(deflated.size()))) return;
-    requireMemoryToDecode(file);
+    requireMemoryToDecode(file, hasDeepTexels(chunks.front()) ? 2 : 1);
     if (inflate(deflated, chunks.front()) == LIBDEFLATE_INSUFFICIENT_SPACE)
         file.fail("broken PNG picture: it has more data than pixels");
 }
@@ -62,16 +63,14 @@ void requirePixelsFit(const FileBytes& file, const ImageSize& size, std::uint64_
 // stb counts the bytes of the pixels, and one more for each row, in int; of values in the file it takes 2^30.
 void requirePixelsFit(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     constexpr std::uint64_t mostValues = 1 << 30, mostBytes = std::numeric_limits<int>::max() - (1 << 24);
-    constexpr std::uint64_t channelsOf[] = {1, 0, 3, 4, 2, 0, 4};  // with an alpha; a palette as it is read
+    constexpr std::uint64_t ofPalette = 4;  // as it is read
     const std::string_view header = chunks.front();
-    const std::uint64_t inFile = channelsOf[colorTypeOf(header)];
+    const std::uint64_t inFile = isPaletted(header) ? ofPalette : channelsOf(header);
     const bool hasAlpha = !isPaletted(header) && std::ranges::find(chunks, "tRNS", typeOf) != chunks.end();
     const std::uint64_t channels = std::max<std::uint64_t>(rgb, inFile + hasAlpha);
     const std::uint64_t most =
         std::min(mostValues / inFile, mostBytes / (channels * (hasDeepTexels(header) ? 2 : 1)));
-    const ImageSize size{static_cast<int>(bigEndian(header.substr(8))),
-                         static_cast<int>(bigEndian(header.substr(12)))};
-    requirePixelsFit(file, size, most, " of " + std::to_string(channels) + " channels");
+    requirePixelsFit(file, sizeOf(header), most, " of " + std::to_string(channels) + " channels");
 }
 
 constexpr const char* noReason = "Image not of any known type, or corrupt";
@@ -82,19 +81,26 @@ void forgetReason() {
     stbi_info_from_memory(nullptr, 0, &ignored, &ignored, &ignored);
 }
 
+[[noreturn]] void failForMemory(const FileBytes& file) {
+    const auto size = sizeInHeader(file);
+    const std::string what = size ? pixelsInWords(size->width, size->height) : "the picture";
+    file.fail("not enough memory to decode " + what + ": " + memoryLeft().inWords);
+}
+
+// Whether a PNG's data cannot be inflated, or are more than its pixels.
+bool hasBrokenData(const FileBytes& file) {
+    const auto chunks = readChunks(file);
+    return inflate(deflatedData(chunks), chunks.front()) != LIBDEFLATE_SUCCESS;
+}
+
 // Says why stb has failed. It gives no reason for some broken data, nor where it gets no memory to inflate
 // them; an older reason stays then.
 [[noreturn]] void failToDecode(const FileBytes& file) {
-    const bool isPng = file.text().starts_with(pngSignature);
-    if (isPng) {
-        const auto chunks = readChunks(file);
-        if (inflate(deflatedData(chunks), chunks.front()) == LIBDEFLATE_BAD_DATA)
-            file.fail("broken PNG picture: its compressed data are broken");
-    }
     const std::string reason = stbi_failure_reason();
-    const auto size = sizeInHeader(file);
-    if (size && (reason == "Out of memory" || (isPng && reason == noReason)))
-        file.fail("not enough memory to decode " + pixelsInWords(size->width, size->height));
+    const bool isPng = file.text().starts_with(pngSignature);
+    if (reason == "Out of memory") failForMemory(file);
+    if (isPng && hasBrokenData(file)) file.fail("broken PNG picture: its compressed data are broken");
+    if (isPng && reason == noReason) failForMemory(file);
     file.fail("cannot decode as PNG or JPEG: " + reason);
 }
 
@@ -134,12 +140,34 @@ void requireJpegFits(const FileBytes& file) {
         requirePixelsFit(file, *size, std::numeric_limits<int>::max() / mostChannels, "");
 }
 
-Texture decode(const FileBytes& file) {
+// Other types that people have pictures in: how their files begin.
+struct OtherType {
+    std::size_t place;
+    std::string_view bytes;
+    const char* name;
+};
+using namespace std::string_view_literals;
+constexpr OtherType otherTypes[] = {
+    {0, "GIF8"sv, "GIF"},   {0, "BM"sv, "BMP"},     {8, "WEBP"sv, "WebP"}, {4, "ftyp"sv, "HEIC or AVIF"},
+    {0, "II*\0"sv, "TIFF"}, {0, "MM\0*"sv, "TIFF"}, {0, "P3"sv, "PPM"},    {0, "P6"sv, "PPM"},
+    {0, "PF"sv, "PFM"},     {0, "Pf"sv, "PFM"}};
+
+// Of a file that is no PNG and no JPEG.
+[[noreturn]] void failAsOther(const FileBytes& file) {
+    const std::string_view text = file.text();
+    if (text.empty()) file.fail("it is empty");
+    for (const auto& [place, bytes, name] : otherTypes)
+        if (text.size() > place && text.substr(place).starts_with(bytes))
+            file.fail(std::string("it is a ") + name + " picture: convert it to PNG");
+    file.fail("it is no PNG, JPEG or PFM picture: convert it to PNG");
+}
+
+Texture decodeSound(const FileBytes& file) {
     const std::string_view text = file.text();
     if (text.size() > std::numeric_limits<int>::max() / 2) file.fail("cannot decode: the file is over 1 GiB");
     const bool isPng = text.starts_with(pngSignature);
     if (isJpeg(file)) requireJpegFits(file);
-    else if (!isPng) file.fail("it is no PNG and no JPEG");
+    else if (!isPng) failAsOther(file);
     std::vector<std::string_view> chunks{{}};
     if (isPng) {
         chunks = readChunks(file);
@@ -152,6 +180,14 @@ Texture decode(const FileBytes& file) {
         image.deepTexels = decode(file, text, rgb, image, &stbi_load_16_from_memory);
     else image.texels = decode(file, text, rgb, image, &stbi_load_from_memory);
     return image;
+}
+
+Texture decode(const FileBytes& file) {
+    try {
+        return decodeSound(file);
+    } catch (const std::bad_alloc&) {
+        failForMemory(file);
+    }
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "png_chunks.h"
 
 #include <memory>
+#include <new>
+#include <span>
 #include <utility>
 
 #include "png_format.h"
@@ -30,6 +32,8 @@ std::string_view firstChunk(std::string_view text) {
                                                      : std::string_view{};
 }
 
+constexpr std::size_t widthPlace = 8, heightPlace = 12;  // in the header's chunk
+
 // What the header says, after width and height, and the values that there are.
 struct HeaderField {
     std::size_t place;
@@ -38,13 +42,21 @@ struct HeaderField {
 };
 using namespace std::string_view_literals;
 constexpr HeaderField colorType{17, "colour type", "\0\2\3\4\6"sv};
+constexpr HeaderField interlaceMethod{20, "interlace method", "\0\1"sv};
 constexpr HeaderField otherFields[] = {
-    {18, "compression method", "\0"sv}, {19, "filter method", "\0"sv}, {20, "interlace method", "\0\1"sv}};
+    {18, "compression method", "\0"sv}, {19, "filter method", "\0"sv}, interlaceMethod};
 
-HeaderField bitDepth(char ofColorType) {
+bool isInterlaced(std::string_view header) { return header[interlaceMethod.place] != 0; }
+
+constexpr std::size_t bitDepthPlace = 16;
+
+HeaderField bitDepth(int ofColorType) {
     const std::string_view values = "\x10\x8\4\2\1";
     const bool isGrey = ofColorType == 0, hasPalette = ofColorType == 3;
-    return {16, "bit depth", isGrey ? values : hasPalette ? values.substr(1) : values.substr(0, 2)};
+    return {bitDepthPlace, "bit depth",
+            isGrey       ? values
+            : hasPalette ? values.substr(1)
+                         : values.substr(0, 2)};
 }
 
 void requireSoundHeader(const FileBytes& file, std::string_view header) {
@@ -57,12 +69,12 @@ void requireSoundHeader(const FileBytes& file, std::string_view header) {
         if (field.values.find(value) == field.values.npos)
             fail(field.name, static_cast<unsigned char>(value), none);
     };
-    for (const auto& [place, name] : {std::pair{8U, "width"}, {12U, "height"}}) {
+    for (const auto& [place, name] : {std::pair{widthPlace, "width"}, {heightPlace, "height"}}) {
         const std::uint32_t size = bigEndian(header.substr(place));
         if (size == 0 || size >> 31 != 0) fail(name, size, "no PNG");
     }
     require(colorType, "no PNG");
-    require(bitDepth(header[colorType.place]), "no PNG of its colour type");
+    require(bitDepth(colorTypeOf(header)), "no PNG of its colour type");
     for (const HeaderField& field : otherFields) require(field, "no PNG");
 }
 
@@ -81,24 +93,50 @@ void requirePaletteAndPixels(const FileBytes& file, const std::vector<std::strin
     file.fail("broken PNG picture: it has no pixels (no chunk IDAT)");
 }
 
-// The bytes of the pixels, with one more for each row, and at most twice that where the picture is
-// interlaced.
-std::size_t mostInflated(std::string_view header) {
-    constexpr std::size_t width = 8, height = 12, bitDepth = 16, mostChannels = 4;
-    const std::size_t rowBits =
-        bigEndian(header.substr(width)) * mostChannels * static_cast<std::size_t>(header[bitDepth]);
-    return 2 * bigEndian(header.substr(height)) * (rowBits / 8 + 2);
-}
+// Every dx-th pixel of every dy-th row, from (x, y) on.
+struct Lattice {
+    std::size_t x, y, dx, dy;
+};
+constexpr Lattice allPixels[] = {{0, 0, 1, 1}};
+// Of an interlaced picture (PNG specification, 8.2).
+constexpr Lattice adam7[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                             {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
 
 }  // namespace
+
+ImageSize sizeOf(std::string_view header) {
+    return {static_cast<int>(bigEndian(header.substr(widthPlace))),
+            static_cast<int>(bigEndian(header.substr(heightPlace)))};
+}
 
 int colorTypeOf(std::string_view header) { return header[colorType.place]; }
 
 bool isPaletted(std::string_view header) { return colorTypeOf(header) == 3; }
 
-bool hasDeepTexels(std::string_view header) {
-    constexpr std::size_t bitDepth = 16;
-    return header.size() > bitDepth && header[bitDepth] == 16;
+std::size_t channelsOf(std::string_view header) {
+    constexpr std::size_t channels[] = {1, 0, 3, 1, 2, 0, 4};
+    return channels[colorTypeOf(header)];
+}
+
+std::size_t bitDepthOf(std::string_view header) { return static_cast<std::size_t>(header[bitDepthPlace]); }
+
+bool hasDeepTexels(std::string_view header) { return !header.empty() && bitDepthOf(header) == 16; }
+
+std::size_t inflatedSize(std::string_view header) {
+    const ImageSize size = sizeOf(header);
+    const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
+    const auto count = [](std::size_t all, std::size_t first, std::size_t step) {
+        return all > first ? (all - first - 1) / step + 1 : 0;
+    };
+    std::span<const Lattice> lattices = allPixels;
+    if (isInterlaced(header)) lattices = adam7;
+    std::size_t bytes = 0;
+    for (const Lattice& some : lattices) {
+        const std::size_t columns = count(width, some.x, some.dx), rows = count(height, some.y, some.dy);
+        const std::size_t rowBits = columns * channelsOf(header) * bitDepthOf(header);
+        if (columns > 0) bytes += rows * (1 + (rowBits + 7) / 8);
+    }
+    return bytes;
 }
 
 std::vector<std::string_view> readChunks(const FileBytes& file) {
@@ -128,9 +166,10 @@ std::string deflatedData(const std::vector<std::string_view>& chunks) {
 }
 
 libdeflate_result inflate(const std::string& deflated, std::string_view header) {
-    std::vector<char> inflated(mostInflated(header));
+    std::vector<char> inflated(inflatedSize(header));
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
         libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
+    if (!decompressor) throw std::bad_alloc();
     std::size_t size = 0;
     return libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
                                       inflated.size(), &size);

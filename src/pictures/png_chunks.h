@@ -9,6 +9,7 @@
 
 #include <libdeflate.h>
 
+#include "raytracer/pictures/image.h"
 #include "raytracer/util/file_bytes.h"
 
 namespace raytracer {
@@ -21,13 +22,18 @@ std::vector<std::string_view> readChunks(const FileBytes& file);
 
 std::string_view typeOf(std::string_view chunk);
 
+// Of a sound header.
+ImageSize sizeOf(std::string_view header);
 int colorTypeOf(std::string_view header);
 bool isPaletted(std::string_view header);
-bool hasDeepTexels(std::string_view header);  // 16 bits; false for an empty one
+std::size_t channelsOf(std::string_view header);  // in the file: one of a palette
+std::size_t bitDepthOf(std::string_view header);
+std::size_t inflatedSize(std::string_view header);  // the bytes of all rows, with one more for each
+bool hasDeepTexels(std::string_view header);        // 16 bits; false for an empty one
 
 std::string deflatedData(const std::vector<std::string_view>& chunks);
 
-// What becomes of the data, which are not inflated beyond the picture's size.
+// What becomes of the data, which are not inflated beyond the picture's size. Throws bad_alloc.
 libdeflate_result inflate(const std::string& deflated, std::string_view header);
 
 }  // namespace raytracer

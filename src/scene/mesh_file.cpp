@@ -66,8 +66,29 @@ ObjCounts sumAbove(std::vector<ObjCounts>& counts) {
                 "a NUL byte, which no OBJ mesh has");
 }
 
+// A header of 80 bytes, the number of triangles, and 50 bytes for each.
+bool isBinaryStl(std::string_view text) {
+    constexpr std::size_t header = 80, begin = header + 4, triangle = 50;
+    std::size_t count = 0;
+    for (std::size_t i = begin; text.size() > begin && i > header; --i)
+        count = count << 8 | static_cast<unsigned char>(text[i - 1]);
+    return count > 0 && text.size() == begin + triangle * count;
+}
+
+void requireNoOtherType(std::string_view text, const std::string& path) {
+    if (text.empty()) throw Error({path}, "it is empty");
+    const std::string_view trimmed = text.substr(std::min(text.find_first_not_of(' '), text.size()));
+    if (isBinaryStl(text) || (trimmed.starts_with("solid") && trimmed.find("facet") != trimmed.npos))
+        throw Error({path}, "an STL mesh: save it as OBJ");
+    if (text.starts_with("ply\n") || text.starts_with("ply\r"))
+        throw Error({path}, "a PLY mesh: save it as OBJ");
+}
+
 void requireUsable(const ObjCounts& whole, const std::string& path) {
-    if (whole.faces == 0) throw Error({path}, "no faces, so not an OBJ mesh");
+    if (whole.faces == 0 && whole.positions == 0)
+        throw Error({path}, "no vertices and no faces, so not an OBJ mesh");
+    if (whole.faces == 0)
+        throw Error({path}, "vertices, but no faces: save it with faces (lines like f 1 2 3)");
     // noTexCoord is no index.
     if (std::max(whole.positions, whole.texCoords) >= MeshData::noTexCoord)
         throw Error({path}, "too many vertices: indices have 32 bits");
@@ -179,6 +200,7 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const s
 MeshData parseObj(std::string_view text, const std::string& path) {
     if (const auto wide = wideEncoding(text); !wide.empty())
         throw Error({path}, "expected UTF-8, found " + wide);
+    requireNoOtherType(text, path);
     if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     return parseObjInChunks(text, text.size() / chunkBytes + 1, path);
 }

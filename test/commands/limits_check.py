@@ -6,6 +6,7 @@ it may mount files (exit status 77, CTest: skipped, where it may not).
 import json
 import os
 import pathlib
+import random
 import re
 import struct
 import subprocess
@@ -52,13 +53,16 @@ def with_mesh(folder, path):
                     shapes=[{"type": "mesh", "path": path, "transform": "t", "material": "m"}])
 
 
-def png_of_size(width, height, rows=None):
-    """Black; small in the file. It may have more rows than its header says."""
+def png_of_size(width, height, rows=None, depth=8, noise=0):
+    """Black; small in the file, but for the last rows, of noise. It may have more rows than its header
+    says."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    row, packer = bytes(3 * width + 1), zlib.compressobj(9)
-    data = b"".join(packer.compress(row) for _ in range(rows or height)) + packer.flush()
-    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    size, packer, generator = 3 * depth // 8 * width, zlib.compressobj(9), random.Random(1)
+    lines = [bytes(size + 1)] * ((rows or height) - noise)
+    lines += [b"\0" + generator.randbytes(size) for _ in range(noise)]
+    data = b"".join(map(packer.compress, lines)) + packer.flush()
+    header = struct.pack(">IIBBBBB", width, height, depth, 2, 0, 0, 0)
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
 
 
@@ -103,6 +107,14 @@ def check_files(folder):
     check("a PNG that inflates to more",
           re.escape(f"{folder}/bomb.png: broken PNG picture: it has more data than pixels\n"),
           "compare", folder / "bomb.png", folder / "bomb.png", script=addresses(100000))
+    (folder / "deep.png").write_bytes(png_of_size(3050, 3050, depth=16, noise=20))
+    check("a PNG of 16 bits", re.escape(f"{folder}/deep.png: not enough memory for 3050 × 3050 pixels "
+                                        "(279 MB): ") + LEFT,
+          "compare", folder / "deep.png", folder / "deep.png", script=addresses(150000))
+    (folder / "small.png").write_bytes(png_of_size(1400, 1400))
+    check("what is small, where next to nothing is left",
+          re.escape(f"{folder}/small.png: not enough memory to decode 1400 × 1400 pixels: ") + LEFT,
+          "compare", folder / "small.png", folder / "small.png", script=addresses(20000))
     (folder / "large.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 500000)
     mesh = with_mesh(folder, "large.obj")
     text = "not enough memory for 500000 triangles (40 MB): "

@@ -193,7 +193,7 @@ COMMANDS = [
     ("scene.json out.png 8 --watch --crop 1,2",
      'raytracer: --crop: expected four whole numbers x0,y0,x1,y1, found "1,2"'),
     ("compare - out.png", "-: cannot read: No such file or directory"),
-    ("compare out.png scene.json", "scene.json: it is no PNG and no JPEG"),
+    ("compare out.png scene.json", "scene.json: it is no PNG, JPEG or PFM picture: convert it to PNG"),
     ("compare out.png small.png", "small.png: expected 4 x 4 pixels, as in out.png, found 8 x 8"),
     ("sceen.json out.png 8", 'sceen.json: cannot read: No such file or directory; there is "scene.json"'),
     ("scene out.png 8", 'scene: cannot read: No such file or directory; there is "scene.json"'),
@@ -349,13 +349,13 @@ WARNINGS = [
      '/materials/0: unknown key "diffuse"; did you mean "color_diffuse"?'),
     ('"shininess"', '"<b>"', "8:60", '/materials/0: unknown key "<b>": delete it'),
     ('"lights": [ {', '"lights": [ { "position": [0, 0, 0] }, {', "11:17",
-     "/lights/0: inside of /shapes/0, an opaque sphere: its color has no effect"),
+     "/lights/0: hidden inside of /shapes/0, an opaque sphere: move the light out"),
     ('"name": "ball"', '"name": "ball", "translate": [9, 0, 0]', "14:9",
-     "/shapes/0: the sphere is to the right of the view; only its shadow may be seen"),
+     "/shapes/0: the sphere is to the right of the view, so unseen: move it or the camera"),
     ("[0.8, 0.1, 0.1]", "[200, 20, 20]", "8:43",
      "/materials/0/color_diffuse: colors end at 1: divide 200 20 20 by 255"),
     ('"color": [1, 1, 1]', '"color": [255, 255, 255]', "11:51",
-     "/lights/0/color: colors end at 1: divide 255 255 255 by 255"),
+     "/lights/0/color: white is 1 1 1: if this is in bytes, divide it by 255"),
     ('"use_diffuse_texture": true, ', "", "9:47",
      '/materials/1/diffuse_texture: not shown without "use_diffuse_texture": true'),
     ('"film_left": -0.5, "film_right": 0.5', '"film_left": 0.5, "film_right": -0.5', "4:22",
@@ -392,8 +392,16 @@ WARNINGS = [
      "/materials/0/color_diffuse: colors end at 1: divide 127.5 127.5 127.5 by 255"),
     ("[0.8, 0.1, 0.1]", "[300, 300, 300]", "8:43",
      "/materials/0/color_diffuse: colors end at 1: divide 300 300 300 by 255"),
-    ('"color": [1, 1, 1]', '"color": [100, 100, 90.5]', "11:51",
-     "/lights/0/color: colors end at 1: divide 100 100 90.5 by 255"),
+    ('"color": [1, 1, 1]', '"color": [130, 130, 90.5]', "11:51",
+     "/lights/0/color: white is 1 1 1: if this is in bytes, divide it by 255"),
+    ('"color": [1, 1, 1]', '"color_ambient": [65535, 65535, 65535]', "11:59",
+     "/lights/0/color_ambient: white is 1 1 1: if this is in 16 bits, divide it by 65535"),
+    ("[0.8, 0.1, 0.1]", "[65535, 65535, 65535]", "8:43",
+     "/materials/0/color_diffuse: colors end at 1: divide 65535 65535 65535 by 65535"),
+    ("[0.8, 0.1, 0.1]", "[-0.8, 0.1, 0.1]", "8:43",
+     "/materials/0/color_diffuse: a negative color takes light away: write 0 or more"),
+    ('"focal_length": 1', '"focal_length": 35', "3:48",
+     "/camera/focal_length: 35 for a film of 1 sees next to nothing: if in mm, write 0.9722"),
 ]
 
 
@@ -460,6 +468,28 @@ def check_all(folder):
         check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"], "--strict", "--quiet")
 
 
+def check_black(folder):
+    """A black picture: why, and what to change."""
+    for changes, answer in [
+            ([('"eye": [0, 0, 4]', '"eye": [0, 0, 0]')],
+             "the camera is inside of /shapes/0, a sphere: move it out, or a light in"),
+            ([("[3, 5, 4]", "[0, -1, -40]"), ("[0, -1, 0]", "[0, -9, 0]")],
+             "what is seen faces no light: move one, or set /materials/0/color_ambient"),
+            ([("[3, 5, 4]", "[0, 0, 400]"), ("[0, -1, 0]", "[0, 0, 9]")],
+             "/shapes/1 shadows what is seen: move it, or set /materials/0/color_ambient"),
+            ([('"lights": [ { "position": [3, 5, 4], "color": [1, 1, 1] } ]', '"lights": []')],
+             'the scene has no lights: add one to "lights"'),
+            ([('"color": [1, 1, 1]', '"color": [0.0001, 0, 0]')],
+             "it is too dark: the largest channel is 7.46e-05 of 1: brighten a light")]:
+        text = SCENE
+        for before, after in changes:
+            check(f"{before!r} stands in the scene", True, before in text)
+            text = text.replace(before, after, 1)
+        (folder / "scene.json").write_text(text, encoding="utf-8")
+        check(answer, (0, "", [f"warning: scene.json: all black: {answer}"]),
+              (lambda done: (*done[:2], done[2][-1:]))(answered(folder, RENDER)))
+
+
 def check_several(folder):
     """--strict tells all faults before it ends; cost is none."""
     scene = json.loads(SCENE)
@@ -517,6 +547,7 @@ def check_cost(folder):
 
 with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
+    check_black(pathlib.Path(temporary))
     check_several(pathlib.Path(temporary))
     check_names(pathlib.Path(temporary))
     check_cost(pathlib.Path(temporary))

@@ -55,8 +55,8 @@ def check_set(folder):
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye"))
     check("a range without frames", (2, "raytracer: --set /camera/eye/0={0..1}: a range needs --frames\n"),
           run(SCENE, folder / "c.png", 40, "--set", "/camera/eye/0={0..1}"))
-    check("a remark on what is set", (0, f"warning: {SCENE}: /lights/0/color, by --set: colors end at 1: "
-                                         "divide 255 0 0 by 255\n"),
+    check("a remark on what is set", (0, f"warning: {SCENE}: /lights/0/color, by --set: white is 1 1 1: "
+                                         "if this is in bytes, divide it by 255\n"),
           run(SCENE, folder / "a.png", 8, "--set", "/lights/0/color=[255,0,0]"))
     check("three dots are none",
           (2, f'{SCENE}: /camera/eye/0, by --set: expected a number, found "{{0...3}}"\n'),

@@ -78,8 +78,8 @@ def check_all_advice(folder):
           run(folder, "explain", "scene.json", 4, 4, 8, "--strict")[:2])
 
     scene_with(folder, **good | {"materials": [{}]} | {"lights": [light | {"position": [0, 0, -9]}]})
-    check_advice(folder, "black", ": the picture is all black: the lights are behind what is seen; "
-                                  "its color_ambient is black")
+    check_advice(folder, "black", ": all black: what is seen faces no light: move one, or set "
+                                  "/materials/0/color_ambient")
     for partial in (["--only", "ambient"], ["--crop", "0,0,1,1"], ["--pass", "raycast"]):
         check(f"black with {partial}", (0, []), run(folder, "scene.json", out, 8, "--strict", *partial)[:2])
     out.unlink()
@@ -140,10 +140,35 @@ def check_pictures(folder):
     equal = run(folder, "explain", scene, 25, 20, 60, "--picture", "mine.png")[2]
     check("a right pixel: no term", False, "it would be as in" in equal)
     check_roundings(folder)
+    check_stages(folder)
     run(folder, scene, out, 60, "--crop", "0,0,60,50", "--quiet")
     wrong = subprocess.run([RAYTRACER, "explain", scene, "--picture", out], capture_output=True, text=True)
     check("size", (2, f"{out}: expected a picture of the scene, 60 x 60, found 60 x 50\n"),
           (wrong.returncode, wrong.stderr))
+
+
+def check_stages(folder):
+    """A picture that two stages explain: each hint once, in lines of 100 columns."""
+    good = {"lights": [{"position": [0, 9, 9]}], "transforms": [{"name": "i"}],
+            "shapes": [{"type": "sphere", "transform": "i", "material": "default"}]}
+    scene_with(folder, materials=[{"color_ambient": [0.2, 0.2, 0.2]}], **good)
+    run(folder, "scene.json", "mine.png", 60, "--only", "diffuse")
+    lines = run(folder, "explain", "scene.json", "--picture", "mine.png")[2].split("\n")
+    check("two stages", [
+        "mine.png equals the picture that shows diffuse light alone, as the stage -diffuse does, or that",
+        "  shows the stage -diffuse_reflections_recursions_3 (0 of 3600 pixels differ; 2822 differ from the",
+        "  right one)",
+        "  Is it the picture of the stage that was asked for?"], lines[:4])
+    check("two stages: the pixel", "pixel (", lines[4][:7])
+    lights = [{"position": [3 * i - 8, 9, 9]} for i in range(8)]
+    cover = {"type": "cube", "transform": "up", "material": "default"}
+    transforms = [{"name": "i"}, {"name": "up", "translate": [0, 4, 0], "scale": [1, 0.1, 9]}]
+    scene_with(folder, materials=[{"color_ambient": [0.2, 0.2, 0.2]}], lights=lights, transforms=transforms,
+               shapes=[*good["shapes"], cover])
+    for explained in ([30, 14, 60], ["--picture", "mine.png", 30, 14, 60]):
+        sentence = run(folder, "explain", "scene.json", *explained)[2].partition("primary ray")[0]
+        check(f"{explained}: long", True, len(sentence.split("\n")[-3]) > 60)
+        check(f"{explained}: width", [], [line for line in sentence.split("\n") if len(line) > 100])
 
 
 def check_roundings(folder):

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../support/ball_mesh.h"
 #include "../support/scene_files.h"
 #include "raytracer/explain/black_picture.h"
 #include "raytracer/explain/scene_advice.h"
@@ -82,7 +83,7 @@ TransformDescription turned(const glm::dvec3& translate, double degrees, const g
 TransformDescription floorAt(double y) { return turned({0, y, 0}, -90, {1, 0, 0}); }
 
 std::string unseen(int shape, const std::string& what) {
-    return "/shapes/" + std::to_string(shape) + ": the " + what + "; only its shadow may be seen";
+    return "/shapes/" + std::to_string(shape) + ": the " + what + ", so unseen: move it or the camera";
 }
 
 std::string blackReason(const SceneDescription& scene, Precision precision = Precision::Double) {
@@ -224,7 +225,7 @@ TEST_CASE("a light inside of an opaque shape") {
     const double factor = GENERATE(1.0, 1e-100, 1e100);
     const auto adviceOn = [&] { return sceneAdvice(scene.resize(factor)); };
     const auto inside = [](const std::string& type) {
-        return Warnings{"/lights/0: inside of /shapes/0, an opaque " + type + ": its color has no effect"};
+        return Warnings{"/lights/0: hidden inside of /shapes/0, an opaque " + type + ": move the light out"};
     };
     SECTION("sphere") { CHECK(adviceOn().empty()); }
     SECTION("sphere") {
@@ -280,63 +281,92 @@ TEST_CASE("why a picture is all black") {
     TestScene scene;
     const Precision precision = GENERATE(Precision::Float, Precision::Double, Precision::Extended);
     const auto reason = [&] { return blackReason(scene, precision); };
-    const std::string begin = "the picture is all black: ", end = "; its color_ambient is black";
-    SECTION("no shapes") { CHECK(reason() == begin + "the scene has no shapes"); }
+    const std::string begin = "all black: ", end = ", or set /materials/0/color_ambient";
+    SECTION("no shapes") { CHECK(reason() == begin + "the scene has no shapes: add one to \"shapes\""); }
     SECTION("no lights") {
         scene.add(Type::Sphere, {0, 0, -3}).lights.clear();
-        CHECK(reason() == begin + "the scene has no lights");
+        CHECK(reason() == begin + "the scene has no lights: add one to \"lights\"");
     }
     SECTION("nothing hit") {
         scene.add(Type::Sphere, {0, 0, 3});
-        CHECK(reason() == begin + "no ray through a pixel's centre hits a shape");
+        CHECK(reason() == begin + "no ray through a pixel's centre hits a shape: turn or move the camera");
     }
     SECTION("all in the shadow of one shape") {
         scene.add(Type::Plane, {0, 0, -3}).add(Type::Plane, {0, 0, 5});
-        CHECK(reason() == begin + "/shapes/1 shadows what is seen" + end);
+        CHECK(reason() == begin + "/shapes/1 shadows what is seen: move it" + end);
     }
     SECTION("all in the shadow of several") {
         scene.add(Type::Plane, {0, 0, -3})
             .add(Type::Cube, {-50, 0, 5}, {50, 50, 1})
             .add(Type::Cube, {50, 0, 5}, {50, 50, 1});
-        CHECK(reason() == begin + "what is seen is in shadow" + end);
+        CHECK(reason() == begin + "what is seen is in shadow: move a light" + end);
     }
     SECTION("lights behind all surfaces") {
         scene.add(Type::Plane, {0, 0, -3}).light({0, 0, -10});
-        CHECK(reason() == begin + "the lights are behind what is seen" + end);
+        CHECK(reason() == begin + "what is seen faces no light: move one" + end);
     }
     SECTION("black materials") {
         scene.add(Type::Plane, {0, 0, -3}).materials[TestScene::opaque].color_diffuse = glm::dvec3(0);
         scene.materials[TestScene::opaque].color_specular = glm::dvec3(0);
-        CHECK(reason() == begin + "what is seen has black materials" + end);
+        CHECK(reason() == begin + "what is seen is black: set /materials/0/color_diffuse");
     }
     SECTION("black lights") {
         scene.add(Type::Plane, {0, 0, -3}).lights[0].color = glm::dvec3(0);
-        CHECK(reason() == begin + "what is seen has only black lights" + end);
+        CHECK(reason() == begin + "what is seen has only black lights: set /lights/0/color");
     }
     SECTION("light that is too weak") {
         scene.add(Type::Plane, {0, 0, -3}).materials[TestScene::opaque].color_specular = glm::dvec3(0);
         scene.lights[0].color = glm::dvec3(0.001);
-        CHECK(reason() == begin + "it is too dark: the largest channel is 0.001 of 1");
+        CHECK(reason() == begin + "it is too dark: the largest channel is 0.001 of 1: brighten a light");
     }
     SECTION("lights without an ambient color") {
         scene.add(Type::Plane, {0, 0, -3}).light({0, 0, -10}).lights[0].color_ambient = glm::dvec3(0);
-        CHECK(reason() == begin + "the lights are behind what is seen; no light has color_ambient");
+        CHECK(reason() == begin + "what is seen faces no light: move one, or set /lights/0/color_ambient");
     }
     SECTION("inside of an opaque shape") {
         scene.add(Type::Plane, {0, 0, -3}).add(Type::Cube, {0, 0, 0});
-        CHECK(reason() == begin + "the eye is inside of /shapes/1, a cube");
+        CHECK(reason() == begin + "the camera is inside of /shapes/1, a cube: move it out, or a light in");
+    }
+    SECTION("inside of one, among others, with an orthographic camera, too") {
+        const bool orthographic = GENERATE(false, true);
+        if (orthographic) scene.orthographic();
+        const Type type = GENERATE(Type::Sphere, Type::Cylinder, Type::Cone, Type::Cube);
+        scene.add(Type::Plane, {0, 0, -0.5})
+            .add(Type::Cube, {0.5, 0, 0}, {0.1, 9, 9})
+            .add(type, {0, 0, -1}, glm::dvec3(4));
+        CHECK(reason() == begin + "the camera is inside of /shapes/2, a " + typeName(scene.shapes[2].type) +
+                              ": move it out, or a light in");
+    }
+    SECTION("inside of a mesh") {
+        scene.add(Type::Mesh, {0, 0, 0}).shapes[0].mesh = ballMesh(4, [](double, double) { return 2; });
+        CHECK(reason() == begin + "the camera is inside of /shapes/0, a mesh: move it out, or a light in");
+    }
+    SECTION("inside of a room whose light is black") {
+        scene.add(Type::Cube, {0, 0, 0}).lights[0] = {{0, 0, 0}, glm::dvec3(0), glm::dvec3(1)};
+        CHECK(reason() == begin + "what is seen has only black lights: set /lights/0/color");
+    }
+    SECTION("inside of a room whose walls are black") {
+        scene.add(Type::Cube, {0, 0, 0}).light({0, 0, 0.5});
+        scene.materials[TestScene::opaque].color_diffuse = glm::dvec3(0);
+        scene.materials[TestScene::opaque].color_specular = glm::dvec3(0);
+        CHECK(reason() == begin + "what is seen is black: set /materials/0/color_diffuse");
+    }
+    SECTION("with the lights inside of shapes") {
+        scene.add(Type::Sphere, {0, 0, -3}).light({0, 0, -3});
+        CHECK(reason() == begin + "its lights are inside of opaque shapes: move one out");
     }
     SECTION("a bit of each") {
         scene.add(Type::Plane, {0, 0, -3})
             .add(Type::Plane, {0, 0, 5})
             .lights.push_back({{0, 0, -10}, glm::dvec3(1), glm::dvec3(0)});
-        CHECK(reason() == begin + "no light reaches what is seen" + end);
+        CHECK(reason() == begin + "no light reaches what is seen: move one" + end);
     }
     SECTION("what only a mirror shows counts too") {
         scene.add(Type::Plane, {0, 0, -3}, TestScene::mirror).add(Type::Plane, {0, 0, 5}).light({0, 0, 10});
         scene.materials[TestScene::mirror].color_diffuse = scene.materials[TestScene::mirror].color_specular =
             glm::dvec3(0);
-        CHECK(reason() == begin + "no light reaches what is seen" + end);
+        CHECK(reason() ==
+              begin + "no light reaches what is seen: move one, or set /materials/1/color_ambient");
     }
 }
 

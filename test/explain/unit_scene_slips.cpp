@@ -31,8 +31,9 @@ TEST_CASE("colors of 0 to 255 are told, bright ones are not") {
     CHECK(sceneSlips(scene).empty());
     scene.materials[0].color_diffuse = {1.6, 2, 0};
     scene.materials[0].color_specular = {3, 2, 1};
-    scene.materials[0].color_ambient = {-200, 200, 0};
-    scene.lights[0].color = {20, 20, 20};
+    scene.materials[0].color_ambient = {9.9, 9.9, 0};
+    scene.materials[0].color_reflect = {1000, 1, 1};
+    scene.lights[0].color = {120, 120, 120};
     scene.lights[0].color_ambient = {1000, 1, 1};
     CHECK(sceneSlips(scene).empty());
     scene.materials[1].color_diffuse = {255, 128, 0};
@@ -41,15 +42,60 @@ TEST_CASE("colors of 0 to 255 are told, bright ones are not") {
     scene.materials[1].color_refract = {200, 0.1, 0.1};
     scene.materials[1].color_ambient = {300, 300, 300};
     scene.lights[0].color = {256, 256, 256};
-    scene.lights[0].color_ambient = {100, 100, 90.5};
+    scene.lights[0].color_ambient = {130, 130, 90.5};
     const std::string begin = ": colors end at 1: divide ";
-    CHECK(sceneSlips(scene) == Slips{"/materials/1/color_ambient" + begin + "300 300 300 by 255",
-                                     "/materials/1/color_diffuse" + begin + "255 128 0 by 255",
-                                     "/materials/1/color_specular" + begin + "12 0 0 by 255",
-                                     "/materials/1/color_reflect" + begin + "127.5 127.5 127.5 by 255",
-                                     "/materials/1/color_refract" + begin + "200 0.1 0.1 by 255",
-                                     "/lights/0/color" + begin + "256 256 256 by 255",
-                                     "/lights/0/color_ambient" + begin + "100 100 90.5 by 255"});
+    CHECK(sceneSlips(scene) ==
+          Slips{"/materials/1/color_ambient" + begin + "300 300 300 by 255",
+                "/materials/1/color_diffuse" + begin + "255 128 0 by 255",
+                "/materials/1/color_specular" + begin + "12 0 0 by 255",
+                "/materials/1/color_reflect" + begin + "127.5 127.5 127.5 by 255",
+                "/materials/1/color_refract" + begin + "200 0.1 0.1 by 255",
+                "/lights/0/color: white is 1 1 1: if this is in bytes, divide it by 255",
+                "/lights/0/color_ambient: white is 1 1 1: if this is in bytes, divide it by 255"});
+}
+
+TEST_CASE("colors of 16 bits and negative ones are told") {
+    SceneDescription scene;
+    scene.materials.resize(1);
+    scene.lights.resize(1);
+    scene.materials[0].color_diffuse = {65535, 2600, 0};
+    scene.materials[0].color_specular = {-0.1, 255, 0};
+    scene.lights[0].color = {65535, 65535, 65535};
+    scene.lights[0].color_ambient = {1, 1, -1};
+    const std::string negative = ": a negative color takes light away: write 0 or more";
+    CHECK(sceneSlips(scene) ==
+          Slips{"/materials/0/color_diffuse: colors end at 1: divide 65535 2600 0 by 65535",
+                "/materials/0/color_specular" + negative,
+                "/lights/0/color: white is 1 1 1: if this is in 16 bits, divide it by 65535",
+                "/lights/0/color_ambient" + negative});
+}
+
+TEST_CASE("a focal length in millimetres is told") {
+    SceneDescription scene;
+    scene.camera.focal_length = 17;
+    CHECK(sceneSlips(scene).empty());
+    scene.camera.focal_length = 50;
+    CHECK(sceneSlips(scene) == Slips{"/camera/focal_length: 50 for a film of 2 sees next to nothing: "
+                                     "if in mm, write 2.778"});
+    scene.camera.film_right = 35;
+    CHECK(sceneSlips(scene).empty());
+    scene.camera.film_right = 1;
+    scene.camera.type = CameraDescription::Type::Orthographic;
+    CHECK(sceneSlips(scene).empty());
+}
+
+TEST_CASE("a textured mesh without texture coordinates is told, wherever it is used") {
+    SceneDescription scene;
+    scene.materials.resize(2);
+    scene.materials[1].use_diffuse_texture = true;
+    scene.materials[1].diffuse_texture = "wood";
+    scene.textures = {{"wood", nullptr}};
+    scene.shapes = {tetrahedron(false)};
+    scene.shapes.push_back(scene.shapes[0]);
+    CHECK(sceneSlips(scene).empty());
+    scene.shapes[1].material = 1;
+    CHECK(sceneSlips(scene) ==
+          Slips{"/shapes/1/path: the mesh has no vt, so shows one texel: save it with texture coordinates"});
 }
 
 TEST_CASE("a film that mirrors is told") {
@@ -76,6 +122,7 @@ TEST_CASE("textures that are not shown are told") {
 
 TEST_CASE("a mesh that is inside out is told once") {
     SceneDescription scene;
+    scene.materials.resize(1);
     scene.shapes = {tetrahedron(false), tetrahedron(true, true), tetrahedron(false, true)};
     CHECK(sceneSlips(scene).empty());
     scene.shapes.push_back(tetrahedron(true));
@@ -92,15 +139,20 @@ TEST_CASE("of very many slips some are shown and the rest counted") {
     CHECK(slips[20] == "80 more warnings");
 }
 
-TEST_CASE("colors without effect are told to who asks") {
+TEST_CASE("what the course's own scenes do is told to who asks") {
     SceneDescription scene;
-    scene.materials.resize(3);
+    scene.materials.resize(4);
     scene.materials[1].color_reflect = {0.5, 0.5, 0.5};
     scene.materials[1].color_refract = {0.5, 0.5, 1};
     scene.materials[2] = scene.materials[1];
     scene.materials[2].reflective = scene.materials[2].refractive = true;
-    CHECK(colorsWithoutEffect(scene) ==
+    scene.materials[2].index_of_refraction = 1.5;
+    scene.materials[3].refractive = true;
+    scene.lights = {{glm::dvec3(1), glm::dvec3(1), glm::dvec3(1)}, {}};
+    CHECK(sceneNotes(scene) ==
           Slips{"/materials/1/color_reflect: it has no effect without \"reflective\": true",
-                "/materials/1/color_refract: it has no effect without \"refractive\": true"});
+                "/materials/1/color_refract: it has no effect without \"refractive\": true",
+                "/materials/3/index_of_refraction: 1 bends no ray: glass has 1.5",
+                "/lights/1: it stands at 0 0 0, as one without a position does: set its position"});
     CHECK(sceneSlips(scene).empty());
 }

@@ -191,7 +191,7 @@ def check_pictures(raytracer, folder):
 
 def check_odd(raytracer, folder):
     """Nothing handed in, some missing, one that is there twice, names in capitals, pictures of another type,
-    a name of more bytes than characters."""
+    a name of more bytes than characters, an archive."""
     right = folder / "pictures/right_1"
     for name in ("capitals", "jpegs", "none", "some", "twice", "Zoé"):
         (folder / "odd" / name).mkdir(parents=True)
@@ -202,19 +202,22 @@ def check_odd(raytracer, folder):
         shutil.copy(next(right.rglob(name + ".png")), folder / "odd/capitals" / (name.title() + ".PNG"))
         (folder / "odd/jpegs" / (name + ".jpg")).write_text("a picture")
     (folder / "odd/some/spheres_cylinder.png").write_text("no picture")
+    (folder / "odd/zip.zip").write_text("an archive")
+    (folder / "odd/some.zip").write_text("an archive that is unpacked")
     grade = [raytracer, "grade", "exam", "--references", "references", "--submissions", "odd"]
     done = run(*grade, "--max-pixels", 20, "--csv", "odd.csv", "--json", "odd.json", "--report", "odd.html",
                cwd=folder)
     said = {name: row["mistake"] for name, row in rows_of(folder / "odd.csv").items()}
     twice = ("refraction.png is there twice: a/out/pictures/refraction.png counts, not "
              "b/out/pictures/refraction.png (so with 2 pictures)")
-    three = said["none"], said["twice"], said["Zoé"]
-    check(three == ("nothing handed in", twice, ""), f"odd ones: {said}")
+    four = said["none"], said["twice"], said["Zoé"], said["zip.zip"]
+    check(four == ("nothing handed in", twice, "", "an archive: unpack it into a folder"),
+          f"odd ones: {said}")
     check(said["capitals"].startswith("Refraction.PNG counts as refraction.png"), said["capitals"])
     check(said["jpegs"].endswith(" are missing, but refraction.jpg is there"), said["jpegs"])
     answer = json.loads((folder / "odd.json").read_text("utf-8"))["submissions"]
     check({one["submission"]: one["mistake"] for one in answer} == said, "odd ones, as JSON")
-    lines, absent = done.stdout.splitlines(), 3 * len(SCENES) - 2
+    lines, absent = done.stdout.splitlines(), 4 * len(SCENES) - 2
     names = [line[15:27].rstrip() for line in lines[1:]]
     check(names == sorted(said) and twice in lines[6], f"the table: {lines}")
     check(lines[4][27:].startswith("nothing handed in"), f"the table's columns: {lines}")

@@ -267,9 +267,11 @@ TEST_CASE("mistakes: another stage, or other terms, is named as what it is") {
             if (&stage == &completeStage()) continue;
             INFO(file << " " << stage.name);
             const std::string name = nameOf(scene, stagePicture(scene, stage));
-            CHECK_THAT(name, Catch::Matchers::StartsWith(stage.only == "ambient" ? "of ambient light alone, "
-                                                                                 : "of ") &&
-                                 Catch::Matchers::EndsWith("the stage -" + std::string(stage.name)));
+            const std::string place = "the stage -" + std::string(stage.name);
+            const bool isLight = !stage.only.empty() && stage.only.find(',') == stage.only.npos;
+            CHECK(name ==
+                  "that shows " +
+                      (isLight ? std::string(stage.only) + " light alone, as " + place + " does" : place));
         }
     }
 }
@@ -289,8 +291,8 @@ TEST_CASE("mistakes: of a stage") {
     constexpr std::size_t normals = 1, diffuse = 3;
     const ByteImage rightNormals = stagePicture(scene, stages()[normals]);
     CHECK(named(normals, stagePicture(scene, stages()[diffuse])) ==
-          "of diffuse light alone, the stage -diffuse");
-    CHECK(named(diffuse, rightNormals) == "of the stage -normals");
+          "that shows diffuse light alone, as the stage -diffuse does");
+    CHECK(named(diffuse, rightNormals) == "that shows the stage -normals");
     CHECK(named(diffuse, termsPicture(scene, "diffuse,shadows")) == "with shadows");
     CHECK(named(normals, normalsPicture(scene, [](const glm::dvec3& c) { return 2.0 * c - 1.0; })) ==
           "whose normals are the colours themselves");
@@ -306,6 +308,12 @@ TEST_CASE("mistakes: settings of a picture that is right otherwise") {
     for (const auto& [bounces, said] : {std::pair{1, "1"}, {5, "5"}, {6, "6"}, {8, "8 or more"}})
         CHECK_THAT(named(scene, [depth = bounces](RenderOptions& options) { options.max_recursion = depth; }),
                    Contains(formatted("with max_recursion %s instead of 3", said)));
+    constexpr int large = 2 * edge;  // so that two bounces change enough pixels
+    RenderOptions ten = wholePicture(scene, large);
+    ten.max_recursion = 10;
+    const auto eight = [](RenderOptions& options) { options.max_recursion = 8; };
+    CHECK(MistakeNamer(scene, ten).diagnose(bytesOf(scene, large, Precision::Double, eight)).names() ==
+          "with max_recursion 8 instead of 10");
     CHECK(named(textured, [](RenderOptions& options) { options.bilinear = true; }) ==
           "with bilinear texture look-ups");
     for (const int samples : {4, 16})

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "../support/scene_files.h"
 #include "raytracer/grading/grade_files.h"
 #include "raytracer/grading/grade_report.h"
 #include "raytracer/util/child_process.h"
@@ -15,6 +16,7 @@
 
 using namespace raytracer;
 using Catch::Matchers::Contains;
+using raytracer::test::wholePicture;
 
 namespace {
 
@@ -44,6 +46,10 @@ CaseRenderer flatRenderer(int size, int value) {
         return Rendered{};
     };
 }
+
+struct Silence : ProgressListener {
+    void progress(double) override {}
+};
 
 std::vector<std::string> namesOf(const GradePlan& plan) {
     std::vector<std::string> names;
@@ -151,7 +157,7 @@ TEST_CASE("grade: what fails on the grader's side is no result") {
                   [](const GradeCase&, int, const std::string&) -> Rendered { throw std::bad_alloc(); }),
         std::bad_alloc);
     touch(test.reference);
-    CHECK_THROWS_WITH(gradeCase(test, flatRenderer(10, 0)), test.reference + ": it is no PNG and no JPEG");
+    CHECK_THROWS_WITH(gradeCase(test, flatRenderer(10, 0)), test.reference + ": it is empty");
     std::filesystem::remove(test.reference);
     REQUIRE(::mkfifo(test.reference.c_str(), 0600) == 0);
     CHECK_THROWS_WITH(gradeCase(test, flatRenderer(10, 0)),
@@ -362,6 +368,74 @@ TEST_CASE("grade: what is wrong with a submission, beside the pictures that are 
     ada.results[0] = ada.results[4] = gradeCase(blackCase(folder, "plane"), flatRenderer(10, 0));
     CHECK(ada.fault({}) == "cone, cube and 3 more are missing");
     CHECK_THAT(classTable({&ada, 1}, {}), Catch::Matchers::EndsWith(" and 3 more are missing\n"));
+}
+
+TEST_CASE("grade: the mistake of most wrong pictures, counted by its whole name") {
+    GradedSubmission ada{"ada", std::vector<GradeResult>(2)};
+    for (GradeResult& result : ada.results) result.comparison = Comparison{.pixelsByDifference = {0, 0, 1}};
+    const std::string first = "without light 0 (of 2)", second = "without light 1 (of 2)";
+    ada.results.resize(1);
+    ada.results[0].mistakes = {first, second};
+    CHECK(ada.fault({}) == first);
+    ada.results.push_back(ada.results[0]);
+    ada.results[1].mistakes = {second};
+    CHECK(ada.fault({}) == second);
+    ada.results[0].mistakes = {"with max_recursion 1 instead of 5"};
+    ada.results[1].mistakes = {"with max_recursion 2 instead of 5"};
+    CHECK(ada.fault({}) == "with max_recursion 1 instead of 5 (1 of 2 wrong pictures)");
+    for (GradeResult& result : ada.results) result.comparison.reset();
+    ada.results[0] = ada.results[1] = {};
+    ada.results[0].message = "too slow: 2.1 s of processor time";
+    ada.results[1].message = "too slow: 2.2 s of processor time";
+    CHECK(ada.fault({}) == "too slow: 2.1 s of processor time");
+}
+
+TEST_CASE("grade: a right program's other roundings are told") {
+    const TemporaryFolder folder;
+    const GradeCase test = blackCase(folder);
+    const auto namer = [&](const GradeCase&, const ImageSize& size) {
+        const SceneDescription scene = loadScene(test.scene).description;
+        return std::make_unique<MistakeNamer>(scene, wholePicture(scene, size.width));
+    };
+    const auto faultOf = [&](int pixels, int off) {
+        const CaseRenderer render = [=](const GradeCase&, int, const std::string& out) {
+            ByteImage image = flat(10, 0);
+            for (int i = 0; i < pixels; ++i)
+                image.pixels[static_cast<std::size_t>(7 * i)] = static_cast<std::uint8_t>(off);
+            writePng(out, image);
+            return Rendered{};
+        };
+        const GradedSubmission ada{"ada", {gradeCase(test, render, namer), gradeCase(test, render, namer)}};
+        return ada.fault({});
+    };
+    CHECK(faultOf(2, 1) == "rounding (4 pixels by 1)");
+    CHECK(faultOf(2, 2) == "no known mistake");
+    CHECK(faultOf(9, 1) == "no known mistake");  // more pixels than rounding changes
+}
+
+TEST_CASE("grade: an archive beside the submissions is one to unpack, where no folder has its name") {
+    const TemporaryFolder exam, handedIn;
+    blackCase(exam);
+    for (const char* name : {"ada", "bob.2"}) std::filesystem::create_directory(handedIn.file(name));
+    for (const char* name : {"ada.zip", "bob.2.tar.gz", "notes.txt", "cyd.TAR.GZ", ".zip", "Eve.zip"})
+        touch(handedIn.file(name));
+    const std::vector<Submission> submissions = submissionsIn(handedIn.file(""));
+    std::vector<std::string> names;
+    for (const Submission& submission : submissions) names.push_back(submission.name);
+    CHECK(names == std::vector<std::string>{"Eve.zip", "ada", "bob.2", "cyd.TAR.GZ"});
+    const GradePlan plan = planGrading(exam.file(""), exam.file(""));
+    Silence progress;
+    for (const char* program : {"", "cp {}/black.png"}) {
+        const auto graded =
+            gradeClass(plan, submissions, {.program = program, .run = {}}, {}, nullptr, progress);
+        REQUIRE(graded.size() == 4);
+        CHECK(graded[0].fault({}) == "an archive: unpack it into a folder");
+        CHECK(graded[3].remarks({}) == "an archive: unpack it into a folder");
+        CHECK(remark(graded[3].results.at(0)) == "an archive: unpack it into a folder");
+        CHECK(graded[1].name == "ada");
+    }
+    CHECK_THAT(classTable(gradeClass(plan, submissions, {}, {}, nullptr, progress), {}),
+               Contains("  0.0   0/1    Eve.zip     an archive: unpack it into a folder\n"));
 }
 
 TEST_CASE("grade: what a program printed is in the JSON") {

@@ -15,6 +15,7 @@
 #include <libdeflate.h>
 #include <stb_image_write.h>
 
+#include "../../src/pictures/png_chunks.h"
 #include "../support/test_folder.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/pictures/picture_writer.h"
@@ -169,8 +170,19 @@ TEST_CASE("A picture that cannot be read is told") {
         CHECK_THROWS_WITH(readImage(folder.write("a.png", bytes)), folder.file("a.png") + ": " + message);
     };
     const std::string png = pngOf(20, 20, 3, testPicture(20, 20).pixels), jpeg = jpegOf(testPicture(20, 20));
-    check("", "it is no PNG and no JPEG");
-    check("GIF89a", "it is no PNG and no JPEG");
+    check("", "it is empty");
+    check("{}", "it is no PNG, JPEG or PFM picture: convert it to PNG");
+    check("GIF89a", "it is a GIF picture: convert it to PNG");
+    check("BM6\3\0\0", "it is a BMP picture: convert it to PNG");
+    check("RIFF@@@@WEBPVP8", "it is a WebP picture: convert it to PNG");
+    check({"\0\0\0\x1c"
+           "ftypheic",
+           12},
+          "it is a HEIC or AVIF picture: convert it to PNG");
+    check({"II*\0", 4}, "it is a TIFF picture: convert it to PNG");
+    check({"MM\0*", 4}, "it is a TIFF picture: convert it to PNG");
+    check("P6 1 1 255\n@@@", "it is a PPM picture: convert it to PNG");
+    check("PF\n1 1\n-1\n", "it is a PFM picture: convert it to PNG");
     check(png.substr(0, png.size() / 2), "broken PNG picture: it is cut short, or a checksum in it is wrong");
     check(jpeg.substr(0, jpeg.size() - 10), "broken JPEG picture: it has no end marker");
     CHECK_THROWS_WITH(readImage(folder.file("nowhere.png")),
@@ -209,6 +221,20 @@ TEST_CASE("A PNG whose data cannot be inflated is told") {
         const std::string path = folder.write("a.png", checksummed(head + chunk + end));
         CHECK_THROWS_WITH(readImage(path), path + ": broken PNG picture: its compressed data are broken");
     }
+}
+
+TEST_CASE("What a PNG's header says") {
+    const auto headerOf = [](const std::string& bytes) { return std::string(8, '@') + bytes; };
+    const std::string five = headerOf({"\0\0\0\5\0\0\0\5\x8\0\0\0\1", 13});
+    CHECK(sizeOf(five).width == 5);
+    CHECK(channelsOf(five) == 1);
+    CHECK(bitDepthOf(five) == 8);
+    CHECK(inflatedSize(five) == 25 + 11);  // interlaced: 11 rows
+    CHECK(inflatedSize(headerOf({"\0\0\0\1\0\0\0\1\x8\0\0\0\1", 13})) == 2);
+    CHECK(inflatedSize(headerOf({"\0\0\0\5\0\0\0\3\x10\6\0\0\0", 13})) == 3 * (1 + 5 * 8));
+    CHECK(inflatedSize(headerOf({"\0\0\0\x9\0\0\0\3\1\3\0\0\0", 13})) == 3 * (1 + 2));
+    CHECK(hasDeepTexels(headerOf({"\0\0\0\5\0\0\0\3\x10\2\0\0\0", 13})));
+    CHECK_FALSE(hasDeepTexels(""));
 }
 
 namespace {

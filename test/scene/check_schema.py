@@ -31,10 +31,10 @@ SEMANTIC = ("no material named", "no transform named", "no texture named", "the 
             "expected each key once", "expected a finite number")
 
 # How advice on a scene begins that is in order otherwise, and none of the schema's business.
-ADVICE = ("look and up distort", "only its shadow may be seen",
-          "its color has no effect",
-          "the picture is all black", "the picture is mirrored", "the picture is upside down",
-          "no material uses it", "not shown without")
+ADVICE = ("look and up distort", "so unseen: move it or the camera",
+          "hidden inside of ",
+          "all black: ", "the picture is mirrored", "the picture is upside down",
+          "no material uses it", "not shown without", "the mesh has no vt", "a negative color")
 
 # The advice that is due to good scenes: what is said of them is meant, or is what they are for.
 UNUSED = (":10:51: /textures/never used, so never decoded: no material uses it: "
@@ -46,7 +46,7 @@ DUE = {
     "defaults.json": UNUSED,
     "mirrored_film.json":
     ":4:22: /camera/film_left: the picture is mirrored: swap it with film_right\n",
-    "least.json": ": the picture is all black: the scene has no shapes\n",
+    "least.json": ": all black: the scene has no shapes: add one to \"shapes\"\n",
     "rotated_unlike_scales.json":
     ": the scene's numbers lie too far apart for --precision double: computed in extended\n",
 }

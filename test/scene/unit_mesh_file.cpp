@@ -193,9 +193,18 @@ TEST_CASE("A broken OBJ is told with the line") {
               "line 6: either all corners of a face have a texture coordinate or none");
     }
     SECTION("what is no mesh") {
-        check("", "no faces, so not an OBJ mesh");
-        check(square, "no faces, so not an OBJ mesh");
-        check("{\"camera\": {}}\n", "no faces, so not an OBJ mesh");
+        check("", "it is empty");
+        check("{\"camera\": {}}\n", "no vertices and no faces, so not an OBJ mesh");
+        const std::string stl = "an STL mesh: save it as OBJ", ply = "a PLY mesh: save it as OBJ";
+        check("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", stl);
+        check(" solid a\r\n facet normal 0 0 1\r\n", stl);
+        check(std::string(80, '\0') + std::string("\1\0\0\0", 4) + std::string(50, '\0'), stl);
+        check("ply\nformat ascii 1.0\n", ply);
+        check("ply\r\nformat binary_little_endian 1.0\r\n" + std::string(9, '\0'), ply);
+        check("solid\nv 0 0 0\n", "vertices, but no faces: save it with faces (lines like f 1 2 3)");
+    }
+    SECTION("a mesh of vertices alone") {
+        check(square, "vertices, but no faces: save it with faces (lines like f 1 2 3)");
         check("v 0 0 \x1b[31m" + std::string(100, 'x') + "\nf 1 1 1",
               "line 1: expected a number, found \"?[31m" + std::string(35, 'x') + "\"...");
     }
@@ -276,7 +285,7 @@ TEST_CASE("An OBJ from a file") {
     }
     SECTION("that is empty") {
         const std::string path = folder.write("a.obj", "");
-        CHECK_THROWS_WITH(raytracer::loadObj(path), path + ": no faces, so not an OBJ mesh");
+        CHECK_THROWS_WITH(raytracer::loadObj(path), path + ": it is empty");
     }
     SECTION("that is missing") {
         const std::string path = folder.file("b.obj");

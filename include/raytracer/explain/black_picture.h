@@ -11,7 +11,7 @@ namespace raytracer {
 bool isAllBlack(const ByteImage& image);
 bool isAllBlack(const FloatImage& image);
 
-// One line, "the picture is all black: ...", for a whole picture of options.size in which Pass::Color is
+// One line, "all black: REASON: REMEDY", for a whole picture of options.size in which Pass::Color is
 // black. Renders the first hit of every pixel, and explains some hundred of the pixels that hit something,
 // evenly spread. `scene` as it was rendered.
 std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, const RenderOptions& options);

@@ -34,6 +34,7 @@ struct Diagnosis {
 
     // "without specular light", or "A, or B"; empty without a name.
     std::string names() const;
+    std::vector<std::string> hints() const;  // of the mistakes, each once
     // "equals the picture without specular light (0 of 360000 pixels differ; 41022 differ from the right
     // one)", "is, but for 6 of 360000 pixels, the picture ...", "is, but for 6 of 360000 pixels that rounding
     // decides, the picture ..." or "is wrong: 99 % of its 41022 wrong pixels are as in the picture ...";

@@ -97,10 +97,12 @@ struct GradeResult {
     // pixel.
     std::vector<std::string> mistakes;
     std::string sentence;
+    bool isRounding = false;  // that of a right program, which rounds otherwise
     std::array<std::uint8_t, 3> ourWorst{}, referenceWorst{};
 
     int score() const { return comparison ? comparison->score : 0; }
     void take(const Rendered& rendered);
+    std::string butInstead() const;  // ", but a.jpg is there"; empty where nothing is instead
 };
 
 // A reference, read. Throws Error, also where the memory does not suffice for another picture of its size.

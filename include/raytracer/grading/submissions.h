@@ -16,14 +16,19 @@ namespace raytracer {
 struct Submission {
     std::string name, folder;  // the folder's name, and its absolute path
     std::string given;         // its path, as far as it was given
+    bool isArchive = false;    // a file that is to be unpacked into a folder
 };
 
-// The folders in `folder`, by name. Throws Error where it cannot be read or has none.
+inline constexpr const char* toUnpack = "an archive: unpack it into a folder";
+
+// The folders in `folder`, by name, and the archives for which there is no folder of their name. Throws Error
+// where it cannot be read or has none.
 std::vector<Submission> submissionsIn(const std::string& folder);
 
 struct GradedSubmission {
     std::string name;
     std::vector<GradeResult> results;  // one for each case of the plan, in its order
+    bool isArchive = false;
 
     double mean() const;
     std::size_t rightCount(const Thresholds& thresholds) const;

@@ -1,17 +1,43 @@
-// Pictures that show something else than was asked for: another stage, other terms, several rays a pixel.
+// Mistakes in what becomes of colours: other bytes, or a picture of something else than was asked for, as of
+// another stage, other terms, several rays a pixel.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <glm/common.hpp>
 
 #include "mistake.h"
 #include "raytracer/grading/grade.h"
+#include "raytracer/pictures/image.h"
 #include "raytracer/tracer/sample_sequence.h"
 #include "raytracer/tracer/term_names.h"
 
 namespace raytracer {
 
 namespace {
+
+glm::dvec3 channelwise(const glm::dvec3& color, double (*f)(double)) {
+    const glm::dvec3 c = glm::clamp(color, 0.0, 1.0);
+    return {f(c.x), f(c.y), f(c.z)};
+}
+
+// IEC 61966-2-1.
+double toSrgb(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+double toGamma(double linear) { return std::pow(linear, 1 / 2.2); }
+double fromGamma(double value) { return std::pow(value, 2.2); }
+double squareRoot(double linear) { return std::sqrt(linear); }
+
+// What is far above any byte wraps anywhere.
+int toInt(double value) { return static_cast<int>(std::clamp(value, 0.0, 1e9)); }
+
+std::uint8_t wrapped(double channel) { return static_cast<std::uint8_t>(toInt(255 * channel + 0.5) & 255); }
+std::uint8_t wrappedAndCut(double channel) { return static_cast<std::uint8_t>(toInt(255 * channel) & 255); }
+std::uint8_t cut(double channel) { return static_cast<std::uint8_t>(toInt(255 * std::min(channel, 1.0))); }
+std::uint8_t of256(double channel) {
+    return static_cast<std::uint8_t>(std::min(255, toInt(256 * std::min(channel, 1.0))));
+}
 
 bool areSameTerms(const Terms& a, const Terms& b) {
     return std::ranges::all_of(termNames, [&](const TermName& term) { return a.*term.term == b.*term.term; });
@@ -20,7 +46,7 @@ bool areSameTerms(const Terms& a, const Terms& b) {
 std::string stageInWords(const Stage& stage) {
     const std::string name = "the stage -" + std::string(stage.name);
     const bool isLight = stage.only == "ambient" || stage.only == "diffuse" || stage.only == "specular";
-    return isLight ? "of " + std::string(stage.only) + " light alone, " + name : "of " + name;
+    return "that shows " + (isLight ? std::string(stage.only) + " light alone, as " + name + " does" : name);
 }
 
 // The whole scene anew: the terms that the right picture leaves out are no longer in its scene.
@@ -108,6 +134,32 @@ void addSampleMistakes(std::vector<Mistake>& mistakes) {
 }
 
 }  // namespace
+
+void addByteMistakes(std::vector<Mistake>& mistakes) {
+    const auto tone = [&](const char* what, const char* hint, double (*f)(double)) {
+        mistakes.push_back(
+            {.what = what, .hint = hint, .kind = "tone", .color = [f](const glm::dvec3& color) {
+                 return channelwise(color, f);
+             }});
+    };
+    const auto bytes = [&](const char* what, const char* hint, ToByte toByte) {
+        mistakes.push_back({.what = what, .hint = hint, .kind = "bytes", .toByte = toByte});
+    };
+    const char* const linear = "The byte is 255 times the colour, without a gamma curve.";
+    tone("with the gamma curve of sRGB applied", linear, toSrgb);
+    tone("with a gamma of 2.2 applied", linear, toGamma);
+    tone("with a gamma of 1 / 2.2 applied", linear, fromGamma);
+    tone("with square roots of the colours", linear, squareRoot);
+    mistakes.push_back({.what = "with red and blue exchanged",
+                        .hint = "The bytes of a pixel are red, green, blue.",
+                        .kind = "channels",
+                        .color = [](const glm::dvec3& c) { return glm::dvec3(c.z, c.y, c.x); }});
+    const char* const clamp = "Is the colour clamped to 1 before it becomes a byte?";
+    bytes("without the clamp: bytes wrap", clamp, wrapped);
+    bytes("without the clamp: bytes wrap, and are cut instead of rounded", clamp, wrappedAndCut);
+    bytes("whose bytes are cut instead of rounded", "The byte is lround(255 c).", cut);
+    bytes("whose bytes are 256 times the colour", "The byte is lround(255 c).", of256);
+}
 
 void addStageMistakes(std::vector<Mistake>& mistakes, const SceneDescription& whole,
                       const RenderOptions& options, const Terms& terms) {

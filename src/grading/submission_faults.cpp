@@ -1,0 +1,133 @@
+// What is to be said of a submission as a whole.
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+#include "raytracer/grading/submissions.h"
+#include "raytracer/util/text.h"
+
+namespace raytracer {
+
+std::string GradeResult::butInstead() const {
+    return instead.empty() ? "" : ", but " + instead + " is there";
+}
+
+double GradedSubmission::mean() const {
+    const double sum =
+        std::accumulate(results.begin(), results.end(), 0.0,
+                        [](double total, const GradeResult& result) { return total + result.score(); });
+    return results.empty() ? 0 : sum / static_cast<double>(results.size());
+}
+
+std::size_t GradedSubmission::rightCount(const Thresholds& thresholds) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        results, [&](const GradeResult& result) { return within(result, thresholds); }));
+}
+
+const GradeResult& GradedSubmission::worst() const { return *std::ranges::min_element(results, isWorse); }
+
+double GradedSubmission::seconds() const {
+    return std::accumulate(results.begin(), results.end(), 0.0,
+                           [](double total, const GradeResult& result) { return total + result.seconds; });
+}
+
+namespace {
+
+// "a, b and 3 more are missing, but a.jpg is there"; empty where none is.
+std::string missingPictures(const std::vector<GradeResult>& results) {
+    constexpr std::size_t most = 3;  // parts of the list: names, the last for all that are left
+    std::vector<std::string> names;
+    for (const GradeResult& result : results)
+        if (result.isMissing) names.push_back(result.test.name);
+    if (names.empty()) return {};
+    const std::size_t count = names.size();
+    const auto with = std::ranges::find_if_not(results, &std::string::empty, &GradeResult::instead);
+    if (count > most) {
+        names.resize(most - 1);
+        names.push_back(std::to_string(count - names.size()) + " more");
+    }
+    return listed(names, "and") + (count == 1 ? " is missing" : " are missing") +
+           (with == results.end() ? "" : with->butInstead());
+}
+
+// "too slow: 2.1 s" and "too slow: 2.2 s" are one fault.
+std::string withoutTimes(std::string message) {
+    std::erase_if(message, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+    return message;
+}
+
+// A fault of some of the wrong pictures.
+struct Fault {
+    std::string key, text;
+    std::size_t pictures = 0;
+};
+
+class FaultCount {
+  public:
+    // `key`: what pictures with the same fault have in common.
+    void add(const std::string& key, const std::string& text) {
+        if (key.empty()) return;
+        auto known = std::ranges::find(faults_, key, &Fault::key);
+        if (known == faults_.end()) known = faults_.insert(known, {key, text});
+        ++known->pictures;
+    }
+
+    // The first of those with the most pictures; null where there is none.
+    const Fault* most() const {
+        return faults_.empty() ? nullptr : &*std::ranges::max_element(faults_, {}, &Fault::pictures);
+    }
+
+  private:
+    std::vector<Fault> faults_;
+};
+
+// Wrong pictures that no mistake explains: those of a right program, but for rounding?
+std::string withoutMistake(const std::vector<const GradeResult*>& wrong) {
+    if (!std::ranges::all_of(wrong, &GradeResult::isRounding)) return "no known mistake";
+    std::uint64_t pixels = 0, byMore = 0;
+    for (const GradeResult* result : wrong) {
+        pixels += result->comparison->pixelsOver(0);
+        byMore += result->comparison->pixelsOver(1);
+    }
+    return "rounding (" + std::to_string(pixels) + (pixels == 1 ? " pixel" : " pixels") +
+           (byMore == 0 ? " by 1)" : ")");
+}
+
+// A picture that several mistakes explain counts for each of them: what explains the others too is the one.
+std::string mistakeOfMost(const std::vector<GradeResult>& results, const Thresholds& thresholds) {
+    std::vector<const GradeResult*> wrong;
+    FaultCount count;
+    for (const GradeResult& result : results) {
+        if (result.isMissing || within(result, thresholds)) continue;
+        wrong.push_back(&result);
+        if (!result.comparison) count.add(withoutTimes(result.message), result.message);
+        for (const std::string& mistake : result.mistakes) count.add(mistake, mistake);
+    }
+    if (wrong.empty()) return {};
+    const Fault* const most = count.most();
+    if (!most) return withoutMistake(wrong);
+    if (most->pictures == wrong.size()) return most->text;
+    return most->text + " (" + std::to_string(most->pictures) + " of " + std::to_string(wrong.size()) +
+           " wrong pictures)";
+}
+
+}  // namespace
+
+std::string GradedSubmission::fault(const Thresholds& thresholds) const {
+    if (isArchive) return toUnpack;
+    const auto isNowhere = [](const GradeResult& r) { return r.isMissing && r.instead.empty(); };
+    if (!results.empty() && std::ranges::all_of(results, isNowhere)) return "nothing handed in";
+    const std::string mistake = mistakeOfMost(results, thresholds), missing = missingPictures(results);
+    return mistake + (mistake.empty() || missing.empty() ? "" : "; ") + missing;
+}
+
+std::string GradedSubmission::remarks(const Thresholds& thresholds) const {
+    std::string text = fault(thresholds);
+    std::size_t notes = 0;
+    for (const GradeResult& result : results)
+        if (!result.note.empty() && notes++ == 0) text += (text.empty() ? "" : "; ") + result.note;
+    if (notes > 1) text += " (so with " + std::to_string(notes) + " pictures)";
+    return text;
+}
+
+}  // namespace raytracer
