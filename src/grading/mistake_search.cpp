@@ -131,7 +131,7 @@ class Search {
         const auto isExact = [](const Candidate& c) { return c.fit.isExact(); };
         if (std::ranges::any_of(candidates, isExact))
             std::erase_if(candidates, [](const Candidate& c) { return c.fit.unknown > 0; });
-        std::ranges::stable_partition(candidates, isExact);
+        std::stable_partition(candidates.begin(), candidates.end(), isExact);
         return candidates;
     }
 
