@@ -166,13 +166,14 @@ std::string deflatedData(const std::vector<std::string_view>& chunks) {
 }
 
 libdeflate_result inflate(const std::string& deflated, std::string_view header) {
-    std::vector<char> inflated(inflatedSize(header));
+    const std::size_t most = inflatedSize(header);
+    const std::unique_ptr<char[]> inflated(new (std::nothrow) char[most]);  // not cleared, as a vector is
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
         libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
-    if (!decompressor) throw std::bad_alloc();
+    if (!inflated || !decompressor) throw std::bad_alloc();
     std::size_t size = 0;
-    return libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.data(),
-                                      inflated.size(), &size);
+    return libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), inflated.get(),
+                                      most, &size);
 }
 
 }  // namespace raytracer
