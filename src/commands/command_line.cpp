@@ -240,7 +240,7 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
 void CommandLine::sort(const std::vector<std::string>& line) {
     const auto end = std::ranges::find(line, "--");
     for (std::size_t at = 0; at < std::size_t(end - line.begin()); ++at) {
-        if (looksLikeOption(line[at]) || startsWithLongDash(line[at])) takeOption(line, at);
+        if (looksLikeOption(line[at]) || !behindLongDash(line[at]).empty()) takeOption(line, at);
         else rest_.push_back(line[at]);
     }
     if (end != line.end()) rest_.insert(rest_.end(), end + 1, line.end());

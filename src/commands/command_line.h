@@ -22,12 +22,6 @@ struct Range {
 constexpr Range atLeast(double least) { return {.least = least}; }
 constexpr Range above(double least) { return {.least = least, .open = true}; }
 
-// A text program makes these of two hyphens: an en dash and an em dash.
-constexpr std::string_view longDashes[] = {"\u2013", "\u2014"};
-constexpr bool startsWithLongDash(std::string_view word) {
-    return word.starts_with(longDashes[0]) || word.starts_with(longDashes[1]);
-}
-
 // What an argument is, as far as its text shows that: so that arguments in a wrong order are recognised.
 enum class ArgumentKind { Any, Scene, Picture, Number, Folder };
 

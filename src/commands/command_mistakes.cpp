@@ -48,7 +48,7 @@ constexpr OtherName otherNames[] = {
 };
 
 std::string_view withoutDashes(std::string_view name) {
-    if (startsWithLongDash(name)) name.remove_prefix(longDashes[0].size());
+    if (const auto behind = behindLongDash(name); !behind.empty()) name = behind;
     name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
     return name;
 }

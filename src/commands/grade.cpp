@@ -222,16 +222,22 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
     return one.rightCount(arguments.thresholds) == results.size() ? 0 : 1;
 }
 
+bool hasFile(const Submission& submission, const std::string& name) {
+    std::string path = name;
+    for (std::size_t at = 0; (at = path.find("{}", at)) != path.npos; at += submission.folder.size())
+        path.replace(at, 2, submission.folder);
+    std::error_code error;
+    return std::filesystem::exists(path, error);
+}
+
 // A program that no submission has is a slip of the command line, not of sixty students.
 void requireProgramIn(const std::vector<Submission>& submissions, const std::string& program) {
-    const std::string first = program.substr(0, program.find(' '));
-    if (!first.starts_with("{}/")) return;
-    const auto has = [&](const Submission& submission) {
-        std::error_code error;
-        return std::filesystem::exists(submission.folder + first.substr(2), error);
-    };
-    if (std::ranges::none_of(submissions, has))
-        throw usageError("--program: no submission has a file " + printable(first.substr(3)));
+    const std::vector<std::string> words = plainWords(program);
+    if (words.empty()) return;
+    for (const std::string& name : {words[0], scriptIn(words)})
+        if (name.find("{}") != name.npos &&
+            std::ranges::none_of(submissions, [&](const Submission& one) { return hasFile(one, name); }))
+            throw usageError("--program: no submission has a file " + printable(name));
 }
 
 int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {

@@ -10,8 +10,6 @@
 
 namespace raytracer::commands {
 
-namespace {}  // namespace
-
 std::string pictureOptions(const RenderArguments& arguments, const RenderOptions& options) {
     std::string text;
     const auto add = [&](const std::string& option) { text += (text.empty() ? "--" : " --") + option; };

@@ -187,6 +187,21 @@ COMMANDS = [
     ("grade graded --program ./more", "raytracer grade: --program: ./more is a folder: name a program in it"),
     ("grade graded --program ./scene.json",
      "raytracer grade: --program: ./scene.json is not executable: chmod +x makes it so"),
+    ("grade graded --program nosuchcmd", "raytracer grade: --program: there is no command nosuchcmd"),
+    ("grade graded --program scene.json",
+     "raytracer grade: --program: there is no command scene.json; write ./scene.json"),
+    (["grade", "graded", "--program", "./nothere; true"],
+     "raytracer grade: --program: there is no file ./nothere"),
+    (["grade", "graded", "--program", "python3 progs/b.py"],
+     "raytracer grade: --program: there is no file progs/b.py"),
+    (["grade", "graded", "--program", "python3 -u programs/a.pyy.py x.py"],
+     'raytracer grade: --program: there is no file programs/a.pyy.py; there is "programs/a.py"'),
+    ("grade graded --submissions class --program nosuchcmd/{}",
+     "raytracer grade: --program: no submission has a file nosuchcmd/{}"),
+    ("grade graded --submissions class --program ./{}/raytracing",
+     "raytracer grade: --program: no submission has a file ./{}/raytracing"),
+    (["grade", "graded", "--submissions", "class", "--program", "python3 {}/b.py"],
+     "raytracer grade: --program: no submission has a file {}/b.py"),
     ("grade graded --report x.txt", "x.txt: expected a name that ends in .html or .htm"),
     ("grade graded --report x.pdf --program true", "x.pdf: expected a name that ends in .html or .htm"),
     ("scene.json out.jpg 8 --watch", "out.jpg: expected a name that ends in .png or .pfm"),
@@ -427,22 +442,26 @@ def check_all(folder):
     (folder / "graded").mkdir()
     (folder / "programs").mkdir()
     shutil.copy("test/bad/files/check.png", folder / "graded/scene.png")
-    (folder / "graded/scene.json").write_text(SCENE, encoding="utf-8")
+    (folder / "graded/scene.json").write_text(SCENE.replace("textures/wood.png", "../textures/wood.png"),
+                                              encoding="utf-8")
     (folder / "programs/raytracer").write_text("", encoding="utf-8")
     (folder / "more/other.json").write_text("{}", encoding="utf-8")
     (folder / "my scene.json").write_text("{}", encoding="utf-8")
+    (folder / "programs/a.py").write_text("", encoding="utf-8")
+    (folder / "class/ada").mkdir(parents=True)
+    (folder / "class/ada/run").write_text("true", encoding="utf-8")
     (folder / "e").write_text("", encoding="utf-8")
     check_change(folder, ("red", "red"), 0, [])
     shutil.copy(folder / "out.png", folder / "small.png")
     for line, answer in COMMANDS:
-        if line.startswith("compare"):
+        if line[:7] == "compare":
             shutil.copy("test/bad/files/check.png", folder / "out.png")
             done = subprocess.run([RAYTRACER, *line.split()], capture_output=True, text=True, cwd=folder,
                                   check=False)
             check(line, (2, answer + "\n"), (done.returncode, done.stderr))
             check_width(line, answer)
             continue
-        check(line, (2, "", [answer]), answered(folder, line.split()))
+        check(line, (2, "", [answer]), answered(folder, line if isinstance(line, list) else line.split()))
     for before, after, place, answer in SCENES:
         line, column = map(int, place.split(":"))
         text = SCENE.replace(before, after, 1).split("\n")[line - 1][:96]

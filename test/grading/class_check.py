@@ -224,7 +224,7 @@ def check_odd(raytracer, folder):
     check(counts == (1, absent), f"the page says what is not there: {counts}")
     check("<dt>time</dt>" not in page and ">ours<" not in page, "the page of pictures")
     refused = run(*grade, "--program", "{}/no/such --fast", cwd=folder)
-    said = "raytracer grade: --program: no submission has a file no/such\n"
+    said = "raytracer grade: --program: no submission has a file {}/no/such\n"
     check((refused.returncode, refused.stderr) == (2, said), refused.stderr)
 
 
