@@ -2,9 +2,20 @@
 
 #include <filesystem>
 
+#include "raytracer/numerics/instruction_set.h"
 #include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/memory.h"
 #include "raytracer/util/text.h"
+
+namespace raytracer {
+
+namespace build {
+extern const char* const version;  // made by cmake/version.cmake
+extern const char* const commit;
+extern const char* const sources;
+}  // namespace build
+
+}  // namespace raytracer
 
 namespace raytracer::commands {
 
@@ -60,5 +71,16 @@ void addThresholds(CommandLine& line, Thresholds& thresholds) {
     line.number("--min-score", thresholds.minScore, {0, 100},
                 "Exit status 1 where the score is lower; alone, only the score decides");
 }
+
+std::string versionText() {
+    std::string sets;
+    for (const InstructionSet set : supportedInstructionSets())
+        sets += (sets.empty() ? "" : ", ") + std::string(nameOf(set));
+    return std::string("raytracer ") + build::version + " (" + build::commit +
+           ")\ninstruction sets: " + sets + "; used: " + std::string(nameOf(defaultInstructionSet())) +
+           "\nprecisions: float, double, extended\n";
+}
+
+std::string programVersion() { return std::string(build::version) + " (sources " + build::sources + ")"; }
 
 }  // namespace raytracer::commands

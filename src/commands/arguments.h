@@ -33,4 +33,12 @@ void addThreads(CommandLine& line, int& threads);
 // --max-pixels, --tolerance, --min-score: the options that decide what counts as the same picture.
 void addThresholds(CommandLine& line, Thresholds& thresholds);
 
+// Which program this is.
+//
+// Lines: version and commit, the instruction sets that there is code for, the precisions.
+std::string versionText();
+
+// Of the code: two programs of one version make the same pictures.
+std::string programVersion();
+
 }  // namespace raytracer::commands

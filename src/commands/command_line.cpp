@@ -1,66 +1,22 @@
 #include "command_line.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
+#include "arguments.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
-#include "version.h"
 
 namespace raytracer::commands {
 
 namespace {
 
 constexpr std::size_t messageColumns = 100;  // a line's at most
-
-// Empty for any number.
-std::string inWords(const Range& range) {
-    if (range.most < Range().most)
-        return " from " + formatted("%.6g", range.least) + " to " + formatted("%.6g", range.most);
-    if (range.least == Range().least) return "";
-    return (range.open ? " above " : " not below ") + formatted("%.6g", range.least);
-}
-
-[[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& found) {
-    throw WrongUsage{name + ": expected " + expected + ", found " + found};
-}
-
-template <class Number>
-std::string expectedNumber(const Range& range, bool isFinite = true) {
-    const char* const kind = std::is_integral_v<Number> ? "a whole number"
-                             : isFinite                 ? "a number"
-                                                        : "a finite number";
-    return kind + inWords(range);
-}
-
-// Refuses a number that is beyond its type, where nothing else limits it.
-template <class Number>
-void refuseBeyondType(const char* name, const std::string& text, const Range& range) {
-    const bool isNegative = text[0] == '-';
-    const bool isLimited = isNegative ? range.least > Range().least : range.most < Range().most;
-    if (!std::is_integral_v<Number> || isLimited || !isWholeNumber(text)) return;
-    using Limits = std::numeric_limits<Number>;
-    const std::string limit = isNegative ? "at least " + std::to_string(Limits::lowest())
-                                         : "at most " + std::to_string(Limits::max());
-    refuse(name, limit, inQuotes(text));
-}
-
-template <class Number>
-Number numberIn(const char* name, const std::string& text, const Range& range) {
-    const std::optional<Number> number = numberOf<Number>(text);
-    if (!number) refuseBeyondType<Number>(name, text, range);
-    const double value = number ? static_cast<double>(*number) : range.least - 1;
-    if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
-        refuse(name, expectedNumber<Number>(range, std::isfinite(value) || range.most < Range().most),
-               inQuotes(text));
-    return *number;
-}
 
 std::string helpWithRange(const std::string& help, const Range& range) {
     const std::string words = inWords(range);

@@ -11,16 +11,9 @@
 #include <utility>
 #include <vector>
 
-namespace raytracer::commands {
+#include "number_argument.h"
 
-// The numbers that an option takes: from `least` to `most`, but not `least` itself where `open`.
-struct Range {
-    double least = std::numeric_limits<double>::lowest();
-    double most = std::numeric_limits<double>::max();
-    bool open = false;
-};
-constexpr Range atLeast(double least) { return {.least = least}; }
-constexpr Range above(double least) { return {.least = least, .open = true}; }
+namespace raytracer::commands {
 
 // What an argument is, as far as its text shows that: so that arguments in a wrong order are recognised.
 enum class ArgumentKind { Any, Scene, Picture, Number, Folder };
@@ -146,12 +139,6 @@ class CommandLine {
 
     std::vector<Given> given_;
     std::vector<std::string> rest_;  // the line's words that are no options
-};
-
-// A line that cannot be followed. what() says what is wrong; with a hint, parse names --help too.
-struct WrongUsage {
-    std::string message;
-    bool hint = false;
 };
 
 }  // namespace raytracer::commands

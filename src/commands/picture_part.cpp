@@ -6,7 +6,6 @@
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/file_hash.h"
 #include "raytracer/util/number.h"
-#include "version.h"
 
 namespace raytracer::commands {
 

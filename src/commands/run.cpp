@@ -14,7 +14,6 @@
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/standard_streams.h"
-#include "version.h"
 
 namespace raytracer::commands {
 

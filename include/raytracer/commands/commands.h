@@ -27,3 +27,9 @@ int explain(int argc, char** argv);
 int grade(int argc, char** argv);
 
 }  // namespace raytracer::commands
+
+namespace raytracer::schema_text {
+
+extern const char* const scene;  // scenes/scene.schema.json, made by cmake/embed.cmake
+
+}
