@@ -1,5 +1,6 @@
 #include "arguments.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "raytracer/numerics/instruction_set.h"
@@ -57,6 +58,13 @@ void requirePictureFits(const std::string& file, const PixelRectangle& crop, boo
     if (isPfm) return requireMemory(file, pixels, 3 * sizeof(float) * static_cast<double>(band.area()));
     // As bytes, as they are filtered, and their compressed form.
     requireMemory(file, pixels, 9 * static_cast<double>(band.area()));
+}
+
+bool isPictureName(const std::string& name) { return endsIn(name, ".png") || endsIn(name, ".pfm"); }
+
+std::string comparisonMeant(std::span<const std::string> arguments) {
+    if (arguments.size() != 2 || !std::ranges::all_of(arguments, isPictureName)) return {};
+    return arguments[0] + " is a picture; write raytracer compare " + arguments[0] + " " + arguments[1];
 }
 
 void addThreads(CommandLine& line, int& threads) {

@@ -27,6 +27,12 @@ void refuseInput(const std::string& out, std::span<const std::string> inputs);
 // Throws Error where two of these would be written to one regular file. Empty: no file.
 void refuseSameOutput(std::span<const std::string> outputs);
 
+// Whether it is the name of a picture, by its ending.
+bool isPictureName(const std::string& name);
+
+// What is said of two pictures alone, which are to be compared; else empty.
+std::string comparisonMeant(std::span<const std::string> arguments);
+
 // --threads.
 void addThreads(CommandLine& line, int& threads);
 

@@ -59,13 +59,28 @@ std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& si
     }
 }
 
+// The stage that alone is graded; empty: all.
+std::string stageOf(const GradeArguments& arguments) {
+    if (!arguments.stage.empty() || arguments.program.empty()) return arguments.stage;
+    return std::string(completeStage().name);
+}
+
+// Throws Error where a folder has nothing to grade.
 GradePlan planFor(const GradeArguments& arguments) {
-    const std::string& references = arguments.references.empty() ? arguments.scenes : arguments.references;
+    const bool hasFolder = !arguments.references.empty();
+    const std::string& references = hasFolder ? arguments.references : arguments.scenes;
+    const std::string where =
+        hasFolder ? " in " + printable(arguments.scenes) : "; --references names their folder";
     GradePlan plan = planGrading(arguments.scenes, references);
-    std::string stage = arguments.stage;
-    if (stage.empty() && !arguments.program.empty()) stage = completeStage().name;
+    if (plan.cases.empty())
+        throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png" +
+                                            (hasFolder ? " in " + printable(references) : where));
+    const std::string stage = stageOf(arguments);
     if (!stage.empty())
         std::erase_if(plan.cases, [&](const GradeCase& test) { return test.stage->name != stage; });
+    const std::string picture = stage == completeStage().name ? "X.png" : "X-" + stage + ".png";
+    if (plan.cases.empty())
+        throw Error({references}, "no reference " + picture + " of a scene X.json" + where);
     return plan;
 }
 
@@ -181,16 +196,10 @@ int grade(int argc, char** argv) {
                      "Renders every scene of a folder that has a reference picture, and compares.");
     GradeArguments arguments;
     arguments.addTo(line);
-    line.lacks({"--size"}, "a picture has its reference's size, which a program is told");
     if (const auto status = line.parse(argc, argv)) return *status;
     arguments.check();
     const GradePlan plan = planFor(arguments);
     GradeFiles output(arguments, plan);
-    if (plan.cases.empty())
-        throw Error({arguments.scenes},
-                    "no scene X.json that has a reference X.png or X-STAGE.png" +
-                        (arguments.references.empty() ? std::string("; --references names their folder")
-                                                      : " in " + printable(arguments.references)));
     requireGradable(plan);
     return arguments.submissions.empty() ? gradeFolder(arguments, plan, output)
                                          : gradeSubmissions(arguments, plan, output);

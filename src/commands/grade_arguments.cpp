@@ -47,6 +47,18 @@ std::vector<std::string> stageNames() {
     return names;
 }
 
+// What is said of several arguments, where one folder is graded.
+std::string otherCommandMeant(std::span<const std::string> words) {
+    if (words.size() != 2) return {};
+    std::string first = words[0], second = words[1];
+    if (endsIn(second, ".json")) std::swap(first, second);
+    const std::string takesFolder = "it takes a folder; write raytracer ";
+    if (endsIn(first, ".json") && isPictureName(second))
+        return takesFolder + "explain " + first + " --picture " + second;
+    if (isPictureName(first) && isPictureName(second)) return takesFolder + "compare " + first + " " + second;
+    return "one folder is graded; write --references " + second;
+}
+
 }  // namespace
 
 void GradeArguments::addTo(CommandLine& line) {
@@ -58,15 +70,19 @@ void GradeArguments::addTo(CommandLine& line) {
     addProgramTo(line);
     addFilesTo(line);
     addThresholds(line, thresholds);
+    line.lacks({"--size"}, "a picture has its reference's size, which a program is told");
+    line.answers(otherCommandMeant);
     line.footer(gradeFooter);
 }
 
 void GradeArguments::addProgramTo(CommandLine& line) {
     line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
+    line.shown("--program", "PROGRAM", "a command");
     line.number("--timeout", timeout, above(0), "Seconds of processor time after which it is stopped");
     line.number("--wall", wall, above(0), "Seconds on the clock after which it is stopped");
     line.number("--memory", memory, {1, 500000}, "MiB of memory for each of its processes");
     line.text("--user", user, "As root: run it as this user");
+    line.shown("--user", "NAME", "a name");
     line.number("--jobs", jobs, {1, 1024}, "Programs to run side by side");
     for (const char* option : {"--timeout", "--wall", "--memory", "--user", "--jobs"})
         line.needs(option, "--program");
@@ -102,7 +118,15 @@ void GradeArguments::check() const {
         throw usageError("--program: " + fault);
     if (!report.empty() && !endsIn(report, ".html") && !endsIn(report, ".htm"))
         throw Error({report}, "expected a name that ends in .html or .htm");
-    requireUser(user);
+    for (const char* const workbook : {".xlsx", ".xls", ".ods"})
+        if (endsIn(csv, workbook))
+            throw Error({csv}, "what is written is CSV, not a workbook: name it " +
+                                   csv.substr(0, csv.rfind('.')) + ".csv");
+    try {
+        requireUser(user);
+    } catch (const Error& error) {
+        throw usageError("--user: " + std::string(error.what()));
+    }
 }
 
 }  // namespace raytracer::commands

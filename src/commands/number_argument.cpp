@@ -1,9 +1,11 @@
-#include "number_argument.h"
+#include "command_line.h"
 
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
+#include "raytracer/json/json_writer.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 
@@ -21,6 +23,20 @@ void refuseBeyondType(const char* name, const std::string& text, const Range& ra
     const std::string limit = isNegative ? "at least " + std::to_string(Limits::lowest())
                                          : "at most " + std::to_string(Limits::max());
     refuse(name, limit, inQuotes(text));
+}
+
+// "; write 10" for "10s", and so for "2%", "600px" and "0,02"; empty where no number of the range is meant.
+template <class Number>
+std::string meantNumber(const std::string& text, const Range& range) {
+    const std::size_t end = text.find_last_of("0123456789.") + 1;
+    const std::string unit = text.substr(end);
+    std::string digits = text.substr(0, end);
+    if (const std::size_t comma = digits.find(','); comma != digits.npos) digits[comma] = '.';
+    const bool isKnown = unit.empty() || unit == "s" || unit == "px" || unit == "%";
+    const std::optional<double> meant = isKnown ? numberOf<double>(digits) : std::nullopt;
+    const std::string write = meant && unit == "%" ? shortestNumber(*meant / 100) : digits;
+    const std::optional<Number> number = meant ? numberOf<Number>(write) : std::nullopt;
+    return number && range.has(static_cast<double>(*number)) ? "; write " + write : "";
 }
 
 }  // namespace
@@ -49,9 +65,9 @@ Number numberIn(const char* name, const std::string& text, const Range& range) {
     const std::optional<Number> number = numberOf<Number>(text);
     if (!number) refuseBeyondType<Number>(name, text, range);
     const double value = number ? static_cast<double>(*number) : range.least - 1;
-    if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
+    if (!number || !range.has(value))
         refuse(name, expectedNumber<Number>(range, std::isfinite(value) || range.most < Range().most),
-               inQuotes(text));
+               inQuotes(text) + meantNumber<Number>(text, range));
     return *number;
 }
 

@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "arguments.h"
-#include "frames.h"
-#include "picture_part.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/black_picture.h"
 #include "raytracer/pictures/picture.h"
@@ -19,6 +17,7 @@
 #include "raytracer/util/text.h"
 #include "render_arguments.h"
 #include "render_report.h"
+#include "series.h"
 
 namespace raytracer::commands {
 
@@ -78,7 +77,8 @@ OutputFile openOutput(const PictureArguments& wanted) {
         return {wanted.file()};
     }
     if (wanted.isPart()) throw usageError("the picture - goes to standard output, and --part to a file");
-    if (wanted.stats) throw usageError("the picture - and --stats both go to standard output");
+    if (wanted.stats)
+        throw usageError("the picture - and --stats both go to standard output: name a file for the picture");
     if (printsOnTerminal()) throw usageError("the picture - is no text for a terminal: write - > out.png");
     return OutputFile::standardOutput();
 }
@@ -236,21 +236,6 @@ void addTargetsTo(CommandLine& line, PictureArguments& wanted) {
                  {"--samples", "--adaptive", "--max-recursion", "--cutoff", "--target-error"});
 }
 
-void addPartsAndFramesTo(CommandLine& line, PictureArguments& wanted) {
-    line.text("--part", wanted.part,
-              "Render the K-th of N parts of the picture, K/N, into the file IMAGE_OUT.part-K-of-N, for "
-              "raytracer assemble; all parts take about the same time");
-    line.exclude("--part", {"--target-time"});
-    line.text(
-        "--frames", wanted.frames,
-        "Render frames A..B; IMAGE_OUT has one %04d, for their number. In a --set, {a..b} is a number that "
-        "runs from a at frame A to b at the one after B");
-    line.flag(
-        "--skip-existing", wanted.skipExisting,
-        "Keep what is there: a picture that is whole, of this size, and newer than the scene and all files "
-        "that it names (of other options nothing is known); and a part that is whole and right");
-}
-
 void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& wanted) {
     arguments.addTo(line);
     line.text("IMAGE_OUT", wanted.out,
@@ -259,11 +244,21 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
     arguments.addLongEdgeTo(line);
     arguments.addPictureTo(line);
     addTargetsTo(line, wanted);
-    addPartsAndFramesTo(line, wanted);
+    addPartsAndFramesTo(line, wanted.part, wanted.frames);
+    line.flag(
+        "--skip-existing", wanted.skipExisting,
+        "Keep what is there: a picture that is whole, of this size, and newer than the scene and all files "
+        "that it names (of other options nothing is known); and a part that is whole and right");
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.flag("--watch", wanted.watch,
               "Render again whenever the scene or a file that it names changes; Ctrl+C ends");
     line.alone("--print-schema", "Print the JSON schema of scenes, for editors");
+    line.alone("--print-manual", "Print the man page");
+    line.alone("--print-completion", "Print what bash, zsh or fish is to know, to complete command lines",
+               {std::begin(shells), std::end(shells)});
+    line.shown("--print-completion", "SHELL");
+    line.knowsCommands(commandNames());
+    line.answers(comparisonMeant);
     line.exclude("--watch", {"--frames", "--part", "--skip-existing"});
     line.exclude("--frames", {"--target-time"});
     line.exclude("--skip-existing", {"--stats"});
@@ -272,6 +267,7 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
 
 void check(const CommandLine& line, const RenderArguments& arguments, const PictureArguments& wanted) {
     arguments.check(line);
+    refuseNearRanges(arguments.sets);
     if (wanted.isPart()) parsePart(wanted.part);
     if (wanted.skipExisting && wanted.out == "-")
         throw usageError("--skip-existing has no effect with the picture -");

@@ -4,6 +4,7 @@ columns.
 Usage: mistakes_check.py RAYTRACER, from the source folder.
 """
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -33,6 +34,8 @@ SCENE = """{
 """
 RENDER = ["scene.json", "out.png", "8"]
 ORDER = "the order is SCENE IMAGE_OUT LONG_EDGE_PIXELS"
+NO_USER = "only root may run programs as another user" if os.geteuid() else "there is no user nobodyhere"
+SCENE_ON_STDIN = "raytracer: a scene is not read from standard input: name its file"
 
 # What is typed, and what is answered: an error.
 COMMANDS = [
@@ -216,6 +219,148 @@ COMMANDS = [
      'other.json: cannot read: No such file or directory; there is "more/other.json"'),
     ("compare out.png refrence.png",
      'refrence.png: cannot read: No such file or directory; there is "reference.png"'),
+    # Values that a shell has taken apart.
+    ("scene.json out.png 8 --crop 0, 0 , 5, 5",
+     "raytracer: --crop has commas, no blanks: write --crop 0,0,5,5"),
+    ("scene.json out.png 8 --crop 0 ,0 ,5 ,5",
+     "raytracer: --crop has commas, no blanks: write --crop 0,0,5,5"),
+    ("scene.json out.png 8 --only ambient , diffuse",
+     "raytracer: --only has commas, no blanks: write --only ambient,diffuse"),
+    ("scene.json out.png 8 --set /camera/eye = 0, 1, 4",
+     'raytracer: --set takes /pointer=value: write --set "/camera/eye=[0, 1, 4]"'),
+    ("--set /camera/eye = 0, 1, 4 scene.json out.png 8",
+     'raytracer: --set takes /pointer=value: write --set "/camera/eye=[0, 1, 4]"'),
+    ("--set /camera/eye= scene.json out.pfm 8 9", f'raytracer: unexpected argument "9"; {ORDER}'),
+    ("--set /camera/eye= - out.pfm 8 9", SCENE_ON_STDIN),
+    ("scene.json out.png 8 --set /materials/0/name = $HOME",
+     "raytracer: --set takes /pointer=value: write --set '/materials/0/name=$HOME'"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0=0 /camera/eye/0=1",
+     "raytracer: --set needs quotes around braces: write --set '/camera/eye/0={0..1}'"),
+    (["scene.json", "out.png", "8", "--set", "/shapes/-=name:a b", "/shapes/-=on:true"],
+     "raytracer: --set needs quotes around braces: "
+     """write --set '/shapes/-={"name":"a b","on":true}'"""),
+    ("scene.json out.png 8 --set /lights/-=position:[3 /lights/-=5 /lights/-=4e1] /lights/-=on:true",
+     "raytracer: --set needs quotes around braces: "
+     """write --set '/lights/-={...}'"""),
+    ("scene.json out.png 8 --part 1 2", "raytracer: --part is K/N, no blanks: write --part 1/2"),
+    ("scene.json out.png 8 --part 1 / 2", "raytracer: --part is K/N, no blanks: write --part 1/2"),
+    ("--part 1 of 2 scene.json out.png 8", "raytracer: --part is K/N, no blanks: write --part 1/2"),
+    ("--frames 1 8 scene.json f-%04d.png 8", "raytracer: --frames is A..B, no blanks: write --frames 1..8"),
+    ("--frames 1 .. 8 scene.json f-%04d.png 8",
+     "raytracer: --frames is A..B, no blanks: write --frames 1..8"),
+    ("--frames 1 to 8 scene.json f-%04d.png 8",
+     "raytracer: --frames is A..B, no blanks: write --frames 1..8"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye=[{0-1},0,4]",
+     "raytracer: --set /camera/eye=[{0-1},0,4]: a range is {0..1}"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0={0..}",
+     "raytracer: --set /camera/eye/0={0..}: a range is {0..1}"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0=0..1",
+     "raytracer: --set /camera/eye/0=0..1: a range is {0..1}"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0={0..1",
+     "raytracer: --set /camera/eye/0={0..1: a range is {0..1}"),
+    ("scene.json out.png 8 --set /camera/eye/0={0:1}",
+     "raytracer: --set /camera/eye/0={0:1}: a range is {0..1}"),
+    # Options written in another way.
+    ("scene.json out.png 8 --max-recursion = 3", 'raytracer: unexpected "="; write --max-recursion 3'),
+    ("scene.json out.png 8 --max-recursion =3", 'raytracer: unexpected "="; write --max-recursion 3'),
+    ("scene.json out.png 8 --report =", "raytracer: unknown option --report (see --help)"),
+    ("scene.json out.png 8 --only = diffuse", 'raytracer: unexpected "="; write --only diffuse'),
+    ("scene.json out.png 8 /max-recursion 3",
+     'raytracer: unexpected argument "/max-recursion"; write --max-recursion 3'),
+    ("scene.json out.png 8 max-recursion=3",
+     'raytracer: unexpected argument "max-recursion=3"; write --max-recursion 3'),
+    ("scene.json out.png 8 quiet", 'raytracer: unexpected argument "quiet"; write --quiet'),
+    ("scene.json out.png 8 /max-recursion=3",
+     'raytracer: unexpected argument "/max-recursion=3"; write --max-recursion 3'),
+    ("scene.json out.png 8 --max-recursion",
+     "raytracer: --max-recursion: expected a whole number from 0 to 1000, found nothing"),
+    ("scene.json out.png 8 --pass compare",
+     'raytracer: --pass: expected color, raycast or normals, found "compare"'),
+    ("--quiet -- compare o.png 100", "compare: cannot read: No such file or directory"),
+    ("--json compare a.png b.png", "raytracer: the command stands first: raytracer compare ..."),
+    ("--threads 2 grade graded", "raytracer: the command stands first: raytracer grade ..."),
+    ("scene.json out.png 8 --only", "raytracer: --only: expected terms, as ambient,diffuse, found nothing"),
+    ("scene.json out.png 8 --crop", "raytracer: --crop: expected x0,y0,x1,y1, found nothing"),
+    ("scene.json out.png 8 --part", "raytracer: --part: expected K/N, found nothing"),
+    ("scene.json out.png 8 --frames", "raytracer: --frames: expected A..B, found nothing"),
+    ("scene.json out.png 8 --set", "raytracer: --set: expected /pointer=value, found nothing"),
+    (["scene.json", "out.png", "8", "--only", ""],
+     'raytracer: --only: expected terms, as ambient,diffuse, found ""'),
+    (["scene.json", "out.png", "8", "--set", ""], 'raytracer: --set: expected /pointer=value, found ""'),
+    (["explain", "scene.json", "", "5"], 'raytracer explain: X: expected a whole number, found ""'),
+    (["explain", "scene.json", "5,", "5"], 'raytracer explain: X: expected a whole number, found "5,"'),
+    ("explain scene.json 5,5,5 5",
+     'raytracer explain: X: expected a whole number, found "5,5,5"; write 5 5 5'),
+    ("compare --print-completion xyz",
+     'raytracer compare: --print-completion: expected bash, zsh or fish, found "xyz"'),
+    ("-i scene.json -o out.png -w 8 -h 8", f"raytracer: unknown option -i; {ORDER}"),
+    ("--unknown --help", "raytracer: unknown option --unknown (see --help)"),
+    # Commands and arguments.
+    ("assemble p.png", "raytracer assemble: PART is missing; the order is PART... IMAGE_OUT (see --help)"),
+    ("reference.png out.png", "raytracer: reference.png is a picture; "
+     "write raytracer compare reference.png out.png"),
+    ("scene.json 600 600", f"raytracer: IMAGE_OUT is missing; {ORDER} (see --help)"),
+    ("- out.png 8", SCENE_ON_STDIN),
+    ("- - 8", SCENE_ON_STDIN),
+    ("explain - 3 3 8", SCENE_ON_STDIN.replace("raytracer:", "raytracer explain:")),
+    ("grade graded refs", "raytracer grade: one folder is graded; write --references refs"),
+    ("grade a.json b.png",
+     "raytracer grade: it takes a folder; write raytracer explain a.json --picture b.png"),
+    ("grade b.png a.json",
+     "raytracer grade: it takes a folder; write raytracer explain a.json --picture b.png"),
+    ("grade a.png b.png", "raytracer grade: it takes a folder; write raytracer compare a.png b.png"),
+    ("grade", "raytracer grade: DIR is missing; the order is DIR (see --help)"),
+    ("explain scene.json mine.png 3 3",
+     "raytracer explain: is mine.png the picture? Give it with --picture; "
+     "the order is SCENE X Y LONG_EDGE_PIXELS"),
+    ("scene.json out.png 8 --diffuse", "raytracer: unknown option --diffuse; did you mean --only diffuse?"),
+    ("scene.json out.png 8 --raycast", "raytracer: unknown option --raycast; did you mean --pass raycast?"),
+    ("scene.json out.png 8 --normals", "raytracer: unknown option --normals; did you mean --pass normals?"),
+    ("scene.json out.png 8 --no-shadows",
+     "raytracer: unknown option --no-shadows; did you mean --only?"),
+    ("scene.json out.png 8 --float", "raytracer: unknown option --float; did you mean --precision float?"),
+    ("scene.json out.png 8 --bilinear",
+     "raytracer: unknown option --bilinear; did you mean --texture-filter bilinear?"),
+    ("scene.json out.png 8 --region 1,1,2,2", "raytracer: unknown option --region; did you mean --crop?"),
+    ("scene.json out.png 8 --cores 2", "raytracer: unknown option --cores; did you mean --threads?"),
+    ("scene.json out.png 8 --gamma 2.2",
+     "raytracer: there is no --gamma: a byte is 255 times the linear colour; a .pfm has that itself"),
+    ("compare a.png b.png --out d.png", "raytracer compare: unknown option --out; did you mean --diff?"),
+    ("compare a.png b.png -o d.png", "raytracer compare: unknown option -o; did you mean --diff?"),
+    ("compare a.png b.png --threshold 1",
+     "raytracer compare: unknown option --threshold; did you mean --tolerance?"),
+    ("scene.json out.png 8 --pass diffuse",
+     'raytracer: --pass: expected color, raycast or normals, found "diffuse"; write --only diffuse'),
+    ("scene.json out.png 8 --only ambient_diffuse_specular",
+     'raytracer: --only: no term "ambient_diffuse_specular"; write --only ambient,diffuse,specular'),
+    ("scene.json out.png 8 --only all", 'raytracer: --only: no term "all"; without --only there are all'),
+    ("scene.json - 8 --stats",
+     "raytracer: the picture - and --stats both go to standard output: name a file for the picture"),
+    ("schema", 'raytracer: unknown command "schema"; write raytracer --print-schema'),
+    ("man", 'raytracer: unknown command "man"; write raytracer --print-manual'),
+    ("watch scene.json",
+     'raytracer: unknown command "watch"; write raytracer SCENE IMAGE_OUT LONG_EDGE_PIXELS --watch'),
+    ("scene.json out.png 8 --texture-filter Bilinear",
+     'raytracer: --texture-filter: expected bilinear, found "Bilinear"'),
+    ("scene.json out.png 8 --target-time 10s",
+     'raytracer: --target-time: expected a number above 0, found "10s"; write 10'),
+    ("scene.json out.png 8 --adaptive 2%",
+     'raytracer: --adaptive: expected a number from 0 to 1, found "2%"; write 0.02'),
+    ("scene.json out.png 8 --adaptive 0,02",
+     'raytracer: --adaptive: expected a number from 0 to 1, found "0,02"; write 0.02'),
+    ("scene.json out.png 600px",
+     'raytracer: LONG_EDGE_PIXELS: expected a whole number from 1 to 65536, found "600px"; write 600'),
+    ("grade graded --csv x.xlsx", "x.xlsx: what is written is CSV, not a workbook: name it x.csv"),
+    ("tradeoff scene.json --out x.html", "x.html: --out names a folder, for three files"),
+    ("grade graded --program true --user nobodyhere", "raytracer grade: --user: " + NO_USER),
+    ("grade graded --stage diffuse", "graded: no reference X-diffuse.png of a scene X.json; "
+     "--references names their folder"),
+    ("grade graded --stage normals --submissions class",
+     "graded: no reference X-normals.png of a scene X.json; --references names their folder"),
+    ("grade graded --references refs --stage normals",
+     "refs: no reference X-normals.png of a scene X.json in graded"),
+    ("grade stages --program true",
+     "stages: no reference X.png of a scene X.json; --references names their folder"),
 ]
 
 # What is changed in the scene, the place, what is answered, and for a mistake of syntax the column of the
@@ -447,6 +592,11 @@ def check_all(folder):
     (folder / "programs/raytracer").write_text("", encoding="utf-8")
     (folder / "more/other.json").write_text("{}", encoding="utf-8")
     (folder / "my scene.json").write_text("{}", encoding="utf-8")
+    (folder / "refs").mkdir()
+    shutil.copy("test/bad/files/check.png", folder / "refs/scene.png")
+    (folder / "stages").mkdir()
+    (folder / "stages/a.json").write_text(SCENE, encoding="utf-8")
+    shutil.copy("test/bad/files/check.png", folder / "stages/a-diffuse.png")
     (folder / "programs/a.py").write_text("", encoding="utf-8")
     (folder / "class/ada").mkdir(parents=True)
     (folder / "class/ada/run").write_text("true", encoding="utf-8")
