@@ -67,6 +67,10 @@ std::string comparisonMeant(std::span<const std::string> arguments) {
     return arguments[0] + " is a picture; write raytracer compare " + arguments[0] + " " + arguments[1];
 }
 
+void addSilence(CommandLine& line, bool& quiet) {
+    line.flag("--quiet", quiet, "Print nothing but errors: the exit status and the files tell");
+}
+
 void addThreads(CommandLine& line, int& threads) {
     line.number("--threads", threads, {0, 4096}, "Number of threads; 0: one for each processor");
 }

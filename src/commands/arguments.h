@@ -33,6 +33,9 @@ bool isPictureName(const std::string& name);
 // What is said of two pictures alone, which are to be compared; else empty.
 std::string comparisonMeant(std::span<const std::string> arguments);
 
+// --quiet of a command whose exit status tells what matters.
+void addSilence(CommandLine& line, bool& quiet);
+
 // --threads.
 void addThreads(CommandLine& line, int& threads);
 

@@ -65,23 +65,25 @@ std::string stageOf(const GradeArguments& arguments) {
     return std::string(completeStage().name);
 }
 
-// Throws Error where a folder has nothing to grade.
 GradePlan planFor(const GradeArguments& arguments) {
-    const bool hasFolder = !arguments.references.empty();
-    const std::string& references = hasFolder ? arguments.references : arguments.scenes;
-    const std::string where =
-        hasFolder ? " in " + printable(arguments.scenes) : "; --references names their folder";
+    const std::string& references = arguments.references.empty() ? arguments.scenes : arguments.references;
     GradePlan plan = planGrading(arguments.scenes, references);
-    if (plan.cases.empty())
-        throw Error({arguments.scenes}, "no scene X.json that has a reference X.png or X-STAGE.png" +
-                                            (hasFolder ? " in " + printable(references) : where));
     const std::string stage = stageOf(arguments);
     if (!stage.empty())
         std::erase_if(plan.cases, [&](const GradeCase& test) { return test.stage->name != stage; });
-    const std::string picture = stage == completeStage().name ? "X.png" : "X-" + stage + ".png";
-    if (plan.cases.empty())
-        throw Error({references}, "no reference " + picture + " of a scene X.json" + where);
     return plan;
+}
+
+void requireCases(const GradePlan& plan, const GradeArguments& arguments) {
+    if (!plan.cases.empty()) return;
+    const bool hasFolder = !arguments.references.empty();
+    const std::string stage = stageOf(arguments);
+    const std::string pictures = stage.empty()                   ? "X.png or X-STAGE.png"
+                                 : stage == completeStage().name ? "X.png"
+                                                                 : "X-" + stage + ".png";
+    throw Error({hasFolder ? arguments.references : arguments.scenes},
+                "no reference " + pictures + " of a scene X.json" +
+                    (hasFolder ? " in " + printable(arguments.scenes) : "; --references names their folder"));
 }
 
 std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& arguments) {
@@ -89,10 +91,10 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
                                     ? CaseRenderer(renderHere)
                                     : programRenderer(arguments.program, arguments.programOptions());
     std::vector<GradeResult> results;
-    print(gradeTableHead());
+    arguments.show(gradeTableHead());
     for (const GradeCase& test : plan.cases) {
         results.push_back(gradeCase(test, render, namerOf));
-        print(gradeTableRow(results.back()));
+        arguments.show(gradeTableRow(results.back()));
     }
     return results;
 }
@@ -139,7 +141,7 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
         output.report->write(
             gradeReport(results, arguments.thresholds, one.name + " on " + arguments.scenes));
     output.write({&one, 1}, arguments);
-    print(gradeSummary(results, plan, arguments.thresholds));
+    arguments.show(gradeSummary(results, plan, arguments.thresholds));
     return one.rightCount(arguments.thresholds) == results.size() ? 0 : 1;
 }
 
@@ -174,14 +176,14 @@ int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, Gra
     if (output.report) shelf.emplace(arguments.report);
     std::vector<GradedSubmission> graded;
     {
-        ProgressBar progress;
+        StepProgress progress(arguments.quiet, 1);
         const ClassOptions options{arguments.program, arguments.programOptions(), arguments.jobs};
         graded = gradeClass(plan, submissions, options, namerOf, shelf ? &*shelf : nullptr, progress);
     }
     const std::string title = arguments.submissions + " on " + arguments.scenes;
     if (output.report) output.report->write(classReport(graded, arguments.thresholds, title, *shelf));
     output.write(graded, arguments);
-    print(classTable(graded, arguments.thresholds));
+    arguments.show(classTable(graded, arguments.thresholds));
     const bool isBelow =
         arguments.thresholds.minScore && std::ranges::any_of(graded, [&](const GradedSubmission& submission) {
             return submission.worst().score() < *arguments.thresholds.minScore;
@@ -200,6 +202,7 @@ int grade(int argc, char** argv) {
     arguments.check();
     const GradePlan plan = planFor(arguments);
     GradeFiles output(arguments, plan);
+    requireCases(plan, arguments);
     requireGradable(plan);
     return arguments.submissions.empty() ? gradeFolder(arguments, plan, output)
                                          : gradeSubmissions(arguments, plan, output);

@@ -1,6 +1,7 @@
 #include "grade_arguments.h"
 
 #include "raytracer/grading/submissions.h"
+#include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer::commands {
@@ -70,6 +71,7 @@ void GradeArguments::addTo(CommandLine& line) {
     addProgramTo(line);
     addFilesTo(line);
     addThresholds(line, thresholds);
+    addSilence(line, quiet);
     line.lacks({"--size"}, "a picture has its reference's size, which a program is told");
     line.answers(otherCommandMeant);
     line.footer(gradeFooter);
@@ -99,6 +101,10 @@ void GradeArguments::addFilesTo(CommandLine& line) {
     line.output("--gradescope", gradescope, "Write Gradescope's results.json, of one submission");
     line.number("--points", points, above(0), "Gradescope's points for each picture");
     line.needs("--points", "--gradescope");
+}
+
+void GradeArguments::show(const std::string& text) const {
+    if (!quiet) print(text);
 }
 
 ProgramOptions GradeArguments::programOptions() const {

@@ -14,9 +14,13 @@ struct GradeArguments {
     double timeout = 60, wall = 600, points = 10;
     int memory = 8192, jobs = 1;
     std::string user;
+    bool quiet = false;
     Thresholds thresholds;
 
     void addTo(CommandLine& line);
+
+    // To standard output, unless `quiet`.
+    void show(const std::string& text) const;
 
     // Throws Error for what cannot be done, before anything is read.
     void check() const;

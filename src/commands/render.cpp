@@ -191,7 +191,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
 [[noreturn]] void watchScene(const RenderArguments& arguments, PictureArguments wanted) {
     std::vector<std::string> files{arguments.scene};
     openOutput(wanted);  // throws what no change of a file mends
-    for (;;) {
+    for (bool isFirst = true;;) {
         const auto start = FileWatch::Time::clock::now();
         FileWatch watch;
         for (const std::string& file : files) watch.add(file);
@@ -205,6 +205,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
             tell(error);
         }
         for (const std::string& file : files) watch.add(file, start);
+        if (std::exchange(isFirst, false)) tellWaiting(arguments.quiet);
         watch.wait();
     }
 }
@@ -214,12 +215,14 @@ int renderFrames(const RenderArguments& arguments, const PictureArguments& wante
     const Frames frames = parseFrames(wanted.frames);
     int status = 0;
     std::vector<std::string> files;
+    Stopwatch watch;
     for (int frame = frames.first; frame <= frames.last; ++frame) {
         RenderArguments inFrame = arguments;
         for (std::string& set : inFrame.sets) set = atFrame(set, frames, frame);
         PictureArguments picture = wanted;
         picture.out = frameName(wanted.out, frame);
         status = std::max(status, renderPicture(inFrame, picture, files));
+        if (frame == frames.first) remarkOnFrames(arguments, frames.last - frames.first, watch.lap().wall);
     }
     return status;
 }

@@ -30,6 +30,8 @@ std::string errorInWords(double ofSamples, double ofDepth) {
            shortNumber(ofDepth) + " for want of depth";
 }
 
+constexpr double longTime = 60;  // seconds
+
 class NoPicture final : public PixelSink {
     void write(int, int, std::span<const glm::dvec3>) override {}
 };
@@ -100,6 +102,10 @@ void tellDone(const std::string& out, const PixelRectangle& crop, double seconds
                    durationInWords(seconds).c_str()));
 }
 
+void tellWaiting(bool quiet) {
+    if (!quiet && terminalColumns() > 0) tell("waiting for a change; Ctrl+C ends");
+}
+
 TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
     const std::string head = "--target-error " + shortNumber(target) + ": ";
     std::optional<TerminalLine> line;
@@ -152,9 +158,15 @@ void remarkOnRays(const RenderArguments& arguments, const SceneDescription& scen
                                options.max_recursion, *rays, hasRemedy ? ", or add a --cutoff" : ""));
 }
 
+void remarkOnFrames(const RenderArguments& arguments, int more, double secondsOfFirst) {
+    const double seconds = more * secondsOfFirst;
+    if (seconds >= longTime)
+        arguments.remark(formatted("%d more frames take about ", more) + durationInWords(seconds) +
+                         "; a smaller size takes less");
+}
+
 void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options) {
-    constexpr double few = 3e7;  // samples: of any of our scenes they take less than a minute
-    constexpr double longTime = 60;
+    constexpr double few = 3e7;         // samples: of any of our scenes they take less than a minute
     constexpr int adaptiveSamples = 4;  // at least, in the mean of a picture that takes long
     if (arguments.quiet) return;
     const bool isAdaptive = options.adaptive > 0;

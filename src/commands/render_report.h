@@ -34,8 +34,14 @@ void remarkOnRays(const RenderArguments& arguments, const SceneDescription& scen
 // Says how long the picture, or this part of it, takes, where that is long.
 void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options);
 
+// Says how long so many frames take after the first one, where that is long.
+void remarkOnFrames(const RenderArguments& arguments, int more, double secondsOfFirst);
+
 // "under 0.01 s", "4.50 s", "12 min", "3.5 h", "2.1 days".
 std::string durationInWords(double seconds);
+
+// That --watch goes on, for who waits at a terminal.
+void tellWaiting(bool quiet);
 
 // --target-error and --target-time, on stderr.
 //

@@ -150,7 +150,10 @@ std::string nearbyFile(const std::string& path) {
         if (fs::path found = named(name, filesNear(like, 0)); !found.empty()) return found.generic_string();
     std::vector<fs::path> below;
     if (hasFolder || above != "/") below = filesNear(hasFolder ? folder : above, 2);
-    for (const fs::path& found : {named(name, below), likeName(name, here), likeStem(name, below)})
+    std::vector<fs::path> beside;
+    if (hasFolder && !folder.empty() && above != "/") beside = filesNear(above, 0);
+    for (const fs::path& found :
+         {named(name, below), named(name, beside), likeName(name, here), likeStem(name, below)})
         if (!found.empty()) return found.generic_string();
     return {};
 }
@@ -189,6 +192,18 @@ std::string missingFolder(const std::string& path) {
     const bool isMissing = before == ENOENT && !folder.empty() && !fs::exists(folder, error);
     errno = before;
     return isMissing ? "; there is no folder " + inQuotes(folder.generic_string()) : "";
+}
+
+std::string lookedIn(const std::string& path) {
+    const int before = errno;
+    const std::string missing = missingFolder(path);
+    std::error_code error;
+    const fs::path wanted = path, here = fs::current_path(error);
+    errno = before;
+    if (error || wanted.is_absolute()) return {};
+    const fs::path above = wanted.parent_path();
+    const fs::path folder = above.empty() ? here : (here / above).lexically_normal();
+    return missing.empty() ? "; looked in " + printable(folder.string()) : missing;
 }
 
 }  // namespace raytracer

@@ -152,7 +152,8 @@ def check_standard_output(folder):
     render(picture)
     status, out, error = render("-")
     check("- is a PNG on standard output", (0, picture.read_bytes(), ""), (status, out, error))
-    refused("- and --stats", "raytracer: the picture - and --stats both go to standard output",
+    refused("- and --stats", "raytracer: the picture - and --stats both go to standard output: "
+            "name a file for the picture",
             render("-", 10, "--stats"))
     master, terminal = pty.openpty()
     done = subprocess.run([RAYTRACER, SCENE, "-", "10"], stdout=terminal, stderr=subprocess.PIPE, timeout=100)

@@ -171,10 +171,10 @@ COMMANDS = [
      'scene.json: --set /lights/: /lights has 1 element, from 0: there is no ""; /lights/- adds one'),
     ("more out.png 8", "more: cannot read: Is a directory; name a file in it"),
     ("grade More", 'More: cannot read the folder: No such file or directory; there is "more"'),
-    ("grade more", "more: no scene X.json that has a reference X.png or X-STAGE.png; "
+    ("grade more", "more: no reference X.png or X-STAGE.png of a scene X.json; "
      "--references names their folder"),
     ("grade more --references textures",
-     "more: no scene X.json that has a reference X.png or X-STAGE.png in textures"),
+     "textures: no reference X.png or X-STAGE.png of a scene X.json in more"),
     ("grade more/other.json",
      'more/other.json: cannot read the folder: Not a directory; name its folder "more"'),
     ("grade scene.json", 'scene.json: cannot read the folder: Not a directory; name its folder "."'),
@@ -210,7 +210,18 @@ COMMANDS = [
     ("scene.json out.jpg 8 --watch", "out.jpg: expected a name that ends in .png or .pfm"),
     ("scene.json out.png 8 --watch --crop 1,2",
      'raytracer: --crop: expected four whole numbers x0,y0,x1,y1, found "1,2"'),
-    ("compare - out.png", "-: cannot read: No such file or directory"),
+    ("compare - out.png", "-: cannot read: No such file or directory; looked in HERE"),
+    ("./u.txt out.png 8", "./u.txt: cannot read: No such file or directory; looked in HERE/"),
+    ("more/unlike.txt out.png 8",
+     "more/unlike.txt: cannot read: No such file or directory; looked in HERE/more"),
+    ("nowhere/unlike.txt out.png 8",
+     'nowhere/unlike.txt: cannot read: No such file or directory; there is no folder "nowhere"'),
+    ("more/scene.json out.png 8",
+     'more/scene.json: cannot read: No such file or directory; there is "scene.json"'),
+    ("more\\scene.json out.png 8",
+     'more\\scene.json: cannot read: No such file or directory; there is "scene.json"'),
+    ("nowhere\\scene.json out.png 8",
+     'nowhere\\scene.json: cannot read: No such file or directory; there is "scene.json"'),
     ("compare out.png scene.json", "scene.json: it is no PNG and no JPEG"),
     ("compare out.png small.png", "small.png: expected 4 x 4 pixels, as in out.png, found 8 x 8"),
     ("sceen.json out.png 8", 'sceen.json: cannot read: No such file or directory; there is "scene.json"'),
@@ -276,7 +287,7 @@ COMMANDS = [
      "raytracer: --max-recursion: expected a whole number from 0 to 1000, found nothing"),
     ("scene.json out.png 8 --pass compare",
      'raytracer: --pass: expected color, raycast or normals, found "compare"'),
-    ("--quiet -- compare o.png 100", "compare: cannot read: No such file or directory"),
+    ("--quiet -- compare o.png 100", "compare: cannot read: No such file or directory; looked in HERE"),
     ("--json compare a.png b.png", "raytracer: the command stands first: raytracer compare ..."),
     ("--threads 2 grade graded", "raytracer: the command stands first: raytracer grade ..."),
     ("scene.json out.png 8 --only", "raytracer: --only: expected terms, as ambient,diffuse, found nothing"),
@@ -603,7 +614,8 @@ def check_all(folder):
     (folder / "e").write_text("", encoding="utf-8")
     check_change(folder, ("red", "red"), 0, [])
     shutil.copy(folder / "out.png", folder / "small.png")
-    for line, answer in COMMANDS:
+    here = os.path.realpath(folder)
+    for line, answer in [(line, answer.replace("HERE", here)) for line, answer in COMMANDS]:
         if line[:7] == "compare":
             shutil.copy("test/bad/files/check.png", folder / "out.png")
             done = subprocess.run([RAYTRACER, *line.split()], capture_output=True, text=True, cwd=folder,
