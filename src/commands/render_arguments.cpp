@@ -105,7 +105,7 @@ void RenderArguments::addTo(CommandLine& line) {
     line.texts(
         "--set", sets,
         "Another value in the scene, or one more, before it is read: /camera/eye=[0,1,5], a JSON pointer and "
-        "JSON; /lights/-={...} adds a light; may be repeated");
+        "JSON; '/lights/-={...}', in quotes, adds a light; may be repeated");
     line.shown("--set", "/pointer=value");
     line.rejoins("--set", joinedEdit);
     line.number("--max-recursion", max_recursion, {0, mostRecursion},

@@ -90,7 +90,7 @@ void addPartsAndFramesTo(CommandLine& line, std::string& part, std::string& fram
     line.text(
         "--frames", frames,
         "Render frames A..B; IMAGE_OUT has one %04d, for their number. In a --set, {a..b} is a number that "
-        "runs from a at frame A to b at the one after B");
+        "runs from a at frame A to b at the one after B; write it in quotes: '/camera/eye/0={0..1}'");
     line.shown("--frames", "A..B");
     line.rejoins("--frames", joinedFrames);
 }

@@ -212,6 +212,24 @@ def check_asked():
     check_refused(["--", "--help"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
 
 
+def check_quiet():
+    """compare and grade print nothing, explain its answer alone."""
+    with tempfile.TemporaryDirectory() as folder:
+        picture, page = pathlib.Path(folder, "least.png"), pathlib.Path(folder, "page.html")
+        pathlib.Path(folder, "least.json").write_bytes(pathlib.Path(SCENE).read_bytes())
+        check("render --quiet", "", run(SCENE, picture, 4, "--quiet").stderr)
+        for words in (["compare", picture, picture], ["grade", folder, "--report", page]):
+            done = run(*words, "--quiet")
+            check(f"{words[0]} --quiet", (0, "", ""), (done.returncode, done.stdout, done.stderr))
+        check("grade --quiet: the page", True, page.stat().st_size > 0)
+        check("compare --quiet: not the same", (1, "", ""),
+              (lambda done: (done.returncode, done.stdout, done.stderr))(
+                  run("compare", picture, "test/bad/files/check.png", "--quiet")))
+    check_refused(["compare", "a.png", "b.png", "--json", "--quiet"],
+                  "--json and --quiet exclude each other: give one of them", "raytracer compare")
+    check("explain --quiet", True, "primary ray" in run("explain", SCENE, 0, 0, 8, "--quiet").stdout)
+
+
 def check_without_effect():
     render = list(ARGUMENTS["render"].values())
     for value, options in (("raycast", ["--only", "--opaque", "--max-recursion", "--cutoff"]),
@@ -352,6 +370,7 @@ def main():
     check_order()
     check_commands()
     check_asked()
+    check_quiet()
     check_without_effect()
     check_only()
     check_version()

@@ -695,6 +695,13 @@ def check_cost(folder):
         check("cost", f"warning: scene.json: 8000 × 8000 pixels {said} take about T; {instead} takes less\n",
               re.sub("about [0-9.]+ (min|h|days);", "about T;", line))
 
+    words = [RAYTRACER, "scene.json", "f-%d.png", "8", "--frames", "1..999999"]
+    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, cwd=folder) as process:
+        line = process.stderr.readline()
+        process.kill()
+    check("frames", "warning: scene.json: 999998 more frames take about T; a smaller size takes less\n",
+          re.sub("about [0-9.]+ (min|h|days);", "about T;", line))
+
 
 with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
