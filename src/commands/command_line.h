@@ -182,7 +182,7 @@ class CommandLine {
     std::string meantOption(std::string_view name) const;
     void requireOrder() const;
     void requireWholeValues() const;
-    void requireNoInput() const;
+    void requireKinds() const;
     void requireDashes() const;
     void requireNumbers(const std::vector<std::size_t>& places,
                         const std::vector<const Word*>& expected) const;

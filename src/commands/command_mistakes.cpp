@@ -117,6 +117,16 @@ const Word* meantInstead(const std::string& text, const Word* here,
     return meant == expected.end() || (here && isMeant(here)) ? nullptr : *meant;
 }
 
+// "is out.png the picture", of the first text that has another's place; empty where none has.
+std::string swappedIn(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const Word* const here = i < expected.size() ? expected[i] : nullptr;
+        if (const Word* const meant = meantInstead(texts[i], here, expected))
+            return "is " + texts[i] + " " + nounOf(meant->kind);
+    }
+    return {};
+}
+
 }  // namespace
 
 std::vector<const Word*> CommandLine::arguments() const {
@@ -158,7 +168,7 @@ void CommandLine::requireWholeValues() const {
 }
 
 // Throws where a picture has the place of a scene or of a number, or standard input that of a scene.
-void CommandLine::requireNoInput() const {
+void CommandLine::requireKinds() const {
     const std::vector<const Word*> expected = arguments();
     if (!rest_.empty() && rest_[0] == "-" && expected[0]->kind == ArgumentKind::Scene)
         throw WrongUsage{"a scene is not read from standard input: name its file"};
@@ -195,7 +205,7 @@ void CommandLine::requireNumbers(const std::vector<std::size_t>& places,
 
 // Throws where there are too few arguments, too many, or they are in another order.
 void CommandLine::requireOrder() const {
-    requireNoInput();
+    requireKinds();
     const std::vector<const Word*> expected = expectedArguments();
     const std::vector<std::size_t> places = placesInOrder(rest_, expected);
     const bool hasMore = places.size() < rest_.size();
@@ -210,11 +220,8 @@ void CommandLine::requireOrder() const {
     if (absent) throw WrongUsage{absent->name + " is missing; " + theOrder, true};
     const std::string* const surplus = hasMore ? surplusIn(rest_, expected) : nullptr;
     if (surplus) throw WrongUsage{"unexpected argument " + inQuotes(*surplus) + "; " + theOrder};
-    for (std::size_t i = 0; hasMore && i < rest_.size(); ++i) {
-        const Word* const here = i < expected.size() ? expected[i] : nullptr;
-        if (const Word* const meant = meantInstead(rest_[i], here, expected))
-            throw WrongUsage{"is " + rest_[i] + " " + nounOf(meant->kind) + "? T" + theOrder.substr(1)};
-    }
+    const std::string swapped = hasMore ? swappedIn(rest_, expected) : "";
+    if (!swapped.empty()) throw WrongUsage{swapped + "? T" + theOrder.substr(1)};
     if (places.size() < expected.size()) requireNumbers(places, expected);
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())

@@ -162,7 +162,7 @@ bool asksForHelp(std::string_view word) { return word == "--help" || word == "-h
 
 // Whether the line asks for a document, which is printed; help goes first.
 bool printDocument(const std::vector<std::string>& words) {
-    if (std::ranges::any_of(words, asksForHelp)) return false;
+    if (std::any_of(words.begin(), std::ranges::find(words, "--"), asksForHelp)) return false;
     const auto asked = std::ranges::find_if(words, [](const std::string& word) {
         return std::ranges::find(documents, withoutValue(word)) != std::end(documents);
     });

@@ -11,13 +11,14 @@ namespace raytracer::commands {
 
 namespace {
 
-// Of a list.
+// How an option's list is written.
 struct ListForm {
     std::string_view separators;  // characters
     const char* between;          // its parts, as the list is written
     std::size_t least, most;      // parts
     std::function<bool(const std::string&)> isPart;
 };
+
 // Without the empty ones.
 std::vector<std::string> partsOf(const std::string& text, const ListForm& form) {
     std::vector<std::string> parts;
@@ -61,13 +62,16 @@ std::string objectOf(const std::string& bare) {
     return object + "}";
 }
 
-// "0" "1" "2", which a shell has made of {0..2}.
+// "0" "1" "2", which a shell has made of {0..2}; or downwards.
 bool isCount(const std::vector<std::string>& values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto number = numberOf<int>(values[i]), first = numberOf<int>(values[0]);
-        if (!number || *number - *first != static_cast<int>(i)) return false;
-    }
-    return true;
+    const auto step = [](const std::string& a, const std::string& b) {
+        const auto from = numberOf<int>(a), to = numberOf<int>(b);
+        return from && to ? double{*to} - *from : 0;
+    };
+    const double first = step(values[0], values[1]);
+    for (std::size_t i = 1; i < values.size(); ++i)
+        if (step(values[i - 1], values[i]) != first) return false;
+    return first == 1 || first == -1;
 }
 
 // "/a={0..2}" of "/a=0" "/a=1" "/a=2", which a shell has made of braces; empty where it has not.

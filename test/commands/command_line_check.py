@@ -209,6 +209,7 @@ def check_asked():
     for words in (["--help", "compare"], ["-h", "compare"]):
         check(f"{words}", run("compare", "--help").stdout, run(*words).stdout)
     check_refused(["--no-such", "--help"], "unknown option --no-such (see --help)")
+    check_refused(["--print-manual", "--", "--help"], "--print-manual stands alone")
     check_refused(["--", "--help"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
 
 
