@@ -50,7 +50,7 @@ bool looksLikeCommand(const std::vector<std::string>& words) {
     const auto exists = [&](const std::string& file) {
         return std::filesystem::exists(file, error) || error;
     };
-    return word.find_first_of("./\\") == word.npos && std::isalpha(static_cast<unsigned char>(word[0])) &&
+    return word.find_first_of("./\\=") == word.npos && std::isalpha(static_cast<unsigned char>(word[0])) &&
            !exists(word) && !(words.size() > 1 && exists(word + " " + words[1]));
 }
 

@@ -66,7 +66,7 @@ std::string objectOf(const std::string& bare) {
 bool isCount(const std::vector<std::string>& values) {
     const auto step = [](const std::string& a, const std::string& b) {
         const auto from = numberOf<int>(a), to = numberOf<int>(b);
-        return from && to ? double{*to} - *from : 0;
+        return from && to ? static_cast<double>(*to) - *from : 0.0;
     };
     const double first = step(values[0], values[1]);
     for (std::size_t i = 1; i < values.size(); ++i)

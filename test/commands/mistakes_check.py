@@ -284,6 +284,8 @@ COMMANDS = [
      'raytracer: unexpected argument "/max-recursion"; write --max-recursion 3'),
     ("scene.json out.png 8 max-recursion=3",
      'raytracer: unexpected argument "max-recursion=3"; write --max-recursion 3'),
+    ("max-recursion=3 scene.json out.png 8",
+     'raytracer: unexpected argument "max-recursion=3"; write --max-recursion 3'),
     ("scene.json out.png 8 quiet", 'raytracer: unexpected argument "quiet"; write --quiet'),
     ("scene.json out.png 8 /max-recursion=3",
      'raytracer: unexpected argument "/max-recursion=3"; write --max-recursion 3'),

@@ -297,7 +297,8 @@ def check_user(raytracer, folder):
                 "spheres_cylinder": "nobody\n2\n"}
     check(done.returncode == 1 and printed == expected, f"--user: {printed} {done.stderr}")
     refused = run(raytracer, "grade", "exam", "--program", "true", "--user", "no such", cwd=folder)
-    check((refused.returncode, refused.stderr) == (2, "there is no user no such\n"), refused.stderr)
+    said = "raytracer grade: --user: there is no user no such\n"
+    check((refused.returncode, refused.stderr) == (2, said), refused.stderr)
 
 
 def check_hostile(raytracer, folder):
