@@ -79,6 +79,16 @@ fs::path nearbyFolder(const fs::path& path) {
     return nearest.found() ? above / nearest.name() : fs::path();
 }
 
+// The file with this name in the folder above the path's, which a command line may have meant; a scene's own
+// files lie below it.
+std::string fileAbove(const std::string& path) {
+    std::string slashes = path;
+    std::ranges::replace(slashes, '\\', '/');
+    const fs::path wanted = slashes, folder = wanted.parent_path(), above = folder.parent_path();
+    const fs::path file = above / wanted.filename();
+    return !folder.empty() && above != "/" && isFile(file) ? file.generic_string() : "";
+}
+
 // The last `count` names of a path. Its iterators only go forward (libc++).
 fs::path lastNames(const fs::path& path, std::ptrdiff_t count) {
     fs::path last;
@@ -150,10 +160,7 @@ std::string nearbyFile(const std::string& path) {
         if (fs::path found = named(name, filesNear(like, 0)); !found.empty()) return found.generic_string();
     std::vector<fs::path> below;
     if (hasFolder || above != "/") below = filesNear(hasFolder ? folder : above, 2);
-    std::vector<fs::path> beside;
-    if (hasFolder && !folder.empty() && above != "/") beside = filesNear(above, 0);
-    for (const fs::path& found :
-         {named(name, below), named(name, beside), likeName(name, here), likeStem(name, below)})
+    for (const fs::path& found : {named(name, below), likeName(name, here), likeStem(name, below)})
         if (!found.empty()) return found.generic_string();
     return {};
 }
@@ -170,7 +177,8 @@ std::string nearbyName(const std::string& folder, std::string_view written) {
 
 std::string hintAt(const std::string& path) {
     const int before = errno;
-    const std::string nearby = nearbyFile(path);
+    std::string nearby = nearbyFile(path);
+    if (nearby.empty()) nearby = fileAbove(path);
     errno = before;
     return nearby.empty() ? "" : "; there is " + inQuotes(nearby);
 }
