@@ -17,21 +17,13 @@ namespace {
 constexpr std::size_t pipeSize = 1 << 16;   // on Linux
 constexpr std::size_t mostRead = 1U << 30;  // in one call
 
-// The file that may be meant, or else the folder that has none.
-std::string whereLooked(const std::string& path) {
-    const std::string hint = hintAt(path);
-    return hint.empty() ? lookedIn(path) : hint;
-}
-
 }  // namespace
 
 FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     const auto require = [&](bool done) {
         if (!done)
             throw systemError(path, "cannot read",
-                              errno == ENOENT   ? whereLooked(path)
-                              : errno == EISDIR ? "; name a file in it"
-                                                : "");
+                              errno == EISDIR ? "; name a file in it" : whereLooked(path));
     };
     const Descriptor file = openToRead(path, kind != FileKind::Regular);
     require(static_cast<bool>(file));

@@ -202,14 +202,14 @@ std::string missingFolder(const std::string& path) {
     return isMissing ? "; there is no folder " + inQuotes(folder.generic_string()) : "";
 }
 
-std::string lookedIn(const std::string& path) {
+std::string whereLooked(const std::string& path) {
     const int before = errno;
-    const std::string missing = missingFolder(path);
+    if (before != ENOENT) return {};
+    const std::string hint = hintAt(path), missing = missingFolder(path);
     std::error_code error;
-    const fs::path wanted = path, here = fs::current_path(error);
+    const fs::path wanted = path, here = fs::current_path(error), above = wanted.parent_path();
     errno = before;
-    if (error || wanted.is_absolute()) return {};
-    const fs::path above = wanted.parent_path();
+    if (!hint.empty() || error || wanted.is_absolute()) return hint;
     const fs::path folder = above.empty() ? here : (here / above).lexically_normal();
     return missing.empty() ? "; looked in " + printable(folder.string()) : missing;
 }

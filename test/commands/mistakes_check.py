@@ -313,6 +313,7 @@ COMMANDS = [
     ("-i scene.json -o out.png -w 8 -h 8", f"raytracer: unknown option -i; {ORDER}"),
     ("--unknown --help", "raytracer: unknown option --unknown (see --help)"),
     # Commands and arguments.
+    ("assemble no.part out.png", "no.part: cannot read: No such file or directory; looked in HERE"),
     ("assemble p.png", "raytracer assemble: PART is missing; the order is PART... IMAGE_OUT (see --help)"),
     ("reference.png out.png", "raytracer: reference.png is a picture; "
      "write raytracer compare reference.png out.png"),
