@@ -1,10 +1,22 @@
 #include "arguments.h"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "raytracer/numerics/instruction_set.h"
 #include "raytracer/pictures/picture_writer.h"
 #include "raytracer/util/memory.h"
 #include "raytracer/util/text.h"
+
+namespace raytracer {
+
+namespace build {
+extern const char* const version;  // made by cmake/version.cmake
+extern const char* const commit;
+extern const char* const sources;
+}  // namespace build
+
+}  // namespace raytracer
 
 namespace raytracer::commands {
 
@@ -48,6 +60,17 @@ void requirePictureFits(const std::string& file, const PixelRectangle& crop, boo
     requireMemory(file, pixels, 9 * static_cast<double>(band.area()));
 }
 
+bool isPictureName(const std::string& name) { return endsIn(name, ".png") || endsIn(name, ".pfm"); }
+
+std::string comparisonMeant(std::span<const std::string> arguments) {
+    if (arguments.size() != 2 || !std::ranges::all_of(arguments, isPictureName)) return {};
+    return arguments[0] + " is a picture; write raytracer compare " + arguments[0] + " " + arguments[1];
+}
+
+void addSilence(CommandLine& line, bool& quiet) {
+    line.flag("--quiet", quiet, "Print nothing but errors: the exit status and the files tell");
+}
+
 void addThreads(CommandLine& line, int& threads) {
     line.number("--threads", threads, {0, 4096}, "Number of threads; 0: one for each processor");
 }
@@ -60,5 +83,16 @@ void addThresholds(CommandLine& line, Thresholds& thresholds) {
     line.number("--min-score", thresholds.minScore, {0, 100},
                 "Exit status 1 where the score is lower; alone, only the score decides");
 }
+
+std::string versionText() {
+    std::string sets;
+    for (const InstructionSet set : supportedInstructionSets())
+        sets += (sets.empty() ? "" : ", ") + std::string(nameOf(set));
+    return std::string("raytracer ") + build::version + " (" + build::commit +
+           ")\ninstruction sets: " + sets + "; used: " + std::string(nameOf(defaultInstructionSet())) +
+           "\nprecisions: float, double, extended\n";
+}
+
+std::string programVersion() { return std::string(build::version) + " (sources " + build::sources + ")"; }
 
 }  // namespace raytracer::commands

@@ -72,7 +72,8 @@ int assemble(int argc, char** argv) {
     int threads = 0;
     bool quiet = false;
     line.texts("PART", paths, "The files of all parts, in any order");
-    line.text("IMAGE_OUT", out, "The picture, as it was named when its parts were rendered: .png or .pfm");
+    line.text("IMAGE_OUT", out, "The picture, as it was named when its parts were rendered: .png or .pfm",
+              ArgumentKind::Picture);
     addThreads(line, threads);
     line.flag("--quiet", quiet, "Print nothing but errors");
     line.footer(assembleFooter);

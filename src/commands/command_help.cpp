@@ -175,8 +175,10 @@ std::string CommandLine::completion(const std::string& shell) const {
 // What run.cpp asks of each command, to put together what is installed.
 std::optional<std::string> CommandLine::document(const std::vector<std::string>& line) const {
     if (line.size() == 1 && line[0] == "--print-manual") return manual();
-    if (line.size() == 2 && line[0] == "--print-completion") return completion(line[1]);
-    return std::nullopt;
+    if (line.size() != 2 || line[0] != "--print-completion") return std::nullopt;
+    if (std::ranges::find(shells, line[1]) == std::end(shells))
+        refuse(line[0], listed({std::begin(shells), std::end(shells)}), inQuotes(line[1]));
+    return completion(line[1]);
 }
 
 }  // namespace raytracer::commands

@@ -1,66 +1,20 @@
 #include "command_line.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
+#include "arguments.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
-#include "version.h"
 
 namespace raytracer::commands {
 
 namespace {
-
-constexpr std::size_t messageColumns = 100;  // a line's at most
-
-// Empty for any number.
-std::string inWords(const Range& range) {
-    if (range.most < Range().most)
-        return " from " + formatted("%.6g", range.least) + " to " + formatted("%.6g", range.most);
-    if (range.least == Range().least) return "";
-    return (range.open ? " above " : " not below ") + formatted("%.6g", range.least);
-}
-
-[[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& found) {
-    throw WrongUsage{name + ": expected " + expected + ", found " + found};
-}
-
-template <class Number>
-std::string expectedNumber(const Range& range, bool isFinite = true) {
-    const char* const kind = std::is_integral_v<Number> ? "a whole number"
-                             : isFinite                 ? "a number"
-                                                        : "a finite number";
-    return kind + inWords(range);
-}
-
-// Refuses a number that is beyond its type, where nothing else limits it.
-template <class Number>
-void refuseBeyondType(const char* name, const std::string& text, const Range& range) {
-    const bool isNegative = text[0] == '-';
-    const bool isLimited = isNegative ? range.least > Range().least : range.most < Range().most;
-    if (!std::is_integral_v<Number> || isLimited || !isWholeNumber(text)) return;
-    using Limits = std::numeric_limits<Number>;
-    const std::string limit = isNegative ? "at least " + std::to_string(Limits::lowest())
-                                         : "at most " + std::to_string(Limits::max());
-    refuse(name, limit, inQuotes(text));
-}
-
-template <class Number>
-Number numberIn(const char* name, const std::string& text, const Range& range) {
-    const std::optional<Number> number = numberOf<Number>(text);
-    if (!number) refuseBeyondType<Number>(name, text, range);
-    const double value = number ? static_cast<double>(*number) : range.least - 1;
-    if (!number || !(value >= range.least && value <= range.most) || (range.open && value == range.least))
-        refuse(name, expectedNumber<Number>(range, std::isfinite(value) || range.most < Range().most),
-               inQuotes(text));
-    return *number;
-}
 
 std::string helpWithRange(const std::string& help, const Range& range) {
     const std::string words = inWords(range);
@@ -74,15 +28,18 @@ std::string expectedOf(const std::vector<std::string>& choices) {
     return list.size() <= longest ? list : "a name in --help";
 }
 
-// The nearest name is told where the line, which begins with the command, has room for it.
-std::string chosen(const std::string& command, const char* name, const std::string& text,
-                   const std::vector<std::string>& choices) {
-    if (std::ranges::find(choices, text) != choices.end()) return text;
+// Of a text that is none of the choices. Where the line, which begins with the command, has no room for all,
+// the one that differs in its case alone is told, or else all choices.
+[[noreturn]] void refuseChoice(const std::string& command, const char* name, const std::string& text,
+                               const std::vector<std::string>& choices, const std::string& remedy) {
     NearestName nearest(text);
     for (const std::string& choice : choices) nearest.consider(choice);
-    const std::string expected = expectedOf(choices), found = inQuotes(text), question = nearest.question();
-    const std::string line = command + ": " + name + ": expected " + expected + ", found " + found + question;
-    refuse(name, expected, line.size() <= messageColumns ? found + question : found);
+    const std::string expected = expectedOf(choices), found = inQuotes(text);
+    const std::string hint = remedy.empty() ? nearest.question() : remedy;
+    const std::string line = command + ": " + name + ": expected " + expected + ", found " + found + hint;
+    if (line.size() <= messageColumns) refuse(name, expected, found + hint);
+    const bool isSame = nearest.found() && inLowerCase(nearest.name()) == inLowerCase(text);
+    refuse(name, isSame ? nearest.name() : expected, found);
 }
 
 template <class Number>
@@ -113,17 +70,22 @@ CommandLine::CommandLine(const std::string& command, const std::string& purpose)
 
 void CommandLine::add(Word word) { words_.push_back(std::move(word)); }
 
-// Where nothing is the default, an empty text would pass for that: "$VARIABLE" of a variable that is not set.
 void CommandLine::text(const char* name, std::string& value, const std::string& help, ArgumentKind kind) {
-    const auto read = [=, &value](const std::string& text) {
-        if (text.find_first_not_of(" \t\n") == text.npos) refuse(name, "a text", inQuotes(text));
-        value = text;
-    };
-    add({name, withDefault("TEXT", value), "a text", help, read, kind});
+    const auto read = [&value](const std::string& text) { value = text; };
+    add({name,
+         withDefault(kind == ArgumentKind::Folder ? "FOLDER" : "TEXT", value),
+         kind == ArgumentKind::Folder ? "a folder" : "a text",
+         help,
+         read,
+         kind,
+         {},
+         false,
+         true});
 }
 
 void CommandLine::output(const char* name, std::string& value, const std::string& help, ArgumentKind kind) {
     text(name, value, help, kind);
+    if (kind != ArgumentKind::Folder) shown(name, "FILE", "a name");
     words_.back().read = [=, take = words_.back().read](const std::string& text) {
         if (text == "-") refuse(name, "a name", inQuotes(text) + ": only a render writes to stdout");
         take(text);
@@ -133,13 +95,15 @@ void CommandLine::output(const char* name, std::string& value, const std::string
 void CommandLine::texts(const char* name, std::vector<std::string>& values, const std::string& help,
                         ArgumentKind kind) {
     const auto read = [&values](const std::string& text) { values.push_back(text); };
-    add({name, "TEXT", "a text", help, read, kind, {}, true});
+    add({name, "TEXT", "a text", help, read, kind, {}, true, true});
 }
 
 void CommandLine::choice(const char* name, std::string& value, const std::vector<std::string>& choices,
-                         const std::string& help) {
+                         const std::string& help, const Remedy& remedy) {
     const auto read = [=, command = command_, &value](const std::string& text) {
-        value = chosen(command, name, text, choices);
+        if (std::ranges::find(choices, text) == choices.end())
+            refuseChoice(command, name, text, choices, remedy ? remedy(text) : "");
+        value = text;
     };
     add({name, withDefault("NAME", value), expectedOf(choices), help, read, ArgumentKind::Any, choices});
 }
@@ -154,7 +118,15 @@ void CommandLine::flag(const char* name, bool& value, const std::string& help) {
     add({name, "", "", help, [&value](const std::string&) { value = true; }});
 }
 
-void CommandLine::alone(const char* name, const std::string& help) { add({name, "", "", help, {}}); }
+void CommandLine::alone(const char* name, const std::string& help, const std::vector<std::string>& values) {
+    add({name, values.empty() ? "" : "NAME", listed(values), help, {}, ArgumentKind::Any, values});
+}
+
+void CommandLine::shown(const char* option, const char* placeholder, const char* expected) {
+    Word& word = *std::ranges::find(words_, option, &Word::name);
+    word.placeholder = placeholder;
+    word.expected = expected ? expected : placeholder;
+}
 
 template <class Number>
 void CommandLine::number(const char* name, Number& value, const Range& range, const std::string& help) {
@@ -190,10 +162,8 @@ void CommandLine::spares(const char* option, std::initializer_list<const char*> 
     spared_.push_back({option, {arguments.begin(), arguments.end()}});
 }
 
-void CommandLine::rejoins(const char* option, const char* form, Word::Rejoin rejoin) {
-    Word& word = *std::ranges::find(words_, option, &Word::name);
-    word.form = form;
-    word.rejoin = std::move(rejoin);
+void CommandLine::rejoins(const char* option, Word::Rejoin rejoin) {
+    std::ranges::find(words_, option, &Word::name)->rejoin = std::move(rejoin);
 }
 
 void CommandLine::lacks(std::initializer_list<const char*> options, const char* reason) {
@@ -201,6 +171,8 @@ void CommandLine::lacks(std::initializer_list<const char*> options, const char* 
 }
 
 const Word* CommandLine::find(std::string_view option) const {
+    if (option == "-h") option = "--help";
+    if (option == "-V") option = "--version";
     const auto found = std::ranges::find(words_, option, &Word::name);
     return found != words_.end() && found->isOption() ? &*found : nullptr;
 }
@@ -233,14 +205,18 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
     }
     if (hasValue) return given_.push_back({option, line[at].substr(equals + 1), rest_.size()});
     if (at + 1 == line.size() || find(line[at + 1])) refuse(name, option->expected, "nothing");
-    given_.push_back({option, line[++at], rest_.size()});
+    const std::string& text = line[++at];
+    if (text.starts_with('=') && (text.size() > 1 || at + 1 < line.size()))
+        throw WrongUsage{"unexpected \"=\"; write " + name + " " +
+                         (text.size() > 1 ? text.substr(1) : line[at + 1])};
+    given_.push_back({option, text, rest_.size()});
 }
 
 // The line's words into options and the rest; all that is behind "--" is rest.
 void CommandLine::sort(const std::vector<std::string>& line) {
     const auto end = std::ranges::find(line, "--");
     for (std::size_t at = 0; at < std::size_t(end - line.begin()); ++at) {
-        if (looksLikeOption(line[at]) || startsWithLongDash(line[at])) takeOption(line, at);
+        if (looksLikeOption(line[at]) || !behindLongDash(line[at]).empty()) takeOption(line, at);
         else rest_.push_back(line[at]);
     }
     if (end != line.end()) rest_.insert(rest_.end(), end + 1, line.end());
@@ -260,30 +236,58 @@ void CommandLine::requireTogether() const {
         if (given(option) && !given(other)) throw joinedWords(option, " has no effect without ", other);
 }
 
+// Whether the line asks for help or for the version, before anything that is not known; with the exit status.
+std::optional<int> CommandLine::answered(const std::vector<std::string>& line) const {
+    for (std::size_t at = 0; at < line.size() && line[at] != "--"; ++at) {
+        const std::string& word = line[at];
+        const Word* const option = find(word);
+        if (!option && looksLikeOption(word) && !find(word.substr(0, word.find('=')))) break;
+        if (!option) continue;
+        const bool isHelp = option->name == "--help", isVersion = option->name == "--version";
+        if (isHelp || isVersion) {
+            print(isHelp ? help() : versionText());
+            return 0;
+        }
+        if (!option->isFlag() && at + 1 < line.size() && !find(line[at + 1])) ++at;  // over its value
+    }
+    return std::nullopt;
+}
+
+// A command that is not the first word, and no option's value; empty where there is none.
+std::string CommandLine::lateCommand(const std::vector<std::string>& line) const {
+    for (std::size_t at = 0; at < line.size() && line[at] != "--"; ++at) {
+        const Word* const option = find(line[at]);
+        if (option && !option->isFlag()) ++at;
+        else if (std::ranges::find(commands_, line[at]) != commands_.end()) return line[at];
+    }
+    return {};
+}
+
+// Where nothing is the default, an empty text would pass for that: "$VARIABLE" of a variable that is not set.
+static void take(const Word& word, const std::string& text) {
+    if (word.isText && text.find_first_not_of(" \t\n") == text.npos)
+        refuse(word.name, word.expected, inQuotes(text));
+    word.read(text);
+}
+
 std::optional<int> CommandLine::parse(int argc, char** argv) {
     program_ = argv[0];
     const std::vector<std::string> line(argv + 1, argv + argc);
-    if (const auto text = document(line)) {
-        print(*text);
-        return 0;
-    }
-    for (const std::string& word : line) {
-        if (word == "--help" || word == "-h") {
-            print(help());
-            return 0;
-        }
-        if (word == "--version" || word == "-V") {
-            print(versionText());
-            return 0;
-        }
-    }
     try {
+        if (const auto text = document(line)) {
+            print(*text);
+            return 0;
+        }
+        if (const auto status = answered(line)) return status;
         sort(line);
         giveArguments();
-        for (const auto& [word, text, at] : given_) word->read(text);
+        for (const auto& [word, text, at] : given_) take(*word, text);
         requireTogether();
     } catch (const WrongUsage& wrong) {
-        tell(command_ + ": " + wrong.message + (wrong.hint ? " (see --help)" : ""));
+        const std::string late = lateCommand(line);
+        tell(command_ + ": " +
+             (late.empty() ? wrong.message + (wrong.hint ? " (see --help)" : "")
+                           : "the command stands first: raytracer " + late + " ..."));
         return 2;
     }
     return std::nullopt;

@@ -13,20 +13,38 @@
 
 namespace raytracer::commands {
 
+// A line that cannot be followed. what() says what is wrong; with a hint, parse names --help too.
+struct WrongUsage {
+    std::string message;
+    bool hint = false;
+};
+
+// Throws WrongUsage: "--samples: expected a number, found nothing".
+[[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& found);
+
 // The numbers that an option takes: from `least` to `most`, but not `least` itself where `open`.
 struct Range {
     double least = std::numeric_limits<double>::lowest();
     double most = std::numeric_limits<double>::max();
     bool open = false;
+
+    bool has(double number) const { return number >= least && number <= most && !(open && number == least); }
 };
 constexpr Range atLeast(double least) { return {.least = least}; }
 constexpr Range above(double least) { return {.least = least, .open = true}; }
 
-// A text program makes these of two hyphens: an en dash and an em dash.
-constexpr std::string_view longDashes[] = {"\u2013", "\u2014"};
-constexpr bool startsWithLongDash(std::string_view word) {
-    return word.starts_with(longDashes[0]) || word.starts_with(longDashes[1]);
-}
+// " from 0 to 1"; empty for any number.
+std::string inWords(const Range& range);
+
+// "a whole number from 1 to 8".
+template <class Number>
+std::string expectedNumber(const Range& range, bool isFinite = true);
+
+// Throws WrongUsage where the text is no number of the range.
+template <class Number>
+Number numberIn(const char* name, const std::string& text, const Range& range);
+
+constexpr std::string_view shells[] = {"bash", "zsh", "fish"};  // that --print-completion knows
 
 // What an argument is, as far as its text shows that: so that arguments in a wrong order are recognised.
 enum class ArgumentKind { Any, Scene, Picture, Number, Folder };
@@ -34,8 +52,14 @@ enum class ArgumentKind { Any, Scene, Picture, Number, Folder };
 // An option or an argument, as it was declared.
 struct Word {
     using Read = std::function<void(const std::string& text)>;
-    // An option's value of which its text and some words behind it are parts; empty where they are not.
-    using Rejoin = std::function<std::string(const std::string& text, std::span<const std::string> behind)>;
+    // A value that its author has written apart: "has commas, no blanks", "0,0,5,5". Empty where that is not
+    // so.
+    struct Whole {
+        const char* form = "";
+        std::string value;
+    };
+    // Of an option's text and the words behind it that are no options.
+    using Rejoin = std::function<Whole(const std::string& text, std::span<const std::string> behind)>;
 
     std::string name;                       // "--samples", or an argument: "SCENE"
     std::string placeholder;                // of the value: "N=3"; empty: a flag
@@ -45,8 +69,8 @@ struct Word {
     ArgumentKind kind = ArgumentKind::Any;  // of the text
     std::vector<std::string> choices{};     // all that the text may be, where it is one of few
     bool isMany = false;                    // may be repeated
+    bool isText = false;                    // which is not blank
     Rejoin rejoin{};
-    const char* form = "";  // what is said where `rejoin` finds a value: "has commas, no blanks"
 
     bool isOption() const { return name.starts_with("--"); }
     bool isFlag() const { return placeholder.empty(); }
@@ -66,12 +90,18 @@ class CommandLine {
                 ArgumentKind kind = ArgumentKind::Any);  // the name of what is written, which is not "-"
     void texts(const char* name, std::vector<std::string>& values, const std::string& help,
                ArgumentKind kind = ArgumentKind::Any);  // one or more
+    // `remedy`: what to write for a text that is none of them, "; write --only diffuse", or nothing.
+    using Remedy = std::function<std::string(const std::string& text)>;
     void choice(const char* name, std::string& value, const std::vector<std::string>& choices,
-                const std::string& help);
+                const std::string& help, const Remedy& remedy = {});
     void names(const char* name, std::string& list, const std::vector<std::string>& choices,
                const std::string& help);  // comma-separated; whether they are known, the caller asks
     void flag(const char* name, bool& value, const std::string& help);
-    void alone(const char* name, const std::string& help);  // run.cpp answers it before parse
+    void alone(const char* name, const std::string& help,
+               const std::vector<std::string>& values = {});  // run.cpp answers it before parse
+
+    // How the help shows the option's value, and what is said where it is not there: "K/N".
+    void shown(const char* option, const char* placeholder, const char* expected = nullptr);
 
     // A decimal, finite number in the range; whole where Number is: int, std::uint64_t or double.
     template <class Number>
@@ -88,8 +118,15 @@ class CommandLine {
     // With the option, these arguments may be left out, all together: numbers in a std::optional.
     void spares(const char* option, std::initializer_list<const char*> arguments);
 
-    // Where words behind the option are parts of its value, `form` says how that is written: "has commas".
-    void rejoins(const char* option, const char* form, Word::Rejoin rejoin);
+    // Words behind the option may be parts of its value.
+    void rejoins(const char* option, Word::Rejoin rejoin);
+
+    // What is said of arguments that are too many, too few or in another order; empty: what fits any command.
+    using Answer = std::function<std::string(std::span<const std::string> arguments)>;
+    void answers(Answer answer) { answer_ = std::move(answer); }
+
+    // The commands of which one may stand too late in this line.
+    void knowsCommands(std::vector<std::string> names) { commands_ = std::move(names); }
 
     // Options that other commands have and this one has not, for a reason.
     void lacks(std::initializer_list<const char*> options, const char* reason);
@@ -135,6 +172,8 @@ class CommandLine {
     void takeOption(const std::vector<std::string>& line, std::size_t& at);
     void giveArguments();
     void requireTogether() const;
+    std::optional<int> answered(const std::vector<std::string>& line) const;
+    std::string lateCommand(const std::vector<std::string>& line) const;
 
     const Word* find(std::string_view option) const;
     std::vector<const Word*> arguments() const;
@@ -143,21 +182,20 @@ class CommandLine {
     std::string meantOption(std::string_view name) const;
     void requireOrder() const;
     void requireWholeValues() const;
-    void requireNumbers(const std::vector<std::size_t>& places) const;
+    void requireKinds() const;
+    void requireDashes() const;
+    void requireNumbers(const std::vector<std::size_t>& places,
+                        const std::vector<const Word*>& expected) const;
 
     std::string program_, command_, purpose_, footer_;
     std::vector<Word> words_;
     std::vector<Pair> excluded_, needed_, lacking_;
     std::vector<Spared> spared_;
+    Answer answer_;
+    std::vector<std::string> commands_;
 
     std::vector<Given> given_;
     std::vector<std::string> rest_;  // the line's words that are no options
-};
-
-// A line that cannot be followed. what() says what is wrong; with a hint, parse names --help too.
-struct WrongUsage {
-    std::string message;
-    bool hint = false;
 };
 
 }  // namespace raytracer::commands

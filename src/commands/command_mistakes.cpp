@@ -1,57 +1,17 @@
 // What is wrong with a command line, as its author would like to be told.
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <span>
 #include <system_error>
 
 #include "command_line.h"
 #include "raytracer/json/json_document.h"
-#include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer::commands {
 
 namespace {
-
-// What other programs, and people, call our options and arguments.
-struct OtherName {
-    std::string_view name, ours;
-};
-constexpr OtherName otherNames[] = {
-    {"depth", "--max-recursion"},
-    {"bounces", "--max-recursion"},
-    {"max-depth", "--max-recursion"},
-    {"spp", "--samples"},
-    {"antialiasing", "--samples"},
-    {"aa", "--samples"},
-    {"jobs", "--threads"},
-    {"j", "--threads"},
-    {"verbose", "--stats"},
-    {"v", "--version"},
-    {"q", "--quiet"},
-    {"silent", "--quiet"},
-    {"normals", "--pass"},
-    {"o", "IMAGE_OUT"},
-    {"out", "IMAGE_OUT"},
-    {"output", "IMAGE_OUT"},
-    {"size", "LONG_EDGE_PIXELS"},
-    {"width", "LONG_EDGE_PIXELS"},
-    {"height", "LONG_EDGE_PIXELS"},
-    {"s", "LONG_EDGE_PIXELS"},
-    {"resolution", "LONG_EDGE_PIXELS"},
-    {"w", "LONG_EDGE_PIXELS"},
-    {"scene", "SCENE"},
-    {"input", "SCENE"},
-    {"i", "SCENE"},
-};
-
-std::string_view withoutDashes(std::string_view name) {
-    if (startsWithLongDash(name)) name.remove_prefix(longDashes[0].size());
-    name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
-    return name;
-}
 
 // A name with a blank, which a shell takes for two words; empty where there is none.
 std::string fileWithBlank(const std::vector<std::string>& words) {
@@ -89,15 +49,19 @@ bool isAnywhere(const std::string& text, const std::vector<const Word*>& expecte
     return std::ranges::any_of(expected, [&](const Word* word) { return isOfKind(text, word->kind); });
 }
 
-// For each text the place of an argument of its kind, behind those of the texts before it. Ends
-// before the first text for which no place is left.
+// For each text the place of an argument of its kind, behind those of the texts before it; or of any kind,
+// where there are texts enough for all. Ends before the first text for which no place is left.
 std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
                                        const std::vector<const Word*>& expected) {
     std::vector<std::size_t> places;
     std::size_t next = 0;
     for (const std::string& text : texts) {
+        const bool hasAll = texts.size() - places.size() >= expected.size() - next;
+        const auto fits = [&](ArgumentKind kind) {
+            return isOfKind(text, kind) || (kind == ArgumentKind::Any && hasAll);
+        };
         if (isAnywhere(text, expected))
-            while (next < expected.size() && !isOfKind(text, expected[next]->kind)) ++next;
+            while (next < expected.size() && !fits(expected[next]->kind)) ++next;
         if (next >= expected.size()) break;
         places.push_back(next);
         ++next;
@@ -117,6 +81,32 @@ const std::string* surplusIn(const std::vector<std::string>& texts,
     return nullptr;
 }
 
+// The scene or the picture that no text is, where each text is of some kind and none is too many.
+const Word* absentKind(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
+    if (texts.size() > expected.size()) return nullptr;
+    for (const std::string& text : texts)
+        if (!isAnywhere(text, expected)) return nullptr;
+    const auto isAbsent = [&](const Word* word) {
+        return *nounOf(word->kind) && std::ranges::none_of(texts, [&](const std::string& text) {
+            return isOfKind(text, word->kind);
+        });
+    };
+    const auto absent = std::ranges::find_if(expected, isAbsent);
+    return absent == expected.end() ? nullptr : *absent;
+}
+
+// "3 3" of "3,3"; empty where the text is no list of numbers.
+std::string numbersApart(const std::string& text) {
+    std::string apart;
+    for (std::size_t start = 0, end = 0; end != text.npos; start = end + 1) {
+        end = text.find(',', start);
+        const std::string part = text.substr(start, end - start);
+        if (!isWholeNumber(part)) return {};
+        apart += (start > 0 ? " " : "") + part;
+    }
+    return apart == text ? "" : apart;
+}
+
 // The argument that the text is the picture or the scene of, if it is another one than `here`.
 const Word* meantInstead(const std::string& text, const Word* here,
                          const std::vector<const Word*>& expected) {
@@ -125,6 +115,16 @@ const Word* meantInstead(const std::string& text, const Word* here,
     };
     const auto meant = std::ranges::find_if(expected, isMeant);
     return meant == expected.end() || (here && isMeant(here)) ? nullptr : *meant;
+}
+
+// "is out.png the picture", of the first text that has another's place; empty where none has.
+std::string swappedIn(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const Word* const here = i < expected.size() ? expected[i] : nullptr;
+        if (const Word* const meant = meantInstead(texts[i], here, expected))
+            return "is " + texts[i] + " " + nounOf(meant->kind);
+    }
+    return {};
 }
 
 }  // namespace
@@ -141,34 +141,6 @@ std::string CommandLine::order() const {
     for (const Word* argument : arguments())
         names += (names.empty() ? "" : " ") + argument->name + (argument->isMany ? "..." : "");
     return names;
-}
-
-void CommandLine::failUnknown(const std::string& option) const {
-    const auto lacking = std::ranges::find(lacking_, option, &Pair::first);
-    if (lacking != lacking_.end()) throw WrongUsage{"there is no " + option + ": " + lacking->second};
-    const std::string ours = meantOption(withoutDashes(option));
-    const std::string unknown = "unknown option " + option;
-    if (ours.empty()) throw WrongUsage{unknown, true};
-    if (ours.starts_with("--")) throw WrongUsage{unknown + "; did you mean " + ours + "?"};
-    throw WrongUsage{unknown + "; the order is " + order()};
-}
-
-// By its exact other name, else by what is near to the names here, and last to the other names. It may be an
-// argument; empty where there is none.
-std::string CommandLine::meantOption(std::string_view name) const {
-    NearestName own(name), others(name);
-    for (const Word& word : words_)
-        if (word.isOption()) own.consider(withoutDashes(word.name));
-    std::map<std::string, std::string_view> here;  // the other names of what this command has
-    for (const OtherName& other : otherNames)
-        if (std::ranges::find(words_, other.ours, &Word::name) != words_.end()) {
-            here.emplace(other.name, other.ours);
-            others.consider(other.name);
-        }
-    if (const auto exact = here.find(std::string(name)); exact != here.end())
-        return std::string(exact->second);
-    if (own.found()) return "--" + own.name();
-    return others.found() ? std::string(here.at(others.name())) : "";
 }
 
 // One for each that is given: the one that may be repeated, as often as leaves the others one each.
@@ -188,28 +160,52 @@ std::vector<const Word*> CommandLine::expectedArguments() const {
 // Throws where words behind an option are parts of its value.
 void CommandLine::requireWholeValues() const {
     for (const auto& [word, text, at] : given_) {
-        const std::string whole = word->rejoin ? word->rejoin(text, std::span(rest_).subspan(at)) : "";
-        if (!whole.empty())
-            throw WrongUsage{word->name + " " + word->form + ": write " + word->name + " " + whole};
+        if (!word->rejoin) continue;
+        const Word::Whole whole = word->rejoin(text, std::span(rest_).subspan(at));
+        if (!whole.value.empty())
+            throw WrongUsage{word->name + " " + whole.form + ": write " + word->name + " " + whole.value};
+    }
+}
+
+// Throws where a picture has the place of a scene or of a number, or standard input that of a scene.
+void CommandLine::requireKinds() const {
+    const std::vector<const Word*> expected = arguments();
+    if (!rest_.empty() && rest_[0] == "-" && expected[0]->kind == ArgumentKind::Scene)
+        throw WrongUsage{"a scene is not read from standard input: name its file"};
+    const auto picture = std::ranges::find_if(
+        rest_, [](const std::string& text) { return text != "-" && isOfKind(text, ArgumentKind::Picture); });
+    if (find("--picture") && picture != rest_.end())
+        throw WrongUsage{"is " + *picture + " the picture? Give it with --picture; the order is " + order()};
+}
+
+// Throws where a word is an option without its dashes: "/max-recursion 3", "max-recursion=3".
+void CommandLine::requireDashes() const {
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+        const std::size_t slash = rest_[i].starts_with('/'), equals = rest_[i].find('=');
+        const Word* const option = find("--" + rest_[i].substr(slash, equals - slash));
+        if (!option) continue;
+        std::string value = equals == std::string::npos ? "" : rest_[i].substr(equals + 1);
+        if (value.empty() && !option->isFlag() && i + 1 < rest_.size()) value = rest_[i + 1];
+        throw WrongUsage{"unexpected argument " + inQuotes(rest_[i]) + "; write " + option->name +
+                         (value.empty() ? "" : " " + value)};
     }
 }
 
 // Throws where a text that is no number has the place of one.
-void CommandLine::requireNumbers(const std::vector<std::size_t>& places) const {
-    const std::vector<const Word*> expected = expectedArguments();
+void CommandLine::requireNumbers(const std::vector<std::size_t>& places,
+                                 const std::vector<const Word*>& expected) const {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Word& word = *expected[places[i]];
         if (word.kind != ArgumentKind::Number || isOfKind(rest_[i], word.kind)) continue;
-        const bool isList = rest_[i].find_first_not_of("0123456789,") == std::string::npos;
-        std::string apart = rest_[i];
-        std::ranges::replace(apart, ',', ' ');
-        throw WrongUsage{word.name + ": expected " + word.expected + ", found " + inQuotes(rest_[i]) +
-                         (isList ? "; write " + apart : "")};
+        if (const std::string apart = numbersApart(rest_[i]); !apart.empty())
+            refuse(word.name, word.expected, inQuotes(rest_[i]) + "; write " + apart);
+        word.read(rest_[i]);  // says what it expects
     }
 }
 
 // Throws where there are too few arguments, too many, or they are in another order.
 void CommandLine::requireOrder() const {
+    requireKinds();
     const std::vector<const Word*> expected = expectedArguments();
     const std::vector<std::size_t> places = placesInOrder(rest_, expected);
     const bool hasMore = places.size() < rest_.size();
@@ -217,22 +213,16 @@ void CommandLine::requireOrder() const {
     const std::string theOrder = "the order is " + order();
     const std::string blank = hasMore ? fileWithBlank(rest_) : "";
     if (!blank.empty()) throw WrongUsage{"there is a file " + inQuotes(blank) + ": write its name in quotes"};
+    if (const std::string said = answer_ ? answer_(rest_) : ""; !said.empty()) throw WrongUsage{said};
     requireWholeValues();
+    requireDashes();
+    const Word* const absent = hasMore ? absentKind(rest_, expected) : nullptr;
+    if (absent) throw WrongUsage{absent->name + " is missing; " + theOrder, true};
     const std::string* const surplus = hasMore ? surplusIn(rest_, expected) : nullptr;
     if (surplus) throw WrongUsage{"unexpected argument " + inQuotes(*surplus) + "; " + theOrder};
-    for (std::size_t i = 0; hasMore && i < rest_.size(); ++i) {
-        const Word* const here = i < expected.size() ? expected[i] : nullptr;
-        if (const Word* const meant = meantInstead(rest_[i], here, expected))
-            throw WrongUsage{"is " + rest_[i] + " " + nounOf(meant->kind) + "? T" + theOrder.substr(1)};
-    }
-    const auto isPicture = [](const std::string& text) {
-        return text != "-" && isOfKind(text, ArgumentKind::Picture);
-    };
-    const auto picture = std::ranges::find_if(rest_, isPicture);
-    const bool hasOption = std::ranges::find(words_, "--picture", &Word::name) != words_.end();
-    if (hasOption && picture != rest_.end())
-        throw WrongUsage{"is " + *picture + " the picture? Give it with --picture; " + theOrder};
-    if (places.size() < expected.size()) requireNumbers(places);
+    const std::string swapped = hasMore ? swappedIn(rest_, expected) : "";
+    if (!swapped.empty()) throw WrongUsage{swapped + "? T" + theOrder.substr(1)};
+    if (places.size() < expected.size()) requireNumbers(places, expected);
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())
             throw WrongUsage{expected[i]->name + " is missing; " + theOrder, true};

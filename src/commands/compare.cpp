@@ -47,7 +47,7 @@ Examples:
 
 struct CompareArguments {
     std::string a, b, diff;
-    bool json = false;
+    bool json = false, quiet = false;
     Thresholds thresholds;
 
     void addTo(CommandLine& line) {
@@ -58,6 +58,8 @@ struct CompareArguments {
                     ArgumentKind::Picture);
         line.flag("--json", json, "Print the numbers as JSON");
         addThresholds(line, thresholds);
+        addSilence(line, quiet);
+        line.exclude("--json", {"--quiet"});
         line.footer(compareFooter);
     }
 };
@@ -154,7 +156,7 @@ int comparePictures(const CompareArguments& arguments) {
     const bool same = within(comparison, arguments.thresholds);
     if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a), toBytes(b)));
     if (arguments.json) printJson(comparison, same);
-    else {
+    else if (!arguments.quiet) {
         printText(comparison);
         printVerdict(arguments, a, b, comparison, same);
     }

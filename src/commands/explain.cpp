@@ -56,6 +56,7 @@ struct ExplainArguments {
             "--picture", picture,
             "Say what is wrong with this picture of SCENE, and explain its worst pixel: then no X, Y and "
             "LONG_EDGE_PIXELS, or those of another pixel");
+        line.shown("--picture", "PICTURE", "a picture");
         line.number("--depth", depth, {0, 1000}, "Print rays up to so many reflections and refractions");
         line.flag("--json", json, "Print the rays as JSON");
         line.footer(explainFooter);

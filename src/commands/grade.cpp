@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "arguments.h"
+#include "grade_arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/grading/grade_files.h"
 #include "raytracer/grading/grade_report.h"
@@ -25,100 +25,6 @@
 namespace raytracer::commands {
 
 namespace {
-
-constexpr const char* gradeFooter =
-    R"(Renders and compares every X.json in DIR that has a picture X.png or
-X-STAGE.png. The stages:
-  raycasting, normals, ambient, diffuse, specular, ambient_diffuse_specular,
-  ambient_diffuse_specular_shadows, diffuse_reflections_recursions_3,
-  raytracing (as X.png: everything)
-A program is graded for the last of them, unless --stage says otherwise. It runs
-in a fresh folder with a copy of the scene and of what that names, and nothing
-else; a path of yours in PROGRAM is found all the same. If it crashes, hangs, is
-too slow or writes no picture, it gets 0 for that scene.
-Of each wrong picture the mistake is named, where a known one explains it.
-
-With --submissions, each folder in that folder is one: its pictures are X.png or
-X-STAGE.png anywhere beneath it, the nearest to its top; or --program makes
-them, in which {} is the submission's folder.
-
-Exit status: 0 all the same; 1 not the same; 2 there is nothing to grade, or the
-grader itself cannot work: a scene or a reference is broken, a disk is full. Of
-submissions 0 once all are graded, whatever they score; 1 where a picture is
-below --min-score; 2 as above.
-"The same" as for `raytracer compare`: no pixel differs, or what --max-pixels,
---tolerance and --min-score say, for each picture.
-
-Examples:
-  raytracer grade scenes --references test/expected
-  # a page that shows every pixel that differs
-  raytracer grade reference --report report.html
-  raytracer grade exam --program ~/ada/raytracer --report ada.html
-  raytracer grade exam --program "python3 bob.py" --timeout 120
-  raytracer grade homework2 --program ./raycasting --stage raycasting
-  # a class: a page, and a table for a spreadsheet
-  raytracer grade exam --submissions pictures --report all.html --csv all.csv
-  raytracer grade exam --submissions code --program "{}/build/raytracing")";
-
-struct GradeArguments {
-    std::string scenes, references, report, program, stage, submissions;
-    std::string csv, json, junit, gradescope;
-    double timeout = 60, wall = 600, points = 10;
-    int memory = 8192, jobs = 1;
-    std::string user;
-    Thresholds thresholds;
-
-    void addTo(CommandLine& line) {
-        line.text("DIR", scenes, "The folder of the scenes", ArgumentKind::Folder);
-        line.text("--references", references, "The folder of the reference pictures, where it is not DIR",
-                  ArgumentKind::Folder);
-        line.choice("--stage", stage, stageNames(), "Grade only the pictures of this stage");
-        line.text("--submissions", submissions, "Grade each folder in this folder", ArgumentKind::Folder);
-        addProgramTo(line);
-        addFilesTo(line);
-        addThresholds(line, thresholds);
-        line.footer(gradeFooter);
-    }
-
-    void addProgramTo(CommandLine& line) {
-        line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
-        line.number("--timeout", timeout, above(0), "Seconds of processor time after which it is stopped");
-        line.number("--wall", wall, above(0), "Seconds on the clock after which it is stopped");
-        line.number("--memory", memory, {1, 500000}, "MiB of memory for each of its processes");
-        line.text("--user", user, "As root: run it as this user");
-        line.number("--jobs", jobs, {1, 1024}, "Programs to run side by side");
-        for (const char* option : {"--timeout", "--wall", "--memory", "--user", "--jobs"})
-            line.needs(option, "--program");
-        line.needs("--jobs", "--submissions");
-    }
-
-    void addFilesTo(CommandLine& line) {
-        line.output("--report", report,
-                    "Write a page with all pictures: .html; those of a class that are more than 20 MB lie in "
-                    "a folder beside it");
-        line.output("--csv", csv, "Write the scores as CSV, a row for each submission");
-        line.output("--json", json, "Write all results as JSON");
-        line.output("--junit", junit, "Write all results as JUnit's XML, for CI systems");
-        line.output("--gradescope", gradescope, "Write Gradescope's results.json, of one submission");
-        line.number("--points", points, above(0), "Gradescope's points for each picture");
-        line.needs("--points", "--gradescope");
-    }
-
-    ProgramOptions programOptions() const {
-        ProgramOptions options;
-        options.limits.processorSeconds = timeout;
-        options.limits.wallSeconds = wall;
-        options.limits.memory = static_cast<std::uint64_t>(memory) << 20;
-        options.user = user;
-        return options;
-    }
-
-    static std::vector<std::string> stageNames() {
-        std::vector<std::string> names;
-        for (const Stage& known : stages()) names.emplace_back(known.name);
-        return names;
-    }
-};
 
 RenderArguments argumentsOf(const GradeCase& test, int longEdge) {
     RenderArguments arguments;
@@ -153,14 +59,31 @@ std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& si
     }
 }
 
+// The stage that alone is graded; empty: all.
+std::string stageOf(const GradeArguments& arguments) {
+    if (!arguments.stage.empty() || arguments.program.empty()) return arguments.stage;
+    return std::string(completeStage().name);
+}
+
 GradePlan planFor(const GradeArguments& arguments) {
     const std::string& references = arguments.references.empty() ? arguments.scenes : arguments.references;
     GradePlan plan = planGrading(arguments.scenes, references);
-    std::string stage = arguments.stage;
-    if (stage.empty() && !arguments.program.empty()) stage = completeStage().name;
+    const std::string stage = stageOf(arguments);
     if (!stage.empty())
         std::erase_if(plan.cases, [&](const GradeCase& test) { return test.stage->name != stage; });
     return plan;
+}
+
+void requireCases(const GradePlan& plan, const GradeArguments& arguments) {
+    if (!plan.cases.empty()) return;
+    const bool hasFolder = !arguments.references.empty();
+    const std::string stage = stageOf(arguments);
+    const std::string pictures = stage.empty()                   ? "X.png or X-STAGE.png"
+                                 : stage == completeStage().name ? "X.png"
+                                                                 : "X-" + stage + ".png";
+    throw Error({hasFolder ? arguments.references : arguments.scenes},
+                "no reference " + pictures + " of a scene X.json" +
+                    (hasFolder ? " in " + printable(arguments.scenes) : "; --references names their folder"));
 }
 
 std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& arguments) {
@@ -168,10 +91,10 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
                                     ? CaseRenderer(renderHere)
                                     : programRenderer(arguments.program, arguments.programOptions());
     std::vector<GradeResult> results;
-    print(gradeTableHead());
+    arguments.show(gradeTableHead());
     for (const GradeCase& test : plan.cases) {
         results.push_back(gradeCase(test, render, namerOf));
-        print(gradeTableRow(results.back()));
+        arguments.show(gradeTableRow(results.back()));
     }
     return results;
 }
@@ -218,20 +141,26 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
         output.report->write(
             gradeReport(results, arguments.thresholds, one.name + " on " + arguments.scenes));
     output.write({&one, 1}, arguments);
-    print(gradeSummary(results, plan, arguments.thresholds));
+    arguments.show(gradeSummary(results, plan, arguments.thresholds));
     return one.rightCount(arguments.thresholds) == results.size() ? 0 : 1;
+}
+
+bool hasFile(const Submission& submission, const std::string& name) {
+    std::string path = name;
+    for (std::size_t at = 0; (at = path.find("{}", at)) != path.npos; at += submission.folder.size())
+        path.replace(at, 2, submission.folder);
+    std::error_code error;
+    return std::filesystem::exists(path, error);
 }
 
 // A program that no submission has is a slip of the command line, not of sixty students.
 void requireProgramIn(const std::vector<Submission>& submissions, const std::string& program) {
-    const std::string first = program.substr(0, program.find(' '));
-    if (!first.starts_with("{}/")) return;
-    const auto has = [&](const Submission& submission) {
-        std::error_code error;
-        return std::filesystem::exists(submission.folder + first.substr(2), error);
-    };
-    if (std::ranges::none_of(submissions, has))
-        throw usageError("--program: no submission has a file " + printable(first.substr(3)));
+    const std::vector<std::string> words = plainWords(program);
+    if (words.empty()) return;
+    for (const std::string& name : {words[0], scriptIn(words)})
+        if (name.find("{}") != name.npos &&
+            std::ranges::none_of(submissions, [&](const Submission& one) { return hasFile(one, name); }))
+            throw usageError("--program: no submission has a file " + printable(name));
 }
 
 int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
@@ -247,14 +176,14 @@ int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, Gra
     if (output.report) shelf.emplace(arguments.report);
     std::vector<GradedSubmission> graded;
     {
-        ProgressBar progress;
+        StepProgress progress(arguments.quiet, 1);
         const ClassOptions options{arguments.program, arguments.programOptions(), arguments.jobs};
         graded = gradeClass(plan, submissions, options, namerOf, shelf ? &*shelf : nullptr, progress);
     }
     const std::string title = arguments.submissions + " on " + arguments.scenes;
     if (output.report) output.report->write(classReport(graded, arguments.thresholds, title, *shelf));
     output.write(graded, arguments);
-    print(classTable(graded, arguments.thresholds));
+    arguments.show(classTable(graded, arguments.thresholds));
     const bool isBelow =
         arguments.thresholds.minScore && std::ranges::any_of(graded, [&](const GradedSubmission& submission) {
             return submission.worst().score() < *arguments.thresholds.minScore;
@@ -269,24 +198,11 @@ int grade(int argc, char** argv) {
                      "Renders every scene of a folder that has a reference picture, and compares.");
     GradeArguments arguments;
     arguments.addTo(line);
-    line.lacks({"--size"}, "a picture has its reference's size, which a program is told");
     if (const auto status = line.parse(argc, argv)) return *status;
-    if (arguments.submissions.empty() && arguments.program.starts_with("{}"))
-        throw usageError("--program: {} is a submission's folder: it needs --submissions");
-    if (!arguments.program.empty()) requirePrograms();
-    if (const std::string fault = programFault(arguments.program); !fault.empty())
-        throw usageError("--program: " + fault);
-    const std::string& report = arguments.report;
-    if (!report.empty() && !endsIn(report, ".html") && !endsIn(report, ".htm"))
-        throw Error({report}, "expected a name that ends in .html or .htm");
-    requireUser(arguments.user);
+    arguments.check();
     const GradePlan plan = planFor(arguments);
     GradeFiles output(arguments, plan);
-    if (plan.cases.empty())
-        throw Error({arguments.scenes},
-                    "no scene X.json that has a reference X.png or X-STAGE.png" +
-                        (arguments.references.empty() ? std::string("; --references names their folder")
-                                                      : " in " + printable(arguments.references)));
+    requireCases(plan, arguments);
     requireGradable(plan);
     return arguments.submissions.empty() ? gradeFolder(arguments, plan, output)
                                          : gradeSubmissions(arguments, plan, output);

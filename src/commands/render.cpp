@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "arguments.h"
-#include "frames.h"
-#include "picture_part.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/black_picture.h"
 #include "raytracer/pictures/picture.h"
@@ -18,8 +16,8 @@
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 #include "render_arguments.h"
-#include "render_cost.h"
 #include "render_report.h"
+#include "series.h"
 
 namespace raytracer::commands {
 
@@ -79,7 +77,8 @@ OutputFile openOutput(const PictureArguments& wanted) {
         return {wanted.file()};
     }
     if (wanted.isPart()) throw usageError("the picture - goes to standard output, and --part to a file");
-    if (wanted.stats) throw usageError("the picture - and --stats both go to standard output");
+    if (wanted.stats)
+        throw usageError("the picture - and --stats both go to standard output: name a file for the picture");
     if (printsOnTerminal()) throw usageError("the picture - is no text for a terminal: write - > out.png");
     return OutputFile::standardOutput();
 }
@@ -182,7 +181,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     if (!wanted.targetTime) remarkOnTime(arguments, *renderer, options);
     if (wanted.isPfm()) renderTo<FloatSink>(job, out, pfmWriter(out, options.crop));
     else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, arguments.threads));
-    if (!arguments.quiet) tellLimited(job.counts, options, options.crop.area() / options.part.count);
+    tellLimited(job.counts, options, options.crop.area() / options.part.count, arguments.quiet);
     if (wanted.stats) printStats(job.counts, timings, options);
     tellDone(wanted.file(), options.crop, timings.wall(), arguments.quiet);
     return job.choice && !job.choice->reached && !wanted.isPart() ? 1 : 0;  // assemble tells it of parts
@@ -192,7 +191,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
 [[noreturn]] void watchScene(const RenderArguments& arguments, PictureArguments wanted) {
     std::vector<std::string> files{arguments.scene};
     openOutput(wanted);  // throws what no change of a file mends
-    for (;;) {
+    for (bool isFirst = true;;) {
         const auto start = FileWatch::Time::clock::now();
         FileWatch watch;
         for (const std::string& file : files) watch.add(file);
@@ -206,6 +205,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
             tell(error);
         }
         for (const std::string& file : files) watch.add(file, start);
+        if (std::exchange(isFirst, false)) tellWaiting(arguments.quiet);
         watch.wait();
     }
 }
@@ -215,12 +215,14 @@ int renderFrames(const RenderArguments& arguments, const PictureArguments& wante
     const Frames frames = parseFrames(wanted.frames);
     int status = 0;
     std::vector<std::string> files;
+    Stopwatch watch;
     for (int frame = frames.first; frame <= frames.last; ++frame) {
         RenderArguments inFrame = arguments;
         for (std::string& set : inFrame.sets) set = atFrame(set, frames, frame);
         PictureArguments picture = wanted;
         picture.out = frameName(wanted.out, frame);
         status = std::max(status, renderPicture(inFrame, picture, files));
+        if (frame == frames.first) remarkOnFrames(arguments, frames.last - frames.first, watch.lap().wall);
     }
     return status;
 }
@@ -237,21 +239,6 @@ void addTargetsTo(CommandLine& line, PictureArguments& wanted) {
                  {"--samples", "--adaptive", "--max-recursion", "--cutoff", "--target-error"});
 }
 
-void addPartsAndFramesTo(CommandLine& line, PictureArguments& wanted) {
-    line.text("--part", wanted.part,
-              "Render the K-th of N parts of the picture, K/N, into the file IMAGE_OUT.part-K-of-N, for "
-              "raytracer assemble; all parts take about the same time");
-    line.exclude("--part", {"--target-time"});
-    line.text(
-        "--frames", wanted.frames,
-        "Render frames A..B; IMAGE_OUT has one %04d, for their number. In a --set, {a..b} is a number that "
-        "runs from a at frame A to b at the one after B");
-    line.flag(
-        "--skip-existing", wanted.skipExisting,
-        "Keep what is there: a picture that is whole, of this size, and newer than the scene and all files "
-        "that it names (of other options nothing is known); and a part that is whole and right");
-}
-
 void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& wanted) {
     arguments.addTo(line);
     line.text("IMAGE_OUT", wanted.out,
@@ -260,11 +247,21 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
     arguments.addLongEdgeTo(line);
     arguments.addPictureTo(line);
     addTargetsTo(line, wanted);
-    addPartsAndFramesTo(line, wanted);
+    addPartsAndFramesTo(line, wanted.part, wanted.frames);
+    line.flag(
+        "--skip-existing", wanted.skipExisting,
+        "Keep what is there: a picture that is whole, of this size, and newer than the scene and all files "
+        "that it names (of other options nothing is known); and a part that is whole and right");
     line.flag("--stats", wanted.stats, "Print counts of rays and tests, times and memory, as JSON on stdout");
     line.flag("--watch", wanted.watch,
               "Render again whenever the scene or a file that it names changes; Ctrl+C ends");
     line.alone("--print-schema", "Print the JSON schema of scenes, for editors");
+    line.alone("--print-manual", "Print the man page");
+    line.alone("--print-completion", "Print what bash, zsh or fish is to know, to complete command lines",
+               {std::begin(shells), std::end(shells)});
+    line.shown("--print-completion", "SHELL");
+    line.knowsCommands(commandNames());
+    line.answers(comparisonMeant);
     line.exclude("--watch", {"--frames", "--part", "--skip-existing"});
     line.exclude("--frames", {"--target-time"});
     line.exclude("--skip-existing", {"--stats"});
@@ -273,6 +270,7 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
 
 void check(const CommandLine& line, const RenderArguments& arguments, const PictureArguments& wanted) {
     arguments.check(line);
+    refuseNearRanges(arguments.sets);
     if (wanted.isPart()) parsePart(wanted.part);
     if (wanted.skipExisting && wanted.out == "-")
         throw usageError("--skip-existing has no effect with the picture -");

@@ -1,7 +1,6 @@
 #include "render_arguments.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -18,32 +17,11 @@
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
+#include "split_values.h"
 
 namespace raytracer::commands {
 
 namespace {
-
-// The pass of which this is the name, or part of it; empty where there is none.
-std::string passMeant(const std::string& name) {
-    constexpr std::size_t least = 6;  // letters: "normal"
-    if (name.size() < least) return {};
-    if (std::string_view("normals").starts_with(name)) return "normals";
-    return std::string_view("raycasting").starts_with(name) ? "raycast" : "";
-}
-
-bool Terms::*termNamed(const std::string& name) {
-    NearestName nearest(name);
-    for (const TermName& known : termNames) {
-        if (name == known.name) return known.term;
-        nearest.consider(known.name);
-    }
-    if (const std::string pass = passMeant(name); !pass.empty())
-        throw usageError("--only: no term " + inQuotes(name) + "; write --pass " + pass);
-    if (name.find_first_of(" ;+|/") != name.npos)
-        throw usageError("--only: expected commas between the terms, found " + inQuotes(name));
-    throw usageError("--only: no term " + inQuotes(name) +
-                     (nearest.found() ? nearest.question() : "; --help lists them"));
-}
 
 // The parts of a comma-separated list, without the blanks around them.
 std::vector<std::string> split(const std::string& list) {
@@ -55,6 +33,42 @@ std::vector<std::string> split(const std::string& list) {
         parts.push_back(part.substr(first, part.find_last_not_of(' ') + 1 - first));
     }
     return parts;
+}
+
+// The pass of which this is the name, or part of it; empty where there is none.
+std::string passMeant(const std::string& name) {
+    constexpr std::size_t least = 6;  // letters: "normal"
+    if (name.size() < least) return {};
+    if (std::string_view("normals").starts_with(name)) return "normals";
+    return std::string_view("raycasting").starts_with(name) ? "raycast" : "";
+}
+
+bool isTerm(const std::string& name) {
+    return std::ranges::find(termNames, name, &TermName::name) != std::end(termNames);
+}
+
+// "ambient,diffuse" of "ambient_diffuse", a stage's name; empty where it is none.
+std::string termsOfStage(const std::string& name) {
+    std::string terms = name;
+    std::ranges::replace(terms, '_', ',');
+    return terms != name && std::ranges::all_of(split(terms), isTerm) ? terms : "";
+}
+
+bool Terms::*termNamed(const std::string& name) {
+    NearestName nearest(name);
+    for (const TermName& known : termNames) {
+        if (name == known.name) return known.term;
+        nearest.consider(known.name);
+    }
+    if (const std::string pass = passMeant(name); !pass.empty())
+        throw usageError("--only: no term " + inQuotes(name) + "; write --pass " + pass);
+    if (const std::string terms = termsOfStage(name); !terms.empty())
+        throw usageError("--only: no term " + inQuotes(name) + "; write --only " + terms);
+    if (name == "all") throw usageError("--only: no term \"all\"; without --only there are all");
+    if (name.find_first_of(" ;+|/") != name.npos)
+        throw usageError("--only: expected commas between the terms, found " + inQuotes(name));
+    throw usageError("--only: no term " + inQuotes(name) +
+                     (nearest.found() ? nearest.question() : "; --help lists them"));
 }
 
 // One that is too large for int is outside of any picture, as the largest int is.
@@ -84,61 +98,6 @@ PixelRectangle cropOf(const std::string& text, const ImageSize& size) {
     return crop;
 }
 
-constexpr const char* commaForm = "has commas, no blanks";
-using Behind = std::span<const std::string>;
-
-std::string withoutComma(const std::string& text) { return text.substr(0, text.find_last_not_of(',') + 1); }
-
-// A list of at most `most` names, some of which a shell has taken for words of their own: "0," "0" "5,5".
-// Empty where none is.
-std::string joinedList(const std::string& text, Behind behind, std::ptrdiff_t most,
-                       const std::function<bool(const std::string&)>& belongs) {
-    const std::string first = withoutComma(text);
-    std::string list = first;
-    for (const std::string& word : behind) {
-        if (std::ranges::count(list, ',') + 1 >= most || !belongs(withoutComma(word))) break;
-        list += "," + withoutComma(word);
-    }
-    return list == first ? "" : list;
-}
-
-std::string joinedCrop(const std::string& text, Behind behind) {
-    constexpr std::ptrdiff_t most = 4;
-    const std::string list = joinedList(text, behind, most, [](const std::string& word) {
-        return word.find_first_not_of("0123456789,-") == word.npos;
-    });
-    return std::ranges::count(list, ',') + 1 == most ? list : "";
-}
-
-// Whether a value is still to come, or its end.
-bool isUnfinished(const std::string& edit) {
-    const auto count = [&](const char* brackets) {
-        return std::ranges::count_if(
-            edit, [=](char c) { return std::string_view(brackets).find(c) != std::string_view::npos; });
-    };
-    return edit.find('=') == edit.npos || edit.ends_with('=') || count("[{") > count("]}");
-}
-
-// "/pointer=value" in a shell's quotes, of "/pointer" "=" "[0," "1]"; empty where the text is whole, or its
-// value is not there.
-std::string joinedEdit(const std::string& text, Behind behind) {
-    if (!text.starts_with('/') || !isUnfinished(text)) return {};
-    std::string edit = text;
-    for (const std::string& word : behind) {
-        if (!isUnfinished(edit) || endsIn(word, ".json") || endsIn(word, ".png")) break;
-        const bool hasEquals = edit.find('=') != edit.npos || word.starts_with('=');
-        if (!hasEquals) edit += '=';
-        else if (!edit.ends_with('=') && !word.starts_with('=')) edit += ' ';
-        edit += word;
-    }
-    if (isUnfinished(edit)) return {};
-    const std::size_t value = edit.find('=') + 1;
-    const bool isBareList =
-        edit.find_first_not_of("0123456789.,-+e", value) == edit.npos && edit.find(',', value) != edit.npos;
-    if (isBareList) edit = edit.substr(0, value) + "[" + edit.substr(value) + "]";
-    return edit.find('"') == edit.npos ? "\"" + edit + "\"" : inShellQuotes(edit);
-}
-
 }  // namespace
 
 void RenderArguments::addTo(CommandLine& line) {
@@ -146,8 +105,9 @@ void RenderArguments::addTo(CommandLine& line) {
     line.texts(
         "--set", sets,
         "Another value in the scene, or one more, before it is read: /camera/eye=[0,1,5], a JSON pointer and "
-        "JSON; /lights/-={...} adds a light; may be repeated");
-    line.rejoins("--set", "takes /pointer=value", joinedEdit);
+        "JSON; '/lights/-={...}', in quotes, adds a light; may be repeated");
+    line.shown("--set", "/pointer=value");
+    line.rejoins("--set", joinedEdit);
     line.number("--max-recursion", max_recursion, {0, mostRecursion},
                 "How many times a ray is reflected or refracted");
     std::vector<std::string> terms;
@@ -155,10 +115,9 @@ void RenderArguments::addTo(CommandLine& line) {
     line.names("--only", only, terms,
                "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
                "refraction, textures");
-    line.rejoins("--only", commaForm, [=](const std::string& text, Behind behind) {
-        return joinedList(text, behind, std::ssize(terms), [&](const std::string& word) {
-            return std::ranges::find(terms, word) != terms.end();
-        });
+    line.shown("--only", "LIST", "terms, as ambient,diffuse");
+    line.rejoins("--only", [terms](const std::string& text, std::span<const std::string> behind) {
+        return joinedTerms(text, behind, terms);
     });
     line.flag("--opaque", opaque, "Read every material as not refractive");
     line.choice("--precision", precision, {std::begin(precisionNames), std::end(precisionNames)},
@@ -171,15 +130,18 @@ void RenderArguments::addTo(CommandLine& line) {
     line.choice("--accelerator", accelerator, {"bvh", "none"},
                 "How rays find shapes: bvh, or none to test them all (the picture is the same)");
     line.flag("--strict", strict, "Warnings about the scene are errors");
-    line.flag("--quiet", quiet, "Print nothing but errors");
+    line.flag("--quiet", quiet, "Print no warnings, notes and progress: only errors, and what is asked for");
+    line.lacks({"--gamma"}, "a byte is 255 times the linear colour; a .pfm has that itself");
 }
 
 void RenderArguments::addPictureTo(CommandLine& line) {
     line.choice("--pass", pass, {"color", "raycast", "normals"},
-                "What a pixel shows: color (the light), raycast (color_diffuse) or normals");
+                "What a pixel shows: color (the light), raycast (color_diffuse) or normals",
+                [](const std::string& text) { return isTerm(text) ? "; write --only " + text : ""; });
     line.text("--crop", crop,
               "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
-    line.rejoins("--crop", commaForm, joinedCrop);
+    line.shown("--crop", "x0,y0,x1,y1");
+    line.rejoins("--crop", joinedCrop);
     line.number(
         "--samples", samples, {1, mostSamples},
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");

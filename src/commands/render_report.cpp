@@ -1,13 +1,16 @@
 #include "render_report.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "raytracer/accuracy/ray_growth.h"
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/json/json_writer.h"
+#include "raytracer/pictures/picture.h"
+#include "raytracer/util/parallel.h"
 #include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
-#include "render_cost.h"
 
 namespace raytracer::commands {
 
@@ -39,6 +42,42 @@ std::string whyNotReached(const TargetChoice& choice, double target) {
     return formatted("not reached: %d samples are too few", choice.setting.samples);
 }
 
+constexpr double longTime = 60;  // seconds
+
+class NoPicture final : public PixelSink {
+    void write(int, int, std::span<const glm::dvec3>) override {}
+};
+
+// What one thread takes, in seconds: by some tiles from all over the picture, and by one sample where all
+// pixels have equally many.
+double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
+    constexpr int tiles = 64, samples = 64;  // 65,536 pixels: some milliseconds a sample
+    RenderOptions options = wanted;
+    const double pixels = static_cast<double>(options.crop.area());
+    options.part = {1, std::clamp(static_cast<int>(pixels / (tileEdge * tileEdge * tiles)), 1, mostParts)};
+    options.samples = options.adaptive > 0 ? std::min(options.samples, samples) : 1;
+    options.threads = 1;
+    const auto once = [&] {
+        NoPicture sink;
+        Stopwatch watch;
+        renderer.render(options, sink);
+        return watch.lap().cpu;  // other programs take no part
+    };
+    once();  // fetches the scene into the caches
+    const double times = wanted.adaptive > 0 ? 1 : wanted.samples;
+    return once() * times * options.part.count / wanted.part.count;
+}
+
+double brightest(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
+
+// A cutoff ends the doubling where one of the two rays contributes less than the one before them.
+bool canCutOff(const SceneDescription& scene) {
+    return std::ranges::none_of(scene.materials, [](const auto& m) {
+        return m.reflective && m.refractive &&
+               std::min(brightest(m.color_reflect), brightest(m.color_refract)) >= 1;
+    });
+}
+
 }  // namespace
 
 void printStats(const RenderCounts& counts, const Timings& timings, const RenderOptions& options) {
@@ -62,9 +101,9 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     print(json.text() + "\n");
 }
 
-void tellLimited(const RenderCounts& counts, const RenderOptions& options, double pixels) {
+void tellLimited(const RenderCounts& counts, const RenderOptions& options, double pixels, bool quiet) {
     const auto limited = static_cast<double>(counts.limited);
-    if (limited <= 0.001 * pixels) return;
+    if (quiet || limited <= 0.001 * pixels) return;
     tell(formatted("--samples %d stopped %.3g %% of the pixels before their error was --adaptive %s",
                    options.samples, 100 * limited / pixels, shortNumber(options.adaptive).c_str()));
 }
@@ -73,6 +112,10 @@ void tellDone(const std::string& out, const PixelRectangle& crop, double seconds
     if (quiet || terminalColumns() == 0) return;
     tell(formatted("%s: %d × %d, %s", out.c_str(), crop.width(), crop.height(),
                    durationInWords(seconds).c_str()));
+}
+
+void tellWaiting(bool quiet) {
+    if (!quiet && terminalColumns() > 0) tell("waiting for a change; Ctrl+C ends");
 }
 
 TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
@@ -106,6 +149,50 @@ TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options
     tell("--target-time: the same picture again:");
     tellUnbroken(command + " " + commandLine(told));
     return choice;
+}
+
+std::string durationInWords(double seconds) {
+    if (seconds < 0.01) return "under 0.01 s";
+    if (seconds < 60) return formatted("%.2f s", seconds);
+    if (seconds < 3600) return formatted("%.0f min", seconds / 60);
+    if (seconds < 48 * 3600) return formatted("%.1f h", seconds / 3600);
+    return formatted("%.1f days", seconds / 86400);
+}
+
+void remarkOnRays(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
+                  const RenderOptions& options) {
+    if (arguments.quiet) return;
+    const auto rays = excessiveRays(scene, renderer, options);
+    if (!rays) return;
+    const bool hasRemedy = options.cutoff <= 0 && canCutOff(scene);
+    arguments.remark(formatted("--max-recursion %d takes about %.1g rays a sample; lower it%s",
+                               options.max_recursion, *rays, hasRemedy ? ", or add a --cutoff" : ""));
+}
+
+void remarkOnFrames(const RenderArguments& arguments, int more, double secondsOfFirst) {
+    const double seconds = more * secondsOfFirst;
+    if (seconds >= longTime)
+        arguments.remark(formatted("%d more frames take about ", more) + durationInWords(seconds) +
+                         "; a smaller size takes less");
+}
+
+void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options) {
+    constexpr double few = 3e7;         // samples: of any of our scenes they take less than a minute
+    constexpr int adaptiveSamples = 4;  // at least, in the mean of a picture that takes long
+    if (arguments.quiet) return;
+    const bool isAdaptive = options.adaptive > 0;
+    const double samples = static_cast<double>(options.crop.area()) / options.part.count *
+                           (isAdaptive ? std::min(options.samples, adaptiveSamples) : options.samples);
+    if (samples < few) return;
+    const double seconds = timeOnOneThread(renderer, options) / threadCount(options.threads);
+    if (seconds < longTime) return;
+    const bool isSampled = options.samples > 1 && !isAdaptive;
+    arguments.remark(formatted("%d × %d pixels", options.crop.width(), options.crop.height()) +
+                     (isSampled    ? formatted(" of %d samples", options.samples)
+                      : isAdaptive ? formatted(" with --adaptive %g", options.adaptive)
+                                   : "") +
+                     " take about " + durationInWords(seconds) + "; " +
+                     (isSampled ? "--adaptive 0.02 takes less" : "a smaller size takes less"));
 }
 
 }  // namespace raytracer::commands

@@ -14,7 +14,6 @@
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/standard_streams.h"
-#include "version.h"
 
 namespace raytracer::commands {
 
@@ -35,8 +34,13 @@ struct Nameless {
 };
 constexpr Nameless nameless[] = {
     {"render", "SCENE IMAGE_OUT LONG_EDGE_PIXELS"},
+    {"watch", "SCENE IMAGE_OUT LONG_EDGE_PIXELS --watch"},
     {"help", "--help"},
     {"version", "--version"},
+    {"schema", "--print-schema"},
+    {"man", "--print-manual"},
+    {"manual", "--print-manual"},
+    {"completion", "--print-completion bash"},
 };
 
 // A scene's name mostly has an ending, and else there is a file of that name, perhaps with a blank in it.
@@ -46,18 +50,8 @@ bool looksLikeCommand(const std::vector<std::string>& words) {
     const auto exists = [&](const std::string& file) {
         return std::filesystem::exists(file, error) || error;
     };
-    return word.find_first_of("./\\") == word.npos && std::isalpha(static_cast<unsigned char>(word[0])) &&
+    return word.find_first_of("./\\=") == word.npos && std::isalpha(static_cast<unsigned char>(word[0])) &&
            !exists(word) && !(words.size() > 1 && exists(word + " " + words[1]));
-}
-
-// What is said of a command that is not the first word; empty where there is none.
-std::string lateCommand(const std::vector<std::string>& words) {
-    constexpr std::string_view answered[] = {"--help", "-h", "--version", "-V"};
-    if (std::ranges::find(answered, words[0]) != std::end(answered)) return {};
-    for (const Command& command : commandTable)
-        if (std::ranges::find(words, command.name) != words.end())
-            return "raytracer: the command stands first: raytracer " + std::string(command.name) + " ...";
-    return {};
 }
 
 // The one command whose name begins so; empty where there is none.
@@ -68,26 +62,23 @@ std::string_view commandBegunBy(std::string_view word) {
     return std::ranges::find_if(commandTable, begins)->name;
 }
 
-// Empty where a scene is meant.
-std::string unknownCommand(const std::string& word) {
-    const std::string unknown = "raytracer: unknown command " + inQuotes(word) + "; ";
-    for (const Nameless& known : nameless)
-        if (word == known.name) return unknown + "write raytracer " + std::string(known.instead);
-    NearestName nearest(word);
-    for (const Command& command : commandTable) nearest.consider(command.name);
-    if (const auto begun = commandBegunBy(word); !begun.empty())
-        return unknown + "did you mean " + inQuotes(begun) + "?";
-    if (nearest.found()) return unknown.substr(0, unknown.size() - 2) + nearest.question();
-    if (!nearbyFile(word).empty()) return {};
-    std::string names;
-    for (const Command& command : commandTable)
-        names += (names.empty() ? "" : ", ") + std::string(command.name);
-    return "raytracer: " + inQuotes(word) + " is no scene and no command (" + names + ")";
+std::string joinedNames(const char* between) {
+    std::string all;
+    for (const std::string& name : commandNames()) all += (all.empty() ? "" : between) + name;
+    return all;
 }
 
-std::string replacedBlanks(std::string names) {
-    std::ranges::replace(names, ' ', '|');
-    return names;
+// Empty where a scene is meant.
+std::string unknownCommand(const std::string& word) {
+    const std::string unknown = "raytracer: unknown command " + inQuotes(word);
+    for (const Nameless& known : nameless)
+        if (word == known.name) return unknown + "; write raytracer " + std::string(known.instead);
+    NearestName nearest(word);
+    for (const Command& command : commandTable) nearest.consider(command.name);
+    if (const auto begun = commandBegunBy(word); !begun.empty()) return unknown + didYouMean(begun);
+    if (nearest.found()) return unknown + nearest.question();
+    if (!nearbyFile(word).empty()) return {};
+    return "raytracer: " + inQuotes(word) + " is no scene and no command (" + joinedNames(", ") + ")";
 }
 
 // Of a command.
@@ -100,13 +91,6 @@ void printPart(std::string name, int (*command)(int, char**), std::vector<std::s
 // Of all commands with a name.
 void printParts(const std::vector<std::string>& words) {
     for (const Command& command : commandTable) printPart(std::string(command.name), command.run, words);
-}
-
-std::string commandNames() {
-    std::string names;
-    for (const Command& command : commandTable)
-        names += (names.empty() ? "" : " ") + std::string(command.name);
-    return names;
 }
 
 void printManual() {
@@ -134,10 +118,10 @@ void printCompletion(const std::string& shell) {
         print(
             "_raytracer() {\n    local current=${COMP_WORDS[COMP_CWORD]} words=\"\" command=render\n"
             "    [[ \" " +
-            commandNames() +
+            joinedNames(" ") +
             " \" == *\" ${COMP_WORDS[1]} \"* ]] && command=${COMP_WORDS[1]}\n"
             "    ((COMP_CWORD == 1)) && words=\"" +
-            commandNames() +
+            joinedNames(" ") +
             "\"\n"
             "    case \"$command ${COMP_WORDS[COMP_CWORD - 1]}\" in\n");
         printCompletions(shell);
@@ -145,20 +129,19 @@ void printCompletion(const std::string& shell) {
             "    esac\n    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n}\n"
             "complete -o default -F _raytracer raytracer\n");
     } else if (shell == "zsh") {
-        print("#compdef raytracer\n_raytracer() {\n    if ((CURRENT == 2)); then compadd " + commandNames() +
-              "; fi\n    case $words[2] in\n    " + replacedBlanks(commandNames()) +
+        print("#compdef raytracer\n_raytracer() {\n    if ((CURRENT == 2)); then compadd " +
+              joinedNames(" ") + "; fi\n    case $words[2] in\n    " + joinedNames("|") +
               ") shift words; ((CURRENT--)) ;;\n    esac\n    case $words[1] in\n");
         printCompletions(shell);
         print("    esac\n}\n_raytracer \"$@\"\n");
     } else {
-        print("set -l names " + commandNames() + "\n");
+        print("set -l names " + joinedNames(" ") + "\n");
         printCompletions(shell);
     }
 }
 
 // What is installed beside the program.
 constexpr std::string_view documents[] = {"--print-schema", "--print-manual", "--print-completion"};
-constexpr std::string_view shells[] = {"bash", "zsh", "fish"};
 
 std::string_view withoutValue(std::string_view word) { return word.substr(0, word.find('=')); }
 
@@ -170,13 +153,16 @@ void requireAlone(const std::vector<std::string>& words, const std::string& aske
     std::string name(withoutValue(asked));
     if (!isCompletion && hasValue) throw usageError(name + ": expected no value" + found);
     if (isCompletion && (values.empty() || std::ranges::find(shells, values[0]) == std::end(shells)))
-        throw usageError(name + ": expected bash, zsh or fish" + found);
+        throw usageError(name + ": expected " + listed({std::begin(shells), std::end(shells)}) + found);
     if (isCompletion) name += " " + values[0];
     if (&asked != &words[0] || values.size() > isCompletion) throw usageError(name + " stands alone");
 }
 
-// Whether the line asks for a document, which is printed.
+bool asksForHelp(std::string_view word) { return word == "--help" || word == "-h"; }
+
+// Whether the line asks for a document, which is printed; help goes first.
 bool printDocument(const std::vector<std::string>& words) {
+    if (std::any_of(words.begin(), std::ranges::find(words, "--"), asksForHelp)) return false;
     const auto asked = std::ranges::find_if(words, [](const std::string& word) {
         return std::ranges::find(documents, withoutValue(word)) != std::end(documents);
     });
@@ -206,15 +192,20 @@ int called(const std::string& name, int (*command)(int, char**), int argc, char*
 
 }  // namespace
 
+std::vector<std::string> commandNames() {
+    std::vector<std::string> names;
+    for (const Command& command : commandTable) names.emplace_back(command.name);
+    return names;
+}
+
 int run(int argc, char** argv) {
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (words.size() == 2 && asksForHelp(words[0])) std::swap(argv[1], argv[2]);  // --help compare
     defaultInstructionSet();  // throws, in each command and before its work, where RAYTRACER_SIMD is wrong
     for (const Command& command : commandTable)
         if (argc > 1 && command.name == argv[1])
             return called("raytracer " + std::string(command.name), command.run, argc - 1, argv + 1);
-    const std::string unknown = words.empty()             ? ""
-                                : looksLikeCommand(words) ? unknownCommand(words[0])
-                                                          : lateCommand(words);
+    const std::string unknown = !words.empty() && looksLikeCommand(words) ? unknownCommand(words[0]) : "";
     if (unknown.empty()) return called("raytracer", renderOrPrint, argc, argv);
     tell(unknown);
     return 2;

@@ -57,7 +57,7 @@ void requireScenes(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         std::string remedy;
         if (numberOf<int>(name) && !std::filesystem::exists(name)) remedy = "write --size " + name;
-        if (endsIn(name, ".png") || endsIn(name, ".pfm")) remedy = "--out names a folder";
+        if (isPictureName(name)) remedy = "--out names a folder";
         if (remedy.empty()) continue;
         throw usageError(inQuotes(name) + " is no scene: tradeoff takes scenes alone; " + remedy);
     }
@@ -65,6 +65,9 @@ void requireScenes(const std::vector<std::string>& names) {
 
 void makeFolder(const std::string& out) {
     std::error_code error;
+    for (const char* const file : {".html", ".svg", ".csv"})
+        if (endsIn(out, file) && !std::filesystem::is_directory(out, error))
+            throw Error({out}, "--out names a folder, for three files");
     std::filesystem::create_directories(out, error);
     if (error) throw Error({out}, "cannot make the folder: " + error.message());
 }

@@ -1,6 +1,7 @@
 #include "programs.h"
 
 #include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -152,22 +153,65 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
     return rendered;
 }
 
-}  // namespace
+// Whether "{}" stands in the word for a submission's folder.
+bool hasFolder(const std::string& word) { return word.find("{}") != word.npos; }
 
-std::string programFault(const std::string& command) {
-    const std::string word = command.substr(0, command.find_first_of(" \t\n"));
-    const bool isPath =
-        word.find('/') != word.npos && word.find_first_of("'\"\\$`~*?[]{}()<>|&;=#!") == word.npos;
-    if (!isPath) return {};
+std::string noFile(const std::string& name) { return "there is no file " + printable(name) + hintAt(name); }
+
+// The shell that will run it is asked: it knows its own commands, and where it looks for others.
+bool isCommand(const std::string& name) { return runProcess({"command -v", {name}, "/dev/null"}).well(); }
+
+std::string faultOfProgram(const std::string& word) {
     std::error_code error;
     const files::file_status status = files::status(word, error);
     constexpr files::perms any =
         files::perms::owner_exec | files::perms::group_exec | files::perms::others_exec;
-    if (status.type() == files::file_type::not_found)
-        return "there is no file " + printable(word) + hintAt(word);
+    const bool isThere = files::is_regular_file(status);
+    if (hasFolder(word)) return {};
+    if (word.find('/') == word.npos) {
+        const std::string hint = isThere ? "; write ./" + printable(word) : hintAt(word);
+        return isCommand(word) ? "" : "there is no command " + printable(word) + hint;
+    }
+    if (status.type() == files::file_type::not_found) return noFile(word);
     if (files::is_directory(status)) return printable(word) + " is a folder: name a program in it";
     const bool isProgram = (status.permissions() & any) != files::perms::none;
     return isProgram ? "" : printable(word) + " is not executable: chmod +x makes it so";
+}
+
+}  // namespace
+
+std::vector<std::string> plainWords(const std::string& command) {
+    std::vector<std::string> words;
+    std::string word;
+    for (std::size_t at = 0; at < command.size(); ++at) {
+        const char c = command[at];
+        const bool isFolder = command.substr(at, 2) == "{}";
+        const bool isBlank = c == ' ' || c == '\t', isEnd = std::strchr("\n;|&<>()", c);
+        if (!isFolder && std::strchr("'\"\\$`~*?[]{}!#=", c)) return words;
+        if (isFolder) word += command[at++];
+        if (!isBlank && !isEnd) word += command[at];
+        else if (!word.empty()) words.push_back(std::exchange(word, {}));
+        if (isEnd) return words;
+    }
+    if (!word.empty()) words.push_back(word);
+    return words;
+}
+
+std::string scriptIn(const std::vector<std::string>& words) {
+    constexpr std::string_view endings[] = {".py", ".sh", ".js", ".rb", ".pl", ".lua", ".jar"};
+    for (const std::string& word : words)
+        for (const std::string_view ending : endings)
+            if (&word != &words[0] && endsIn(word, ending)) return word;
+    return {};
+}
+
+std::string programFault(const std::string& command) {
+    const std::vector<std::string> words = plainWords(command);
+    if (words.empty()) return {};
+    if (std::string fault = faultOfProgram(words[0]); !fault.empty()) return fault;
+    const std::string script = scriptIn(words);
+    std::error_code error;
+    return script.empty() || hasFolder(script) || files::exists(script, error) ? "" : noFile(script);
 }
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,

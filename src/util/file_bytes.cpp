@@ -23,9 +23,7 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     const auto require = [&](bool done) {
         if (!done)
             throw systemError(path, "cannot read",
-                              errno == ENOENT   ? hintAt(path)
-                              : errno == EISDIR ? "; name a file in it"
-                                                : "");
+                              errno == EISDIR ? "; name a file in it" : whereLooked(path));
     };
     const Descriptor file = openToRead(path, kind != FileKind::Regular);
     require(static_cast<bool>(file));

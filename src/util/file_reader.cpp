@@ -6,6 +6,7 @@
 
 #include "descriptor.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/nearby_file.h"
 
 namespace raytracer {
 
@@ -19,7 +20,8 @@ FileReader::FileReader(const std::string& path) : state_(std::make_unique<State>
     state_->path = path;
     state_->file = openToRead(path, false);
     struct stat status {};
-    if (!state_->file || ::fstat(state_->file.get(), &status) != 0) throw systemError(path, "cannot read");
+    if (!state_->file || ::fstat(state_->file.get(), &status) != 0)
+        throw systemError(path, "cannot read", whereLooked(path));
     if (!S_ISREG(status.st_mode)) throw Error({path}, "cannot read: it is no regular file");
     state_->size = static_cast<std::uint64_t>(status.st_size);
 }

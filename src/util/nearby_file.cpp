@@ -79,6 +79,16 @@ fs::path nearbyFolder(const fs::path& path) {
     return nearest.found() ? above / nearest.name() : fs::path();
 }
 
+// The file with this name in the folder above the path's, which a command line may have meant; a scene's own
+// files lie below it.
+std::string fileAbove(const std::string& path) {
+    std::string slashes = path;
+    std::ranges::replace(slashes, '\\', '/');
+    const fs::path wanted = slashes, folder = wanted.parent_path(), above = folder.parent_path();
+    const fs::path file = above / wanted.filename();
+    return !folder.empty() && above != "/" && isFile(file) ? file.generic_string() : "";
+}
+
 // The last `count` names of a path. Its iterators only go forward (libc++).
 fs::path lastNames(const fs::path& path, std::ptrdiff_t count) {
     fs::path last;
@@ -167,7 +177,8 @@ std::string nearbyName(const std::string& folder, std::string_view written) {
 
 std::string hintAt(const std::string& path) {
     const int before = errno;
-    const std::string nearby = nearbyFile(path);
+    std::string nearby = nearbyFile(path);
+    if (nearby.empty()) nearby = fileAbove(path);
     errno = before;
     return nearby.empty() ? "" : "; there is " + inQuotes(nearby);
 }
@@ -189,6 +200,18 @@ std::string missingFolder(const std::string& path) {
     const bool isMissing = before == ENOENT && !folder.empty() && !fs::exists(folder, error);
     errno = before;
     return isMissing ? "; there is no folder " + inQuotes(folder.generic_string()) : "";
+}
+
+std::string whereLooked(const std::string& path) {
+    const int before = errno;
+    if (before != ENOENT) return {};
+    const std::string hint = hintAt(path), missing = missingFolder(path);
+    std::error_code error;
+    const fs::path wanted = path, here = fs::current_path(error), above = wanted.parent_path();
+    errno = before;
+    if (!hint.empty() || error || wanted.is_absolute()) return hint;
+    const fs::path folder = above.empty() ? here : (here / above).lexically_normal();
+    return missing.empty() ? "; looked in " + printable(folder.string()) : missing;
 }
 
 }  // namespace raytracer

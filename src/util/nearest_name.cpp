@@ -69,8 +69,8 @@ void NearestName::consider(std::string_view candidate) {
     found_ = true;
 }
 
-std::string NearestName::question() const {
-    return found() ? "; did you mean " + inQuotes(name()) + "?" : "";
-}
+std::string NearestName::question() const { return found() ? didYouMean(name()) : ""; }
+
+std::string didYouMean(std::string_view name) { return "; did you mean " + inQuotes(name) + "?"; }
 
 }  // namespace raytracer

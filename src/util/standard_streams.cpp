@@ -8,10 +8,6 @@
 
 namespace raytracer {
 
-namespace {
-constexpr std::size_t mostColumns = 100;  // of a line that is read with ease
-}
-
 void print(std::string_view text) {
     if (!writeAll(STDOUT_FILENO, printable(text, "\n"))) throw systemError("standard output");
 }
@@ -20,7 +16,7 @@ void tell(std::string_view text) {
     constexpr std::size_t indent = 4;
     const std::string line = printable(text);
     const std::size_t columns = terminalColumns();
-    tellUnbroken(columns > 0 ? wrapped(line, std::min(columns, mostColumns), indent) : line);
+    tellUnbroken(columns > 0 ? wrapped(line, std::min(columns, messageColumns), indent) : line);
 }
 
 void tellUnbroken(std::string_view text) {
@@ -30,7 +26,8 @@ void tellUnbroken(std::string_view text) {
 void tell(const Error& error) {
     tell(std::string_view(error.what()));
     const std::size_t columns = terminalColumns();
-    for (const std::string& line : error.excerpt(columns > 0 ? std::min(columns, mostColumns) : mostColumns))
+    for (const std::string& line :
+         error.excerpt(columns > 0 ? std::min(columns, messageColumns) : messageColumns))
         writeAll(STDERR_FILENO, line + "\n");
 }
 

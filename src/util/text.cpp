@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "characters.h"
+
 namespace raytracer {
 
 namespace {
@@ -32,32 +34,25 @@ Character firstCharacter(std::string_view text) {
     return {code, size};
 }
 
-struct CodeRange {
-    std::uint32_t first, last;
-    bool contains(std::uint32_t code) const { return first <= code && code <= last; }
-};
-
-// Control characters, which terminals take for commands, and those that turn the direction of the text around
-// them (Unicode's Bidi_Control): a name could pass for another.
-constexpr CodeRange hidden[] = {{0, 0x1f},        {0x7f, 0x9f},     {0x61c, 0x61c},
-                                {0x200e, 0x200f}, {0x202a, 0x202e}, {0x2066, 0x2069}};
-
-bool isShown(const Character& character) {
-    const auto has = [&](const CodeRange& range) { return range.contains(character.code); };
-    const bool isNoCharacter = (character.code & 0xfffe) == 0xfffe;
-    return character.size > 0 && !isNoCharacter && std::ranges::none_of(hidden, has);
+const UnseenRange* unseenAt(std::uint32_t code) {
+    const auto has = [&](const UnseenRange& range) { return range.codes.contains(code); };
+    const auto* const found = std::ranges::find_if(unseen, has);
+    return found == std::end(unseen) ? nullptr : found;
 }
 
-// Of Unicode's EastAsianWidth.txt, by blocks: wide and fullwidth characters, emoji among them; and marks that
-// stand on the character before.
-constexpr CodeRange wide[] = {{0x1100, 0x115f},   {0x2e80, 0x303e},   {0x3041, 0xa4cf},   {0xac00, 0xd7a3},
-                              {0xf900, 0xfaff},   {0xfe30, 0xfe6f},   {0xff01, 0xff60},   {0xffe0, 0xffe6},
-                              {0x1f300, 0x1f64f}, {0x1f680, 0x1f6ff}, {0x1f900, 0x1f9ff}, {0x20000, 0x3fffd}};
-constexpr CodeRange marks[] = {{0x300, 0x36f}, {0x200b, 0x200f}, {0xfe00, 0xfe0f}};
+bool isShown(const Character& character) {
+    const bool isNoCharacter = (character.code & 0xfffe) == 0xfffe;
+    const UnseenRange* const range = unseenAt(character.code);
+    const bool acts = range && (range->look == Unseen::Control || range->look == Unseen::Turning);
+    return character.size > 0 && !isNoCharacter && !acts;
+}
 
 std::size_t columnsOf(std::uint32_t code) {
     const auto has = [&](const CodeRange& range) { return range.contains(code); };
-    return std::ranges::any_of(marks, has) ? 0 : std::ranges::any_of(wide, has) ? 2 : 1;
+    const UnseenRange* const range = unseenAt(code);
+    const bool takesNone = range && (range->look == Unseen::Turning || range->look == Unseen::Nothing);
+    if (takesNone || std::ranges::any_of(marks, has)) return 0;
+    return std::ranges::any_of(wide, has) ? 2 : 1;
 }
 
 // The character with which the text begins; `escaped` and what is not shown as JSON's escape sequence. A byte
@@ -89,6 +84,19 @@ std::size_t utf8Bytes(std::string_view text) { return firstCharacter(text).size;
 std::size_t printableBytes(std::string_view text) {
     const Character character = firstCharacter(text);
     return isShown(character) ? character.size : 0;
+}
+
+unsigned invisibleCharacter(std::string_view text) {
+    if (text.empty()) return 0;
+    const std::uint32_t code = firstCharacter(text).code;
+    const UnseenRange* const range = unseenAt(code);
+    return range && range->look != Unseen::Control ? code : 0;
+}
+
+std::string_view behindLongDash(std::string_view text) {
+    for (const std::string_view dash : {"\u2012", "\u2013", "\u2014", "\u2015", "\u2212"})
+        if (text.starts_with(dash)) return text.substr(dash.size());
+    return {};
 }
 
 std::string formatted(const char* format, ...) {

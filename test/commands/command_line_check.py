@@ -123,7 +123,9 @@ def check_numbers(command, name, expected, good):
         wanted = expected.replace("a number", "a finite number") if is_endless else expected
         if (expected, text) == ("a whole number", "2147483648"):
             wanted = "at most 2147483647"
-        check_refused(with_number(command, name, text), f'{name}: expected {wanted}, found "{text}"', full)
+        remedy = "; write 1.5" if text == "1,5" and re.match("a number (not|above)", expected) else ""
+        check_refused(with_number(command, name, text), f'{name}: expected {wanted}, found "{text}"{remedy}',
+                      full)
     for text in good:
         done = run(*with_number(command, name, text))
         if done.returncode != 2 or name in done.stderr or "--help" in done.stderr:
@@ -150,11 +152,12 @@ def check_other_refusals():
         check_refused([*render, option], f"unknown option {option}; did you mean {meant}?")
     for option in ("--target", "-x"):
         check_refused([*render, option], f"unknown option {option} (see --help)")
+    check_refused([*render, "--target-time", "0s"], '--target-time: expected a number above 0, found "0s"')
     check_refused(["--help=foo"], '--help: expected no value, found "foo"')
     check_refused([*render, "--print-schema"], "--print-schema stands alone")
     check_refused(["/no.json", "-o", "out.png", 600], "unknown option -o; the order is " + ORDER)
     check_refused([*render, "--samples"], "--samples: expected a whole number from 1 to 65536, found nothing")
-    check_refused([*render, "--crop", "--stats"], "--crop: expected a text, found nothing")
+    check_refused([*render, "--crop", "--stats"], "--crop: expected x0,y0,x1,y1, found nothing")
     check_refused([*render, "--quiet=yes"], '--quiet: expected no value, found "yes"')
     check_refused([*render, "--samples", "1", "--samples", "x"],
                   '--samples: expected a whole number from 1 to 65536, found "x"')
@@ -195,6 +198,37 @@ def check_commands():
     check_refused(["frobnicate"],
                   '"frobnicate" is no scene and no command (assemble, compare, explain, grade, tradeoff)')
     check_refused(["/frobnicate"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
+
+
+def check_asked():
+    """Help goes first, wherever it stands and whatever else is asked for; but not before what is unknown."""
+    for words in (["--help", "--print-manual"], ["--print-schema", "-h"], ["--set", "-x", "--help"],
+                  ["compare", "--help"], ["--samples", "-h"]):
+        done = run(*words)
+        check(f"{words}", (0, "", True), (done.returncode, done.stderr, "\nUsage: raytracer" in done.stdout))
+    for words in (["--help", "compare"], ["-h", "compare"]):
+        check(f"{words}", run("compare", "--help").stdout, run(*words).stdout)
+    check_refused(["--no-such", "--help"], "unknown option --no-such (see --help)")
+    check_refused(["--print-manual", "--", "--help"], "--print-manual stands alone")
+    check_refused(["--", "--help"], f"IMAGE_OUT is missing; the order is {ORDER} (see --help)")
+
+
+def check_quiet():
+    """compare and grade print nothing, explain its answer alone."""
+    with tempfile.TemporaryDirectory() as folder:
+        picture, page = pathlib.Path(folder, "least.png"), pathlib.Path(folder, "page.html")
+        pathlib.Path(folder, "least.json").write_bytes(pathlib.Path(SCENE).read_bytes())
+        check("render --quiet", "", run(SCENE, picture, 4, "--quiet").stderr)
+        for words in (["compare", picture, picture], ["grade", folder, "--report", page]):
+            done = run(*words, "--quiet")
+            check(f"{words[0]} --quiet", (0, "", ""), (done.returncode, done.stdout, done.stderr))
+        check("grade --quiet: the page", True, page.stat().st_size > 0)
+        check("compare --quiet: not the same", (1, "", ""),
+              (lambda done: (done.returncode, done.stdout, done.stderr))(
+                  run("compare", picture, "test/bad/files/check.png", "--quiet")))
+    check_refused(["compare", "a.png", "b.png", "--json", "--quiet"],
+                  "--json and --quiet exclude each other: give one of them", "raytracer compare")
+    check("explain --quiet", True, "primary ray" in run("explain", SCENE, 0, 0, 8, "--quiet").stdout)
 
 
 def check_without_effect():
@@ -245,7 +279,7 @@ def check_only():
     for terms in ("shadows", "reflections,textures"):
         check_refused([*render, "--only", terms],
                       f"--only {terms}: there is no light without ambient, diffuse or specular")
-    check_refused([*render, "--only", ""], '--only: expected a text, found ""')
+    check_refused([*render, "--only", ""], '--only: expected terms, as ambient,diffuse, found ""')
     check_refused([*render, "--only", "diffuse,"],
                   '--only: a comma too many in "diffuse,"')
     for terms in ("ambient+diffuse", "diffuse specular"):
@@ -336,6 +370,8 @@ def main():
     check_other_refusals()
     check_order()
     check_commands()
+    check_asked()
+    check_quiet()
     check_without_effect()
     check_only()
     check_version()

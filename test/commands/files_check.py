@@ -152,7 +152,8 @@ def check_standard_output(folder):
     render(picture)
     status, out, error = render("-")
     check("- is a PNG on standard output", (0, picture.read_bytes(), ""), (status, out, error))
-    refused("- and --stats", "raytracer: the picture - and --stats both go to standard output",
+    refused("- and --stats", "raytracer: the picture - and --stats both go to standard output: "
+            "name a file for the picture",
             render("-", 10, "--stats"))
     master, terminal = pty.openpty()
     done = subprocess.run([RAYTRACER, SCENE, "-", "10"], stdout=terminal, stderr=subprocess.PIPE, timeout=100)
@@ -206,6 +207,20 @@ def check_write_errors(folder):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100)
         check(f"{stream} {where}", (2, f"{out}: cannot write: Bad file descriptor\n"),
               (done.returncode, done.stderr))
+    (folder / "fd").symlink_to("/dev/fd")
+    for out in ("/proc/self/x.png", "/proc/self/fd/77.png", folder / "fd/77.png"):
+        done = subprocess.run([RAYTRACER, SCENE, out, "10", "--stats"], capture_output=True, text=True,
+                              timeout=100)
+        check(f"{out}: told before the work", (2, "", f"{out}: cannot write: No such file or directory\n"),
+              (done.returncode, done.stdout, done.stderr))
+    (folder / "graded").mkdir()
+    for name in ("s.json", "s.png"):
+        (folder / "graded" / name).write_bytes((folder / name).read_bytes())
+    done = subprocess.run([RAYTRACER, "grade", folder / "graded", "--json", "/dev/fd/77"],
+                          capture_output=True, text=True, timeout=100)
+    check("/dev/fd/77: told before the work",
+          (2, "", "/dev/fd/77: cannot write: No such file or directory\n"),
+          (done.returncode, done.stdout, done.stderr))
     closed = ["sh", "-c", '"$@" 2>&- <&- >&-', "sh", RAYTRACER, SCENE, folder / "closed.png", "10", "--stats"]
     check("no stream is open", (2, 10), (subprocess.run(closed).returncode, width(folder / "closed.png")))
 

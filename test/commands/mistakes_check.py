@@ -4,6 +4,7 @@ columns.
 Usage: mistakes_check.py RAYTRACER, from the source folder.
 """
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -33,6 +34,8 @@ SCENE = """{
 """
 RENDER = ["scene.json", "out.png", "8"]
 ORDER = "the order is SCENE IMAGE_OUT LONG_EDGE_PIXELS"
+NO_USER = "only root may run programs as another user" if os.geteuid() else "there is no user nobodyhere"
+SCENE_ON_STDIN = "raytracer: a scene is not read from standard input: name its file"
 
 # What is typed, and what is answered: an error.
 COMMANDS = [
@@ -168,10 +171,10 @@ COMMANDS = [
      'scene.json: --set /lights/: /lights has 1 element, from 0: there is no ""; /lights/- adds one'),
     ("more out.png 8", "more: cannot read: Is a directory; name a file in it"),
     ("grade More", 'More: cannot read the folder: No such file or directory; there is "more"'),
-    ("grade more", "more: no scene X.json that has a reference X.png or X-STAGE.png; "
+    ("grade more", "more: no reference X.png or X-STAGE.png of a scene X.json; "
      "--references names their folder"),
     ("grade more --references textures",
-     "more: no scene X.json that has a reference X.png or X-STAGE.png in textures"),
+     "textures: no reference X.png or X-STAGE.png of a scene X.json in more"),
     ("grade more/other.json",
      'more/other.json: cannot read the folder: Not a directory; name its folder "more"'),
     ("grade scene.json", 'scene.json: cannot read the folder: Not a directory; name its folder "."'),
@@ -187,12 +190,38 @@ COMMANDS = [
     ("grade graded --program ./more", "raytracer grade: --program: ./more is a folder: name a program in it"),
     ("grade graded --program ./scene.json",
      "raytracer grade: --program: ./scene.json is not executable: chmod +x makes it so"),
+    ("grade graded --program nosuchcmd", "raytracer grade: --program: there is no command nosuchcmd"),
+    ("grade graded --program scene.json",
+     "raytracer grade: --program: there is no command scene.json; write ./scene.json"),
+    (["grade", "graded", "--program", "./nothere; true"],
+     "raytracer grade: --program: there is no file ./nothere"),
+    (["grade", "graded", "--program", "python3 progs/b.py"],
+     "raytracer grade: --program: there is no file progs/b.py"),
+    (["grade", "graded", "--program", "python3 -u programs/a.pyy.py x.py"],
+     'raytracer grade: --program: there is no file programs/a.pyy.py; there is "programs/a.py"'),
+    ("grade graded --submissions class --program nosuchcmd/{}",
+     "raytracer grade: --program: no submission has a file nosuchcmd/{}"),
+    ("grade graded --submissions class --program ./{}/raytracing",
+     "raytracer grade: --program: no submission has a file ./{}/raytracing"),
+    (["grade", "graded", "--submissions", "class", "--program", "python3 {}/b.py"],
+     "raytracer grade: --program: no submission has a file {}/b.py"),
     ("grade graded --report x.txt", "x.txt: expected a name that ends in .html or .htm"),
     ("grade graded --report x.pdf --program true", "x.pdf: expected a name that ends in .html or .htm"),
     ("scene.json out.jpg 8 --watch", "out.jpg: expected a name that ends in .png or .pfm"),
     ("scene.json out.png 8 --watch --crop 1,2",
      'raytracer: --crop: expected four whole numbers x0,y0,x1,y1, found "1,2"'),
-    ("compare - out.png", "-: cannot read: No such file or directory"),
+    ("compare - out.png", "-: cannot read: No such file or directory; looked in HERE"),
+    ("./u.txt out.png 8", "./u.txt: cannot read: No such file or directory; looked in HERE/"),
+    ("more/unlike.txt out.png 8",
+     "more/unlike.txt: cannot read: No such file or directory; looked in HERE/more"),
+    ("nowhere/unlike.txt out.png 8",
+     'nowhere/unlike.txt: cannot read: No such file or directory; there is no folder "nowhere"'),
+    ("more/scene.json out.png 8",
+     'more/scene.json: cannot read: No such file or directory; there is "scene.json"'),
+    ("more\\scene.json out.png 8",
+     'more\\scene.json: cannot read: No such file or directory; there is "scene.json"'),
+    ("nowhere\\scene.json out.png 8",
+     'nowhere\\scene.json: cannot read: No such file or directory; there is "scene.json"'),
     ("compare out.png scene.json", "scene.json: it is no PNG, JPEG or PFM picture: convert it to PNG"),
     ("compare out.png small.png", "small.png: expected 4 x 4 pixels, as in out.png, found 8 x 8"),
     ("sceen.json out.png 8", 'sceen.json: cannot read: No such file or directory; there is "scene.json"'),
@@ -201,6 +230,155 @@ COMMANDS = [
      'other.json: cannot read: No such file or directory; there is "more/other.json"'),
     ("compare out.png refrence.png",
      'refrence.png: cannot read: No such file or directory; there is "reference.png"'),
+    # Values that a shell has taken apart.
+    ("scene.json out.png 8 --crop 0, 0 , 5, 5",
+     "raytracer: --crop has commas, no blanks: write --crop 0,0,5,5"),
+    ("scene.json out.png 8 --crop 0 ,0 ,5 ,5",
+     "raytracer: --crop has commas, no blanks: write --crop 0,0,5,5"),
+    ("scene.json out.png 8 --only ambient , diffuse",
+     "raytracer: --only has commas, no blanks: write --only ambient,diffuse"),
+    ("scene.json out.png 8 --set /camera/eye = 0, 1, 4",
+     'raytracer: --set takes /pointer=value: write --set "/camera/eye=[0, 1, 4]"'),
+    ("--set /camera/eye = 0, 1, 4 scene.json out.png 8",
+     'raytracer: --set takes /pointer=value: write --set "/camera/eye=[0, 1, 4]"'),
+    ("--set /camera/eye= scene.json out.pfm 8 9", f'raytracer: unexpected argument "9"; {ORDER}'),
+    ("--set /camera/eye= - out.pfm 8 9", SCENE_ON_STDIN),
+    ("scene.json out.png 8 --set /materials/0/name = $HOME",
+     "raytracer: --set takes /pointer=value: write --set '/materials/0/name=$HOME'"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0=0 /camera/eye/0=1",
+     "raytracer: --set needs quotes around braces: write --set '/camera/eye/0={0..1}'"),
+    (["scene.json", "out.png", "8", "--set", "/shapes/-=name:a b", "/shapes/-=on:true"],
+     "raytracer: --set needs quotes around braces: "
+     """write --set '/shapes/-={"name":"a b","on":true}'"""),
+    ("scene.json out.png 8 --set /lights/-=position:[3 /lights/-=5 /lights/-=4e1] /lights/-=on:true",
+     "raytracer: --set needs quotes around braces: "
+     """write --set '/lights/-={...}'"""),
+    ("scene.json out.png 8 --part 1 2", "raytracer: --part is K/N, no blanks: write --part 1/2"),
+    ("scene.json out.png 8 --part 1 / 2", "raytracer: --part is K/N, no blanks: write --part 1/2"),
+    ("--part 1 of 2 scene.json out.png 8", "raytracer: --part is K/N, no blanks: write --part 1/2"),
+    ("--frames 1 8 scene.json f-%04d.png 8", "raytracer: --frames is A..B, no blanks: write --frames 1..8"),
+    ("--frames 1 .. 8 scene.json f-%04d.png 8",
+     "raytracer: --frames is A..B, no blanks: write --frames 1..8"),
+    ("--frames 1 to 8 scene.json f-%04d.png 8",
+     "raytracer: --frames is A..B, no blanks: write --frames 1..8"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0=1 /camera/eye/0=0 /camera/eye/0=-1",
+     "raytracer: --set needs quotes around braces: write --set '/camera/eye/0={1..-1}'"),
+    ("scene.json out.png 8 --set /camera/eye=0 /camera/eye=1 /camera/eye=5",
+     "raytracer: --set needs quotes around braces: write --set '/camera/eye=[0,1,5]'"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye=[{0-1},0,4]",
+     "raytracer: --set /camera/eye=[{0-1},0,4]: a range is {0..1}"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0={0..}",
+     "raytracer: --set /camera/eye/0={0..}: a range is {0..1}"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0=0..1",
+     "raytracer: --set /camera/eye/0=0..1: a range is {0..1}"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0={0..1",
+     "raytracer: --set /camera/eye/0={0..1: a range is {0..1}"),
+    ("scene.json out.png 8 --set /camera/eye/0={0:1}",
+     "raytracer: --set /camera/eye/0={0:1}: a range is {0..1}"),
+    # Options written in another way.
+    ("scene.json out.png 8 --max-recursion = 3", 'raytracer: unexpected "="; write --max-recursion 3'),
+    ("scene.json out.png 8 --max-recursion =3", 'raytracer: unexpected "="; write --max-recursion 3'),
+    ("scene.json out.png 8 --report =", "raytracer: unknown option --report (see --help)"),
+    ("scene.json out.png 8 --only = diffuse", 'raytracer: unexpected "="; write --only diffuse'),
+    ("scene.json out.png 8 /max-recursion 3",
+     'raytracer: unexpected argument "/max-recursion"; write --max-recursion 3'),
+    ("scene.json out.png 8 max-recursion=3",
+     'raytracer: unexpected argument "max-recursion=3"; write --max-recursion 3'),
+    ("max-recursion=3 scene.json out.png 8",
+     'raytracer: unexpected argument "max-recursion=3"; write --max-recursion 3'),
+    ("scene.json out.png 8 quiet", 'raytracer: unexpected argument "quiet"; write --quiet'),
+    ("scene.json out.png 8 /max-recursion=3",
+     'raytracer: unexpected argument "/max-recursion=3"; write --max-recursion 3'),
+    ("scene.json out.png 8 --max-recursion",
+     "raytracer: --max-recursion: expected a whole number from 0 to 1000, found nothing"),
+    ("scene.json out.png 8 --pass compare",
+     'raytracer: --pass: expected color, raycast or normals, found "compare"'),
+    ("--quiet -- compare o.png 100", "compare: cannot read: No such file or directory; looked in HERE"),
+    ("--json compare a.png b.png", "raytracer: the command stands first: raytracer compare ..."),
+    ("--threads 2 grade graded", "raytracer: the command stands first: raytracer grade ..."),
+    ("scene.json out.png 8 --only", "raytracer: --only: expected terms, as ambient,diffuse, found nothing"),
+    ("scene.json out.png 8 --crop", "raytracer: --crop: expected x0,y0,x1,y1, found nothing"),
+    ("scene.json out.png 8 --part", "raytracer: --part: expected K/N, found nothing"),
+    ("scene.json out.png 8 --frames", "raytracer: --frames: expected A..B, found nothing"),
+    ("scene.json out.png 8 --set", "raytracer: --set: expected /pointer=value, found nothing"),
+    (["scene.json", "out.png", "8", "--only", ""],
+     'raytracer: --only: expected terms, as ambient,diffuse, found ""'),
+    (["scene.json", "out.png", "8", "--set", ""], 'raytracer: --set: expected /pointer=value, found ""'),
+    (["explain", "scene.json", "", "5"], 'raytracer explain: X: expected a whole number, found ""'),
+    (["explain", "scene.json", "5,", "5"], 'raytracer explain: X: expected a whole number, found "5,"'),
+    ("explain scene.json 5,5,5 5",
+     'raytracer explain: X: expected a whole number, found "5,5,5"; write 5 5 5'),
+    ("compare --print-completion xyz",
+     'raytracer compare: --print-completion: expected bash, zsh or fish, found "xyz"'),
+    ("-i scene.json -o out.png -w 8 -h 8", f"raytracer: unknown option -i; {ORDER}"),
+    ("--unknown --help", "raytracer: unknown option --unknown (see --help)"),
+    # Commands and arguments.
+    ("assemble no.part out.png", "no.part: cannot read: No such file or directory; looked in HERE"),
+    ("assemble p.png", "raytracer assemble: PART is missing; the order is PART... IMAGE_OUT (see --help)"),
+    ("reference.png out.png", "raytracer: reference.png is a picture; "
+     "write raytracer compare reference.png out.png"),
+    ("scene.json 600 600", f"raytracer: IMAGE_OUT is missing; {ORDER} (see --help)"),
+    ("- out.png 8", SCENE_ON_STDIN),
+    ("- - 8", SCENE_ON_STDIN),
+    ("explain - 3 3 8", SCENE_ON_STDIN.replace("raytracer:", "raytracer explain:")),
+    ("grade graded refs", "raytracer grade: one folder is graded; write --references refs"),
+    ("grade a.json b.png",
+     "raytracer grade: it takes a folder; write raytracer explain a.json --picture b.png"),
+    ("grade b.png a.json",
+     "raytracer grade: it takes a folder; write raytracer explain a.json --picture b.png"),
+    ("grade a.png b.png", "raytracer grade: it takes a folder; write raytracer compare a.png b.png"),
+    ("grade", "raytracer grade: DIR is missing; the order is DIR (see --help)"),
+    ("explain scene.json mine.png 3 3",
+     "raytracer explain: is mine.png the picture? Give it with --picture; "
+     "the order is SCENE X Y LONG_EDGE_PIXELS"),
+    ("scene.json out.png 8 --diffuse", "raytracer: unknown option --diffuse; did you mean --only diffuse?"),
+    ("scene.json out.png 8 --raycast", "raytracer: unknown option --raycast; did you mean --pass raycast?"),
+    ("scene.json out.png 8 --normals", "raytracer: unknown option --normals; did you mean --pass normals?"),
+    ("scene.json out.png 8 --no-shadows",
+     "raytracer: unknown option --no-shadows; did you mean --only?"),
+    ("scene.json out.png 8 --float", "raytracer: unknown option --float; did you mean --precision float?"),
+    ("scene.json out.png 8 --bilinear",
+     "raytracer: unknown option --bilinear; did you mean --texture-filter bilinear?"),
+    ("scene.json out.png 8 --region 1,1,2,2", "raytracer: unknown option --region; did you mean --crop?"),
+    ("scene.json out.png 8 --cores 2", "raytracer: unknown option --cores; did you mean --threads?"),
+    ("scene.json out.png 8 --gamma 2.2",
+     "raytracer: there is no --gamma: a byte is 255 times the linear colour; a .pfm has that itself"),
+    ("compare a.png b.png --out d.png", "raytracer compare: unknown option --out; did you mean --diff?"),
+    ("compare a.png b.png -o d.png", "raytracer compare: unknown option -o; did you mean --diff?"),
+    ("compare a.png b.png --threshold 1",
+     "raytracer compare: unknown option --threshold; did you mean --tolerance?"),
+    ("scene.json out.png 8 --pass diffuse",
+     'raytracer: --pass: expected color, raycast or normals, found "diffuse"; write --only diffuse'),
+    ("scene.json out.png 8 --only ambient_diffuse_specular",
+     'raytracer: --only: no term "ambient_diffuse_specular"; write --only ambient,diffuse,specular'),
+    ("scene.json out.png 8 --only all", 'raytracer: --only: no term "all"; without --only there are all'),
+    ("scene.json - 8 --stats",
+     "raytracer: the picture - and --stats both go to standard output: name a file for the picture"),
+    ("schema", 'raytracer: unknown command "schema"; write raytracer --print-schema'),
+    ("man", 'raytracer: unknown command "man"; write raytracer --print-manual'),
+    ("watch scene.json",
+     'raytracer: unknown command "watch"; write raytracer SCENE IMAGE_OUT LONG_EDGE_PIXELS --watch'),
+    ("scene.json out.png 8 --texture-filter Bilinear",
+     'raytracer: --texture-filter: expected bilinear, found "Bilinear"'),
+    ("scene.json out.png 8 --target-time 10s",
+     'raytracer: --target-time: expected a number above 0, found "10s"; write 10'),
+    ("scene.json out.png 8 --adaptive 2%",
+     'raytracer: --adaptive: expected a number from 0 to 1, found "2%"; write 0.02'),
+    ("scene.json out.png 8 --adaptive 0,02",
+     'raytracer: --adaptive: expected a number from 0 to 1, found "0,02"; write 0.02'),
+    ("scene.json out.png 600px",
+     'raytracer: LONG_EDGE_PIXELS: expected a whole number from 1 to 65536, found "600px"; write 600'),
+    ("grade graded --csv x.xlsx", "x.xlsx: what is written is CSV, not a workbook: name it x.csv"),
+    ("tradeoff scene.json --out x.html", "x.html: --out names a folder, for three files"),
+    ("grade graded --program true --user nobodyhere", "raytracer grade: --user: " + NO_USER),
+    ("grade graded --stage diffuse", "graded: no reference X-diffuse.png of a scene X.json; "
+     "--references names their folder"),
+    ("grade graded --stage normals --submissions class",
+     "graded: no reference X-normals.png of a scene X.json; --references names their folder"),
+    ("grade graded --references refs --stage normals",
+     "refs: no reference X-normals.png of a scene X.json in graded"),
+    ("grade stages --program true",
+     "stages: no reference X.png of a scene X.json; --references names their folder"),
 ]
 
 # What is changed in the scene, the place, what is answered, and for a mistake of syntax the column of the
@@ -435,22 +613,32 @@ def check_all(folder):
     (folder / "graded").mkdir()
     (folder / "programs").mkdir()
     shutil.copy("test/bad/files/check.png", folder / "graded/scene.png")
-    (folder / "graded/scene.json").write_text(SCENE, encoding="utf-8")
+    (folder / "graded/scene.json").write_text(SCENE.replace("textures/wood.png", "../textures/wood.png"),
+                                              encoding="utf-8")
     (folder / "programs/raytracer").write_text("", encoding="utf-8")
     (folder / "more/other.json").write_text("{}", encoding="utf-8")
     (folder / "my scene.json").write_text("{}", encoding="utf-8")
+    (folder / "refs").mkdir()
+    shutil.copy("test/bad/files/check.png", folder / "refs/scene.png")
+    (folder / "stages").mkdir()
+    (folder / "stages/a.json").write_text(SCENE, encoding="utf-8")
+    shutil.copy("test/bad/files/check.png", folder / "stages/a-diffuse.png")
+    (folder / "programs/a.py").write_text("", encoding="utf-8")
+    (folder / "class/ada").mkdir(parents=True)
+    (folder / "class/ada/run").write_text("true", encoding="utf-8")
     (folder / "e").write_text("", encoding="utf-8")
     check_change(folder, ("red", "red"), 0, [])
     shutil.copy(folder / "out.png", folder / "small.png")
-    for line, answer in COMMANDS:
-        if line.startswith("compare"):
+    here = os.path.realpath(folder)
+    for line, answer in [(line, answer.replace("HERE", here)) for line, answer in COMMANDS]:
+        if line[:7] == "compare":
             shutil.copy("test/bad/files/check.png", folder / "out.png")
             done = subprocess.run([RAYTRACER, *line.split()], capture_output=True, text=True, cwd=folder,
                                   check=False)
             check(line, (2, answer + "\n"), (done.returncode, done.stderr))
             check_width(line, answer)
             continue
-        check(line, (2, "", [answer]), answered(folder, line.split()))
+        check(line, (2, "", [answer]), answered(folder, line if isinstance(line, list) else line.split()))
     for before, after, place, answer in SCENES:
         line, column = map(int, place.split(":"))
         text = SCENE.replace(before, after, 1).split("\n")[line - 1][:96]
@@ -543,6 +731,13 @@ def check_cost(folder):
             process.kill()
         check("cost", f"warning: scene.json: 8000 × 8000 pixels {said} take about T; {instead} takes less\n",
               re.sub("about [0-9.]+ (min|h|days);", "about T;", line))
+
+    words = [RAYTRACER, "scene.json", "f-%d.png", "8", "--frames", "1..999999"]
+    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, cwd=folder) as process:
+        line = process.stderr.readline()
+        process.kill()
+    check("frames", "warning: scene.json: 999998 more frames take about T; a smaller size takes less\n",
+          re.sub("about [0-9.]+ (min|h|days);", "about T;", line))
 
 
 with tempfile.TemporaryDirectory() as temporary:

@@ -54,6 +54,8 @@ def check_done(folder):
     for number in (1, 2):
         said = on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient", "--part", f"{number}/2")
         check("a part", True, said.startswith(f"{out}.part-{number}-of-2: 8 × 8, "))
+    said = on_terminal(100, "test/good/least.json", out, 8, "--only", "ambient", "--watch", until=rb"C ends")
+    check("a watch that waits", True, said.endswith("s\nwaiting for a change; Ctrl+C ends\n"))
     parts = [f"{out}.part-{number}-of-2" for number in (1, 2)]
     said = on_terminal(100, "assemble", *parts, out)
     check("assembled", True, bool(re.fullmatch(done_line, said)))

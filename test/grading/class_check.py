@@ -227,7 +227,7 @@ def check_odd(raytracer, folder):
     check(counts == (1, absent), f"the page says what is not there: {counts}")
     check("<dt>time</dt>" not in page and ">ours<" not in page, "the page of pictures")
     refused = run(*grade, "--program", "{}/no/such --fast", cwd=folder)
-    said = "raytracer grade: --program: no submission has a file no/such\n"
+    said = "raytracer grade: --program: no submission has a file {}/no/such\n"
     check((refused.returncode, refused.stderr) == (2, said), refused.stderr)
 
 
@@ -300,7 +300,8 @@ def check_user(raytracer, folder):
                 "spheres_cylinder": "nobody\n2\n"}
     check(done.returncode == 1 and printed == expected, f"--user: {printed} {done.stderr}")
     refused = run(raytracer, "grade", "exam", "--program", "true", "--user", "no such", cwd=folder)
-    check((refused.returncode, refused.stderr) == (2, "there is no user no such\n"), refused.stderr)
+    said = "raytracer grade: --user: there is no user no such\n"
+    check((refused.returncode, refused.stderr) == (2, said), refused.stderr)
 
 
 def check_hostile(raytracer, folder):

@@ -165,7 +165,7 @@ def check_own_failures(program, folder):
     failing("the disk is full", "/tmp/raytracer-\\w+: no room for a picture: File too large\n", "one",
             "--program", "true", before=["sh", "-c", 'ulimit -f 100; exec "$@"', "sh"], TMPDIR="")
     for blank in ("", "  "):
-        failing("no program", f'raytracer grade: --program: expected a text, found "{blank}"\n',
+        failing("no program", f'raytracer grade: --program: expected a command, found "{blank}"\n',
                 "one", "--program", blank)
     check_files(folder, failing)
     (folder / "one/a.png").write_bytes((folder / "one/a.png").read_bytes()[:100])

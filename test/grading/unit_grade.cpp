@@ -188,6 +188,33 @@ TEST_CASE("grade: a program is told scene, picture and size") {
     CHECK(result.output != test.scene + "\n");
 }
 
+TEST_CASE("grade: of a program's command, the words that a shell takes as they are") {
+    using Words = std::vector<std::string>;
+    CHECK(plainWords("") == Words{});
+    CHECK(plainWords("./run --fast  7") == Words{"./run", "--fast", "7"});
+    CHECK(plainWords("{}/run; true") == Words{"{}/run"});
+    CHECK(plainWords("{}/run\t-x|tee log") == Words{"{}/run", "-x"});
+    CHECK(plainWords("a{}b{}") == Words{"a{}b{}"});
+    CHECK(plainWords("python3 \"my file.py\" a.py") == Words{"python3"});
+    CHECK(plainWords("A=1 ./run") == Words{});
+    CHECK(plainWords("./r*n") == Words{});
+    CHECK(plainWords("(cd x && ./run)") == Words{});
+    CHECK(scriptIn({"python3", "-u", "b.PY", "c.py"}) == "b.PY");
+    CHECK(scriptIn({"b.py"}).empty());
+    CHECK(scriptIn({}).empty());
+}
+
+TEST_CASE("grade: a program that cannot be started is a fault of its command") {
+    CHECK(programFault("true").empty());
+    CHECK(programFault("exec sh").empty());
+    CHECK(programFault("no-such-command-here") == "there is no command no-such-command-here");
+    CHECK(programFault("/no/run; true") == "there is no file /no/run");
+    CHECK(programFault("sh /no/run.sh") == "there is no file /no/run.sh");
+    CHECK(programFault("sh {}/run.sh").empty());
+    CHECK(programFault("\"/no/run\"").empty());
+    CHECK(programFault("/tmp") == "/tmp is a folder: name a program in it");
+}
+
 TEST_CASE("grade: of what a program prints, the end is kept") {
     const TemporaryFolder folder;
     const GradeResult result = gradeCase(blackCase(folder), programRenderer("seq 1 100000; echo", {}));

@@ -83,7 +83,8 @@ TEST_CASE("Every bad scene gets its one line") {
 TEST_CASE("A scene file that cannot be read") {
     const InSourceFolder here;
     CHECK(faultOf("test/bad/nowhere.json") ==
-          "test/bad/nowhere.json: cannot read: No such file or directory");
+          "test/bad/nowhere.json: cannot read: No such file or directory; looked in " +
+              fs::current_path().string() + "/test/bad");
     CHECK(faultOf("test/bad") == "test/bad: cannot read: Is a directory; name a file in it");
     CHECK(faultOf("test/bad/files/check.png") ==
           "test/bad/files/check.png:1:1: expected JSON, found what is no text");

@@ -50,6 +50,36 @@ TEST_CASE("text is wrapped at blanks, to columns of characters") {
     CHECK(wrapped("one two", 30, 24, 24) == "one\n" + std::string(24, ' ') + "two");
 }
 
+TEST_CASE("columns are counted as a terminal shows them") {
+    CHECK(columnCount("a\u00e4\u00d7") == 3);
+    CHECK(columnCount("e\u0301") == 1);
+    for (const char* wide :
+         {"\u2705", "\u231a", "\u65e5", "\uff01", "\U0001f600", "\U0001f7e0", "\U00017000"})
+        CHECK(columnCount(wide) == 2);
+    // Thai, Arabic, Hebrew and Hindi; a zero-width space, and what turns the text.
+    for (const char* none : {"\u0e34", "\u064b", "\u05b0", "\u094d", "\u20d0", "\u200b", "\u2069"})
+        CHECK(columnCount(none) == 0);
+    CHECK(columnCount("\xff") == 1);
+}
+
+TEST_CASE("a character that nobody sees is known") {
+    for (const char* blank : {"\u00a0", "\u2000", "\u2003", "\u202f", "\u205f", "\u3000"})
+        CHECK(invisibleCharacter(blank) > 0);
+    CHECK(invisibleCharacter("\u200bx") == 0x200b);
+    CHECK(invisibleCharacter("\u00ad") == 0xad);
+    CHECK(invisibleCharacter("\u202e") == 0x202e);
+    CHECK(invisibleCharacter("\ufeff") == 0xfeff);
+    for (const char* seen : {"", " ", "\t", "a", "\u00e4", "\xff", "x\u200b"})
+        CHECK(invisibleCharacter(seen) == 0);
+}
+
+TEST_CASE("a long dash is no hyphen") {
+    CHECK(behindLongDash("\u2013help") == "help");
+    CHECK(behindLongDash("\u22121") == "1");
+    CHECK(behindLongDash("--help").empty());
+    CHECK(behindLongDash("a\u2014").empty());
+}
+
 TEST_CASE("the progress bar fits its columns") {
     CHECK(ProgressBar::line(0.5, 10, 80) ==
           "[" + std::string(20, '#') + std::string(20, ' ') + "]  50 %  0:10 left");

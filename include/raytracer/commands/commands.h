@@ -2,10 +2,16 @@
 // (0 success, 1 a comparison or goal not met, 2 wrong usage). Bad input is an Error, for main to print.
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace raytracer::commands {
 
 // The whole command line: finds the command and calls it.
 int run(int argc, char** argv);
+
+// Of those that have one.
+std::vector<std::string> commandNames();
 
 // raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS [options]: the default, without a name of its own.
 int render(int argc, char** argv);
@@ -27,3 +33,9 @@ int explain(int argc, char** argv);
 int grade(int argc, char** argv);
 
 }  // namespace raytracer::commands
+
+namespace raytracer::schema_text {
+
+extern const char* const scene;  // scenes/scene.schema.json, made by cmake/embed.cmake
+
+}

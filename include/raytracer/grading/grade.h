@@ -71,8 +71,15 @@ struct ProgramOptions {
 // command that is a path from the current folder still is that path.
 CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options);
 
-// Why the file that a command begins with can't be started: it is not there, a folder, or not executable.
-// Empty where it can be, where only a shell knows, and where "{}" stands for several.
+// The words of a command that its shell takes as they are written: of the first command in the line, and up
+// to a word that the shell would change. In such a word "{}" stands for a submission's folder.
+std::vector<std::string> plainWords(const std::string& command);
+
+// Of these words, the script that an interpreter, the first of them, is given: by its ending. Empty: none.
+std::string scriptIn(const std::vector<std::string>& words);
+
+// Why a command can't be started: there is no such program or script, it is a folder, or it is not
+// executable. Empty where it can be, where only a shell knows, and of a file in a submission.
 std::string programFault(const std::string& command);
 
 // The namer of a case's scene; nothing where it has another size, or cannot be made.

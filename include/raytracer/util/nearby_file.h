@@ -36,6 +36,10 @@ std::string nearbyName(const std::string& folder, std::string_view written);
 // `; there is "NEARBY"`, or nothing. Leaves errno as it is.
 std::string hintAt(const std::string& path);
 
+// Where errno says that there is no file: the hint, or of a relative path `; looked in FOLDER`, or that there
+// is no such folder. Leaves errno as it is.
+std::string whereLooked(const std::string& path);
+
 // Why a folder cannot be read, and where it is missing, which one has a name like its; where it is a file,
 // the file's folder.
 Error folderError(const std::string& folder, std::error_code error);

@@ -46,4 +46,7 @@ class NearestName {
     Kin last_, first_;  // by their last words, and by their first letters
 };
 
+// '; did you mean "diffuse"?'
+std::string didYouMean(std::string_view name);
+
 }  // namespace raytracer

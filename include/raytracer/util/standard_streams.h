@@ -10,6 +10,8 @@ namespace raytracer {
 
 class Error;
 
+constexpr std::size_t messageColumns = 100;  // of a line that is read with ease
+
 // Before all else: closes the ways in which a write would end the process or go astray. A full disk or a
 // closed pipe becomes an Error, not a signal; a descriptor from 0 to 2 that is closed is taken, so that no
 // file gets its number and the messages.
@@ -20,7 +22,7 @@ void prepareStandardStreams();
 void print(std::string_view text);
 
 // Writes one line, of which `text` has no end, to standard error. On a terminal it is wrapped to the
-// terminal's width and to at most 100 columns.
+// terminal's width and to at most messageColumns.
 void tell(std::string_view text);
 
 // The same, not wrapped: what is to be copied.

@@ -30,6 +30,14 @@ std::size_t utf8Bytes(std::string_view text);
 // direction of text, or no character.
 std::size_t printableBytes(std::string_view text);
 
+// The code point of the character that the text begins with, where that looks like a space but is none, or
+// like nothing; else 0. Control characters are another matter: programs read some of them.
+unsigned invisibleCharacter(std::string_view text);
+
+// What is behind the dash (Unicode's, or its minus) that a text program makes of "--" or of "-"; empty where
+// the text begins with none.
+std::string_view behindLongDash(std::string_view text);
+
 // The text as terminals, tables and pages may show it: what printableBytes refuses becomes \xNN, byte by
 // byte, but for the characters in `kept`.
 std::string printable(std::string_view text, std::string_view kept = {});
@@ -56,7 +64,8 @@ std::string wrapped(std::string_view text, std::size_t columns, std::size_t inde
 std::string listed(const std::vector<std::string>& names, const std::string& last = "or");
 
 // How many columns of a terminal the text, of UTF-8, takes: two for an East Asian wide character or an emoji,
-// none for a mark on the one before it.
+// none for a mark on the one before it (src/util/characters.h). Of several characters that are shown as one,
+// as flags and families are, each counts.
 std::size_t columnCount(std::string_view text);
 
 // ASCII's letters; the others as they are.

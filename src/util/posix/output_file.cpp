@@ -26,11 +26,12 @@ namespace {
 namespace fs = std::filesystem;
 using Status = struct stat;
 
-// A link there is to an open file, which no rename can replace.
-bool isInProc(const fs::path& link) {
+// The folder of a name that is in /proc: a link there is to an open file, which no rename can replace, and
+// no file can be made beside it. Empty elsewhere.
+std::string folderInProc(const fs::path& name) {
     std::error_code error;
-    const fs::path folder = fs::canonical(link.has_parent_path() ? link.parent_path() : ".", error);
-    return folder.string().starts_with("/proc/");
+    std::string folder = fs::canonical(name.has_parent_path() ? name.parent_path() : ".", error).string();
+    return folder.starts_with("/proc/") ? folder : "";
 }
 
 // What is behind the symbolic links, whether it is there or not; of an open file its link in /proc, behind
@@ -41,7 +42,7 @@ fs::path behindLinks(fs::path path) {
         std::error_code isNoLink;
         const fs::path next = fs::read_symlink(path, isNoLink);
         if (isNoLink) return path;
-        if (isInProc(path)) return path;
+        if (!folderInProc(path).empty()) return path;
         path = path.parent_path() / next;
     }
     return {};
@@ -50,10 +51,8 @@ fs::path behindLinks(fs::path path) {
 // Whether the link in /proc is that of a standard stream of ours which is closed. /dev/null stands in for it
 // (prepareStandardStreams), where what is written would be lost.
 bool isClosedStream(const fs::path& link) {
-    std::error_code error;
-    const fs::path folder = fs::canonical(link.parent_path(), error);
-    const std::string ours = "/proc/" + std::to_string(::getpid()) + "/";
-    if (!folder.string().starts_with(ours) || folder.filename() != "fd") return false;
+    const std::string folder = folderInProc(link), ours = "/proc/" + std::to_string(::getpid()) + "/";
+    if (!folder.starts_with(ours) || !folder.ends_with("/fd")) return false;
     Status null{}, open{};
     return std::ranges::any_of(std::array{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}, [&](int stream) {
         const int mode = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
@@ -104,16 +103,16 @@ struct OutputFile::State {
 
 void OutputFile::State::open() {
     const fs::path behind = behindLinks(name);
-    const bool isClosed = isClosedStream(behind);
+    const bool isClosed = isClosedStream(behind), isInProc = !folderInProc(behind).empty();
     if (isClosed) errno = EBADF;
     require(!isClosed);
     Status old{};
     const bool exists = ::stat(name.c_str(), &old) == 0;
-    require(exists || errno == ENOENT);
+    require(exists || (errno == ENOENT && !isInProc));
     if (exists) inPlace = Descriptor(::open(name.c_str(), O_WRONLY | O_CLOEXEC));
     require(!exists || inPlace);
     isCut = exists && S_ISREG(old.st_mode);
-    if ((exists && !isCut) || behind.empty() || isInProc(behind)) return;
+    if ((exists && !isCut) || behind.empty() || isInProc) return;
     target = behind.string();
     openBeside(exists ? S_IRUSR | S_IWUSR : 0666);
     require(beside || exists);

@@ -1,13 +1,14 @@
-#include "frames.h"
+#include "series.h"
 
 #include <cmath>
 #include <optional>
 
-#include "arguments.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_writer.h"
+#include "raytracer/util/file_hash.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
+#include "split_values.h"
 
 namespace raytracer::commands {
 
@@ -48,6 +49,20 @@ std::optional<Span> findRange(const std::string& text, std::size_t begin) {
     return std::nullopt;
 }
 
+// Numbers between braces, or dots between numbers, that are no range.
+bool hasNearRange(std::string text) {
+    while (const auto range = findRange(text, 0)) text.erase(range->begin, range->end - range->begin);
+    constexpr const char* digits = "0123456789";
+    for (std::size_t open = 0; (open = text.find('{', open)) != text.npos; ++open) {
+        const std::size_t end = text.find_first_not_of("0123456789.,:;- ", open + 1);
+        const std::size_t digit = text.find_first_of(digits, open);
+        if (digit < end && (end == text.npos || text[end] == '}' || text[end] == ']')) return true;
+    }
+    const std::size_t dots = text.find(".."), value = text.find('=');
+    return dots != text.npos && value < dots &&
+           text.find_first_not_of("0123456789.-+", value + 1) == text.npos;
+}
+
 // The "%04d" of a name, which has one.
 struct NumberPlace {
     std::size_t begin, end;
@@ -64,6 +79,63 @@ std::optional<NumberPlace> frameNumberIn(const std::string& name) {
 }
 
 }  // namespace
+
+void addPartsAndFramesTo(CommandLine& line, std::string& part, std::string& frames) {
+    line.text("--part", part,
+              "Render the K-th of N parts of the picture, K/N, into the file IMAGE_OUT.part-K-of-N, for "
+              "raytracer assemble; all parts take about the same time");
+    line.shown("--part", "K/N");
+    line.rejoins("--part", joinedPart);
+    line.exclude("--part", {"--target-time"});
+    line.text(
+        "--frames", frames,
+        "Render frames A..B; IMAGE_OUT has one %04d, for their number. In a --set, {a..b} is a number that "
+        "runs from a at frame A to b at the one after B; write it in quotes: '/camera/eye/0={0..1}'");
+    line.shown("--frames", "A..B");
+    line.rejoins("--frames", joinedFrames);
+}
+
+std::string pictureOptions(const RenderArguments& arguments, const RenderOptions& options) {
+    std::string text;
+    const auto add = [&](const std::string& option) { text += (text.empty() ? "--" : " --") + option; };
+    add("max-recursion " + std::to_string(options.max_recursion));
+    add("samples " + std::to_string(options.samples));
+    add("adaptive " + shortestNumber(options.adaptive));
+    add("cutoff " + shortestNumber(options.cutoff));
+    add("texture-filter " + arguments.textureFilter);
+    add("precision " + arguments.precision);
+    add("pass " + arguments.pass);
+    if (!arguments.only.empty()) add("only " + arguments.only);
+    if (arguments.opaque) add("opaque");
+    for (const std::string& set : arguments.sets) add("set " + set);
+    return text;
+}
+
+PicturePart parsePart(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    const auto number = numberOf<int>(text.substr(0, slash));
+    const auto count = numberOf<int>(slash == text.npos ? "" : text.substr(slash + 1));
+    if (!number || !count || *number < 1 || *number > *count || *count > mostParts)
+        throw usageError("--part: expected K/N, two whole numbers with 1 <= K <= N <= " +
+                         std::to_string(mostParts) + ", found " + inQuotes(text));
+    return {*number, *count};
+}
+
+std::string partName(const std::string& out, const PicturePart& part) {
+    return out + ".part-" + std::to_string(part.number) + "-of-" + std::to_string(part.count);
+}
+
+PartHead partHead(const RenderArguments& arguments, const RenderOptions& options, const PicturePart& part,
+                  const std::vector<std::string>& sceneFiles) {
+    PartHead head;
+    head.version = programVersion();
+    head.scene = hashOfFiles(sceneFiles);
+    head.options = pictureOptions(arguments, options);
+    head.size = options.size;
+    head.crop = options.crop;
+    head.part = part;
+    return head;
+}
 
 Frames parseFrames(const std::string& text) {
     const auto ends = endsOf<int>(text);
@@ -89,6 +161,11 @@ std::string atFrame(const std::string& set, const Frames& frames, int frame) {
         at = range->begin + number.size();
     }
     return value;
+}
+
+void refuseNearRanges(const std::vector<std::string>& sets) {
+    for (const std::string& set : sets)
+        if (hasNearRange(set)) throw usageError("--set " + set + ": a range is {0..1}");
 }
 
 void refuseFrames(const std::string& out, const std::vector<std::string>& sets) {

@@ -1,0 +1,103 @@
+// An option that there is none of: what is meant.
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "command_line.h"
+#include "raytracer/util/nearest_name.h"
+#include "raytracer/util/text.h"
+
+namespace raytracer::commands {
+
+namespace {
+
+// What other programs, and people, call our options and arguments.
+struct OtherName {
+    std::string_view name, ours;  // perhaps with a value
+};
+constexpr OtherName otherNames[] = {
+    {"depth", "--max-recursion"},
+    {"bounces", "--max-recursion"},
+    {"max-depth", "--max-recursion"},
+    {"spp", "--samples"},
+    {"antialiasing", "--samples"},
+    {"aa", "--samples"},
+    {"jobs", "--threads"},
+    {"j", "--threads"},
+    {"cores", "--threads"},
+    {"verbose", "--stats"},
+    {"v", "--version"},
+    {"q", "--quiet"},
+    {"silent", "--quiet"},
+    {"normals", "--pass normals"},
+    {"raycast", "--pass raycast"},
+    {"ambient", "--only ambient"},
+    {"diffuse", "--only diffuse"},
+    {"specular", "--only specular"},
+    {"no-shadows", "--only"},
+    {"float", "--precision float"},
+    {"double", "--precision double"},
+    {"bilinear", "--texture-filter bilinear"},
+    {"nearest", "--texture-filter nearest"},
+    {"region", "--crop"},
+    {"threshold", "--tolerance"},
+    {"o", "IMAGE_OUT"},
+    {"out", "IMAGE_OUT"},
+    {"output", "IMAGE_OUT"},
+    {"o", "--diff"},
+    {"out", "--diff"},
+    {"output", "--diff"},
+    {"o", "--report"},
+    {"out", "--report"},
+    {"output", "--report"},
+    {"o", "--out"},
+    {"size", "LONG_EDGE_PIXELS"},
+    {"width", "LONG_EDGE_PIXELS"},
+    {"height", "LONG_EDGE_PIXELS"},
+    {"s", "LONG_EDGE_PIXELS"},
+    {"resolution", "LONG_EDGE_PIXELS"},
+    {"w", "LONG_EDGE_PIXELS"},
+    {"scene", "SCENE"},
+    {"input", "SCENE"},
+    {"i", "SCENE"},
+};
+
+std::string_view withoutDashes(std::string_view name) {
+    if (const auto behind = behindLongDash(name); !behind.empty()) name = behind;
+    name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
+    return name;
+}
+
+}  // namespace
+
+void CommandLine::failUnknown(const std::string& option) const {
+    const auto lacking = std::ranges::find(lacking_, option, &Pair::first);
+    if (lacking != lacking_.end()) throw WrongUsage{"there is no " + option + ": " + lacking->second};
+    const std::string ours = meantOption(withoutDashes(option));
+    const std::string unknown = "unknown option " + option;
+    if (ours.empty()) throw WrongUsage{unknown, true};
+    if (ours.starts_with("--")) throw WrongUsage{unknown + "; did you mean " + ours + "?"};
+    throw WrongUsage{unknown + "; the order is " + order()};
+}
+
+// By its exact other name, else by what is near to the names here, and last to the other names. It may be an
+// argument; empty where there is none.
+std::string CommandLine::meantOption(std::string_view name) const {
+    NearestName own(name), others(name);
+    for (const Word& word : words_)
+        if (word.isOption()) own.consider(withoutDashes(word.name));
+    std::map<std::string, std::string_view> here;  // the other names of what this command has
+    for (const OtherName& other : otherNames)
+        if (std::ranges::find(words_, other.ours.substr(0, other.ours.find(' ')), &Word::name) !=
+            words_.end()) {
+            here.emplace(other.name, other.ours);
+            others.consider(other.name);
+        }
+    if (const auto exact = here.find(std::string(name)); exact != here.end())
+        return std::string(exact->second);
+    if (own.found()) return "--" + own.name();
+    return others.found() ? std::string(here.at(others.name())) : "";
+}
+
+}  // namespace raytracer::commands
