@@ -97,7 +97,7 @@ std::string difference(const PartHead& found, const PartHead& expected) {
     return "";
 }
 
-// "part 3 of 7 is missing", "parts 1 and 3 to 5 of 7 are missing"; empty where none is.
+// "part 3 of 7 is missing: ...", "parts 1 and 3 to 5 of 7 are missing: ..."; empty where none is.
 std::string missingParts(const std::vector<std::string>& paths) {
     std::vector<std::string> ranges;
     std::size_t missing = 0;
@@ -108,10 +108,11 @@ std::string missingParts(const std::vector<std::string>& paths) {
         missing += i + 1 - first;
         ranges.push_back(std::to_string(first + 1) + (i > first ? " to " + std::to_string(i + 1) : ""));
     }
-    const std::string text = listed(ranges, "and");
-    const std::string of = " of " + std::to_string(paths.size());
     if (missing == 0) return "";
-    return missing == 1 ? "part " + text + of + " is missing" : "parts " + text + of + " are missing";
+    const std::string text = listed(ranges, "and"), count = std::to_string(paths.size());
+    if (missing == 1)
+        return "part " + text + " of " + count + " is missing: render it with --part " + text + "/" + count;
+    return "parts " + text + " of " + count + " are missing: render each with --part K/" + count;
 }
 
 // The channels of a band that a tile has, and those of the tile alone, row by row.

@@ -70,8 +70,8 @@ def check_limit(folder):
     assert alone == limited and done.stderr == "", done
     done = run("scenes/texture.json", folder / "o.png", 40, "--adaptive", 0.01, "--samples", 8, "--stats")
     stopped = json.loads(done.stdout)["limited_pixels"]
-    told = (f"--samples 8 stopped {100 * stopped / 40 ** 2:.3g} % of the pixels before their error was "
-            "--adaptive 0.01\n")
+    told = (f"{100 * stopped / 40 ** 2:.3g} % of the pixels have an error above --adaptive 0.01: "
+            "raise --samples 8\n")
     assert stopped > 100 and done.stderr.endswith(told), done
 
 

@@ -15,6 +15,7 @@ import zlib
 from checks import RAYTRACER, check, conclude, run
 
 SCENE = "scenes/refraction.json"
+FIRST_MISSING = "part 1 of 3 is missing: render it with --part 1/3"
 
 
 def render_parts(out, count, *arguments, scene=SCENE, size=97):
@@ -75,12 +76,12 @@ def changed(path, old, new, folder):
 
 def check_faults(folder):
     a, b, c = render_parts(folder / "a.png", 3)
-    check_fault(folder, "one is missing", [a, c], "part 2 of 3 is missing")
+    check_fault(folder, "one is missing", [a, c], "part 2 of 3 is missing: render it with --part 2/3")
     check_fault(folder, "twice", [a, b, c, b],
                 "FOLDER/a.png.part-2-of-3: part 2 of 3 again, as FOLDER/a.png.part-2-of-3")
     many = render_parts(folder / "m.png", 9)
     check_fault(folder, "many are missing", [many[i] for i in (1, 5, 6)],
-                "parts 1, 3 to 5 and 8 to 9 of 9 are missing")
+                "parts 1, 3 to 5 and 8 to 9 of 9 are missing: render each with --part K/9")
     whole = pathlib.Path(a).read_bytes()
     broken = folder / "broken.part"
     for what, data, line in (
@@ -98,15 +99,15 @@ def check_faults(folder):
             ("a picture", pathlib.Path("test/expected/mesh.png").read_bytes(),
              'not a part of a picture: it does not begin with "raytracer part 1"')):
         broken.write_bytes(data)
-        check_fault(folder, what, [broken, b, c], f"FOLDER/broken.part: {line}", "part 1 of 3 is missing")
+        check_fault(folder, what, [broken, b, c], f"FOLDER/broken.part: {line}", FIRST_MISSING)
     check_fault(folder, "a head of other bytes that says the same",
                 [changed(a, b'"part": [', b'"part":    [', folder), b, c],
                 "FOLDER/changed.part: broken part of a picture: its head is not as raytracer writes it",
-                "part 1 of 3 is missing")
+                FIRST_MISSING)
     check_fault(folder, "no file", ["/no/x.part", b, c], "/no/x.part: cannot read: No such file or directory",
-                "part 1 of 3 is missing")
+                FIRST_MISSING)
     check_fault(folder, "a folder", [folder, b, c], "FOLDER: cannot read: it is no regular file",
-                "part 1 of 3 is missing")
+                FIRST_MISSING)
     check_others(folder, a, b, c)
 
 
@@ -116,7 +117,7 @@ def check_others(folder, a, b, c):
     version = re.search(rb'"version": "([^"]*)"', pathlib.Path(a).read_bytes()).group(1)
     check_fault(folder, "another version", [changed(a, version, b"0.1", folder), b, c],
                 f"FOLDER/changed.part: {does_not_fit} of version 0.1 of raytracer, not {version.decode()}",
-                "part 1 of 3 is missing")
+                FIRST_MISSING)
     for what, line, options in (
             ("another size", "of a picture of 98 x 98 pixels, not 97 x 97", {"size": 98}),
             ("another crop", "of --crop 0,0,97,70, not 0,0,97,97", {"more": ("--crop", "0,0,97,70")}),
@@ -127,14 +128,14 @@ def check_others(folder, a, b, c):
              {"more": ("--set", "/lights/0/position=[1,2,3]")})):
         other = render_parts(folder / "o.png", 3, *options.pop("more", ()), **options)
         check_fault(folder, what, [other[0], b, c], f"FOLDER/o.png.part-1-of-3: {does_not_fit} {line}",
-                    "part 1 of 3 is missing")
+                    FIRST_MISSING)
     other = render_parts(folder / "o.png", 4)
     check_fault(folder, "another count", [other[0], b, c],
-                f"FOLDER/o.png.part-1-of-4: {does_not_fit} part 1 of 4, not of 3", "part 1 of 3 is missing")
+                f"FOLDER/o.png.part-1-of-4: {does_not_fit} part 1 of 4, not of 3", FIRST_MISSING)
     other = render_parts(folder / "o.pfm", 3)
     check_fault(folder, "another format", [other[0], b, c],
                 f"FOLDER/o.pfm.part-1-of-3: {does_not_fit} of a .pfm, not of a .png",
-                "part 1 of 3 is missing")
+                FIRST_MISSING)
     check_fault(folder, "a wrong name", [a, b, c],
                 "FOLDER/out.pfm: expected a name that ends in .png: the parts were rendered for that",
                 out="out.pfm")
@@ -161,7 +162,7 @@ def check_scene_files(folder):
     check("a part with another mesh", 0, run(scene, out, 40, "--part", "2/2")[0])
     check_fault(folder, "another mesh", [f"{out}.part-1-of-2", f"{out}.part-2-of-2"],
                 "FOLDER/s.png.part-2-of-2: does not fit to FOLDER/s.png.part-1-of-2: it is of another scene",
-                "part 2 of 2 is missing")
+                "part 2 of 2 is missing: render it with --part 2/2")
 
 
 def check_outputs(folder):
