@@ -136,15 +136,18 @@ void apply(const JsonEdit& edit, const std::string& path, EditedJson& json) {
 
 }  // namespace
 
-std::string whyNoJson(std::string_view text) {
-    try {
-        const JsonDocument document("", text);
-        return {};
-    } catch (const NotFinite&) {
-        return {};  // JSON, but for its size
-    } catch (const Error& error) {
+JsonReading readingOf(std::string_view text) {
+    const auto reason = [](const Error& error) {
         const std::string& message = error.inFile();
         return error.place().column > 0 ? message.substr(message.find(": ") + 2) : message;
+    };
+    try {
+        return {JsonDocument("", text).kind(0)};
+    } catch (const NotFinite& error) {
+        const char first = text[text.find_first_not_of(" \t\r\n")];
+        return {first == '[' ? Kind::Array : first == '{' ? Kind::Object : Kind::Number, reason(error)};
+    } catch (const Error& error) {
+        return {Kind::String, reason(error)};
     }
 }
 
@@ -161,7 +164,8 @@ JsonEdit::JsonEdit(const std::string& assignment) {
         throw Error({"raytracer"}, "--set: expected /pointer=value, found " + inQuotes(assignment));
     pointer = assignment.substr(0, equals);
     value = assignment.substr(equals + 1);
-    if (!whyNoJson(value).empty()) value = jsonString(value);
+    const JsonReading reading = readingOf(value);
+    if (reading.kind == Kind::String && !reading.why.empty()) value = jsonString(value);
 }
 
 EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments) {

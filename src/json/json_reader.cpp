@@ -227,7 +227,7 @@ bool JsonReader::parse_error(std::size_t, const std::string& token, const nlohma
     }
     requireNoNul();
     const SyntaxMistake mistake = syntaxMistake(state());
-    throw document_.syntaxError(mistake.offset, mistake.message);
+    throw NoJson(document_.syntaxError(mistake.offset, mistake.message), mistake.range, mistake.instead);
 }
 
 JsonDocument::JsonDocument(std::string path, std::string_view text, std::vector<TextRange> edits)

@@ -13,14 +13,6 @@ namespace {
 
 using Kind = JsonDocument::Kind;
 
-Kind kindOf(std::string_view text) {
-    try {
-        return JsonDocument("", text).kind(0);
-    } catch (const Error&) {
-        return Kind::String;
-    }
-}
-
 }  // namespace
 
 bool JsonView::boolean() const {
@@ -111,9 +103,11 @@ void JsonView::failExpected(const std::string& expected, Kind wanted) const {
 std::string JsonView::whyText(Kind wanted) const {
     if (kind() != Kind::String) return {};
     const std::string_view text = document_->string(node_);
-    if (wanted == Kind::Array && isHexColor(text)) return aboutHexColor(text);
+    const bool isColor = node_ > 0 && document_->kind(node_ - 1) == Kind::Key && key().starts_with("color");
+    if (const auto color = isColor ? hexColor(text) : ""; wanted == Kind::Array && !color.empty())
+        return "a color is 3 numbers: write " + color;
     if (!document_->isEdited(node_)) return {};
-    const std::string why = whyNoJson(text);
+    const std::string why = readingOf(text).why;
     return why.starts_with("expected ") ? "" : why;
 }
 
@@ -121,8 +115,14 @@ std::string JsonView::whyText(Kind wanted) const {
 std::string JsonView::form(Kind wanted) const {
     if (kind() != Kind::String || wanted == Kind::String) return {};
     const std::string_view text = document_->string(node_);
-    if (kindOf(inLowerCase(text)) != wanted) return {};
-    return document_->isEdited(node_) && kindOf(text) != wanted ? " in small letters" : " without quotes";
+    const auto is = [&](std::string_view json) {
+        const JsonReading reading = readingOf(json);
+        return reading.kind == wanted && reading.why.empty();
+    };
+    if (is(text)) return " without quotes";
+    const std::string lower = inLowerCase(text);
+    if (!is(lower)) return {};
+    return document_->isEdited(node_) ? " in small letters" : " as " + lower + ", without quotes";
 }
 
 std::string JsonView::inWords() const {

@@ -63,13 +63,20 @@ TEST_CASE("An error about a value that is set says so; the others keep their pla
     CHECK(message("/b/0") == "s.json:2:7: /b/0: bad");
 }
 
-TEST_CASE("Why a text is no JSON") {
-    CHECK(whyNoJson("[1]").empty());
-    CHECK(whyNoJson("[1 2]") == "a comma is missing here");
-    CHECK(whyNoJson("[1,\n{2}]") == "a list stands in [ and ], not in { and }");
-    CHECK(whyNoJson("1,2") == "a list stands in [ and ]");
-    CHECK(whyNoJson("{\"a\":{\"b\":1,\"b\":2}}") == "/a: expected each key once, found \"b\" twice");
-    CHECK(whyNoJson("\xff\xfe[") == "expected UTF-8, found UTF-16: save it as UTF-8");
+TEST_CASE("What a text is, read as JSON, and why it is none") {
+    const auto why = [](std::string_view json) { return readingOf(json).why; };
+    CHECK(why("[1]").empty());
+    CHECK(why("[1 2]") == "a comma is missing here");
+    CHECK(why("[1,\n{2}]") == "a list stands in [ and ], not in { and }");
+    CHECK(why("1,2") == "a list stands in [ and ]: write [1, 2]");
+    CHECK(why("{\"a\":{\"b\":1,\"b\":2}}") == "/a: expected each key once, found \"b\" twice");
+    CHECK(why("\xff\xfe[") == "expected UTF-8, found UTF-16: save it as UTF-8");
+    CHECK(why("[1e999]") == "/0: expected a finite number, found 1e999");
+    CHECK(readingOf("[1]").kind == JsonDocument::Kind::Array);
+    CHECK(readingOf("\n[1e999]").kind == JsonDocument::Kind::Array);
+    CHECK(readingOf("{\"a\": 1e999}").kind == JsonDocument::Kind::Object);
+    CHECK(readingOf("-1e999").kind == JsonDocument::Kind::Number);
+    CHECK(readingOf("1x").kind == JsonDocument::Kind::String);
 }
 
 TEST_CASE("A pointer to nothing is told, with the nearest") {
