@@ -175,6 +175,19 @@ Meant bareList(std::string_view text) {
     return found.hasLabels ? Meant{} : Meant{found.end, found.json};
 }
 
+std::vector<std::string> numbersIn(std::string_view text) {
+    constexpr std::string_view between = " \t\r\n,";
+    std::vector<std::string> numbers;
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(between), text.size()));
+        if (text.empty()) return numbers;
+        const std::string_view word = text.substr(0, text.find_first_of(between));
+        if (!isNumber(word)) return {};
+        numbers.push_back(asJsonNumber(word));
+        text.remove_prefix(word.size());
+    }
+}
+
 Meant vectorElsewhere(std::string_view text) {
     std::size_t at = text.starts_with("new ") ? 4 : 0;
     const std::size_t name = nameAt(text, at);

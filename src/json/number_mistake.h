@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raytracer {
 
@@ -38,6 +39,9 @@ bool mayBeThousand(std::string_view number);
 
 // Numbers with commas between them that lack their brackets: 0, 1, 4
 Meant bareList(std::string_view text);
+
+// The numbers, as JSON has them, that the whole text is, with blanks or commas between them; or none.
+std::vector<std::string> numbersIn(std::string_view text);
 
 // Numbers as other languages have them: (3, 5, 4), vec3(3, 5, 4), x: 3, y: 5, and from its bracket,
 // [x=3, y=5].

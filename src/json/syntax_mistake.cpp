@@ -229,8 +229,7 @@ class Finder : private SyntaxCursor {
     }
     // Numbers as other languages write them.
     SyntaxMistake otherList() const {
-        const char* const why =
-            found() == '(' ? "a list stands in [ and ], not in ( and )" : "a list stands in [ and ]";
+        const char* const why = "a list stands in [ and ]";
         const bool isInList = s_.container == '[' && s_.last == JsonEvent::Open;
         if (isInList)
             if (const Meant list = vectorElsewhere(s_.text.substr(s_.opening)))
