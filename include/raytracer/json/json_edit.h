@@ -22,7 +22,7 @@ JsonReading readingOf(std::string_view text);
 struct JsonEdit {
     std::string pointer, value;
 
-    // Throws Error where there is no pointer or no "=".
+    // Throws Error where there is no pointer or no "="; edited() does for a pointer without its first "/".
     explicit JsonEdit(const std::string& assignment);
 };
 
