@@ -108,7 +108,9 @@ std::string aboutCalculation(std::string_view text) {
         return true;
     });
     end = text.find_last_not_of(" \t", end - 1) + 1;
-    return "JSON does not calculate: write the result of " + inQuotes(text.substr(0, end));
+    constexpr std::size_t longest = 40;  // fits a terminal's line
+    const std::string shown = inQuotes(text.substr(0, end));
+    return "JSON does not calculate: write the result" + (shown.size() > longest ? "" : " of " + shown);
 }
 
 }  // namespace raytracer

@@ -55,18 +55,19 @@ std::optional<JsonView> JsonObject::findInside(std::string_view key) const {
     return {};
 }
 
-// The key that an unknown one probably means, or nothing. What the object has already is not meant.
-std::string JsonObject::meantBy(std::string_view key) const {
-    if (const ForeignKey* const other = foreignKey(key, known_))
-        return other->why.empty() && !find(other->beside) ? std::string(other->beside) : "";
-    NearestName nearest(key);
+// What the object has already is not meant, but by --set, which puts another value there.
+std::string JsonObject::meantBy(JsonView member) const {
+    const auto mayBe = [&](std::string_view key) { return member.hasEditedKey() || !find(key); };
+    if (const ForeignKey* const other = foreignKey(member.key(), known_))
+        return other->why.empty() && mayBe(other->beside) ? std::string(other->beside) : "";
+    NearestName nearest(member.key());
     for (const std::string_view name : known_)
-        if (!find(name)) nearest.consider(name);
+        if (mayBe(name)) nearest.consider(name);
     return nearest.found() ? nearest.name() : "";
 }
 
 std::string JsonObject::whyUnknown(JsonView member) const {
-    const std::string unknown = "unknown key " + inQuotes(member.key()), meant = meantBy(member.key());
+    const std::string unknown = "unknown key " + inQuotes(member.key()), meant = meantBy(member);
     if (!meant.empty()) return unknown + "; did you mean " + inQuotes(meant) + "?";
     const ForeignKey* const other = foreignKey(member.key(), known_);
     if (!other) return unknown + ": delete it";
@@ -87,7 +88,7 @@ JsonObject KnownKeys::check(JsonView json, std::span<const std::string_view> kno
 void KnownKeys::report(const JsonObject& object, JsonView member) {
     const Error error = object.json().errorAtKey(member, object.whyUnknown(member));
     if (member.hasEditedKey()) throw error;
-    misnamed_.emplace(object.meantBy(member.key()), error);
+    misnamed_.emplace(object.meantBy(member), error);
     warnings_.emplace_back(error.what());
 }
 

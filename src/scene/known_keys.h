@@ -24,8 +24,8 @@ class JsonObject {
     JsonView operator[](std::string_view key) const;  // throws Error if it is missing
     std::optional<JsonView> find(std::string_view key) const { return json_.find(key); }
 
-    // The key that an unknown one probably means, or nothing; and what to do about its member.
-    std::string meantBy(std::string_view key) const;
+    // The key that an unknown member's probably means, or nothing; and what to do about it.
+    std::string meantBy(JsonView member) const;
     std::string whyUnknown(JsonView member) const;
 
     JsonView json() const { return json_; }
