@@ -69,7 +69,7 @@ std::optional<Outdented> outdented(std::string_view text) {
         const std::string_view line = text.substr(start, end - start);
         const std::size_t indent = line.find_first_not_of(" \t\r");
         if (indent == line.npos) continue;
-        const bool isInObject = !open.empty() && text[open.back().place] == '{';
+        const bool isInObject = open.size() > 1 && text[open.back().place] == '{';
         if (isInObject && isOutdented(open.back(), line, indent))
             return Outdented{start + indent, open.back().place};
         followBrackets(open, text, line, indent);

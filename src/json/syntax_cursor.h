@@ -30,6 +30,7 @@ class SyntaxCursor {
     }
     char closing() const { return s_.container == '{' ? '}' : ']'; }
     bool isRoot(std::size_t at) const;
+    bool isBehindText() const { return s_.last == JsonEvent::Value && s_.text[s_.begin] == '"'; }
     bool isBehindNumber() const { return s_.last == JsonEvent::Value && isDigitAt(s_.text, s_.end - 1); }
 
     std::string shown() const;  // what was found, for a message

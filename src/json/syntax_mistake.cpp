@@ -62,7 +62,7 @@ class Finder : private SyntaxCursor {
             return {s_.end - 1, "a bracket too many"};
         if (found() == ',' && s_.last == JsonEvent::Value) return bareNumbers();
         if (found() == ',') return {at_, "a comma too many: the scene ends before it"};
-        if (found() == ':') return {s_.begin, "\"{\" is missing before this key"};
+        if (found() == ':' && isBehindText()) return {s_.begin, "\"{\" is missing before this key"};
         return {at_, "expected the end of the file, found " + shown()};
     }
     SyntaxMistake bareNumbers() const {
@@ -90,7 +90,7 @@ class Finder : private SyntaxCursor {
             return s_.container == '{' ? atKey() : atValue();
         }
         const bool goesOn = at_ == s_.end && !wordAt(at_).empty();
-        if (isBehindNumber() && (goesOn || isOperator() || isUnitInLine())) return longerNumber();
+        if (isBehindNumber() && (goesOn || isOperatorInLine() || isUnitInLine())) return longerNumber();
         if (isSwallowing(s_)) return {s_.begin, "a text has no end: \" is missing"};
         if (s_.last == JsonEvent::Value && isQuoteInText(s_)) return quoteInText();
         if (isOperatorInLine()) return calculation(valueBegin());
@@ -108,8 +108,7 @@ class Finder : private SyntaxCursor {
         return isTooMany(found()) ? SyntaxMistake{at_, "a bracket too many"} : unclosed();
     }
     SyntaxMistake behindColon() const {
-        const bool isKey = s_.last == JsonEvent::Value && s_.text[s_.begin] == '"';
-        if (!isKey || isKeyAt(skipped(at_ + 1))) return {at_, "expected a comma, found \":\""};
+        if (!isBehindText() || isKeyAt(skipped(at_ + 1))) return {at_, "expected a comma, found \":\""};
         if (s_.container == '[') return keyInList();
         return {s_.begin, "\"{\" is missing before this key"};
     }
@@ -136,6 +135,7 @@ class Finder : private SyntaxCursor {
     }
     bool isUnitInLine() const { return isInLine() && isUnit(wordAt(at_)); }
     bool isOperatorInLine() const { return isInLine() && s_.text[s_.end - 1] != '}' && isOperator(); }
+
     // A number goes on where it should end: 360/4, 007, 90deg, 1 m.
     SyntaxMistake longerNumber() const {
         if (isOperator()) return calculation(s_.begin);

@@ -648,6 +648,13 @@ def check_names(folder):
         check(written, (2, "", [f'nf/s.json:6:27: /textures/wood: no file "nf/{written}" (relative to the '
                                 f'scene file); write "{found}"']),
               answered(folder, ["nf/s.json", "out.png", "8"]))
+    for path, status, answer in [
+            ("textures/wood.png", 2, '/dev/stdin:6:27: /textures/wood: no file "/dev/textures/wood.png": '
+             "a scene from a pipe has no folder: write a path from the root\n"),
+            (str(folder / "textures/wood.png"), 0, "")]:
+        done = subprocess.run([RAYTRACER, "/dev/stdin", "out.png", "8"], capture_output=True, text=True,
+                              input=SCENE.replace("textures/wood.png", path), cwd=folder, check=False)
+        check(f"from a pipe: {path}", (status, answer), (done.returncode, done.stderr))
     for typed in ["ball.json", "blals.json"]:
         check(typed, (2, "", [f'{typed}: cannot read: No such file or directory; there is "nf/balls.json"']),
               answered(folder, [typed, "out.png", "8"]))

@@ -92,6 +92,10 @@ TEST_CASE("json: what is wrong is said in words, where it is") {
     CHECK(whatIsWrong("[1, \xe4]") == "x.json:1:5: a byte that is no UTF-8: save the file as UTF-8");
     CHECK(whatIsWrong("[1,\u20602]") == "x.json:1:4: an invisible character (U+2060): delete it");
     CHECK(whatIsWrong("[] /*") == "x.json:1:4: a comment, which JSON does not have: delete it");
+    CHECK(whatIsWrong("{\"a\": [5\n % 2]}") == "x.json:1:9: a comma is missing here");
+    CHECK(whatIsWrong("{\"a\": 1,\n\"b\": 2") ==
+          "x.json:2:7: \"}\" is missing at the end of the object of line 1");
+    CHECK(whatIsWrong("{\"a\": 1}: 2") == "x.json:1:9: expected the end of the file, found \":\"");
     CHECK(whatIsWrong("{\"a\": 1: 2}") == "x.json:1:8: expected a comma, found \":\"");
     CHECK(whatIsWrong("{\"a\": 1, 2: 3}") == "x.json:1:10: a key stands in double quotes: write \"2\"");
     CHECK(whatIsWrong("\xef\xbb\xbf{{\"camera\": 1}}") == "x.json:1:2: a bracket too many");
