@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "pointer_mistake.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_pointer.h"
-#include "raytracer/json/json_view.h"
-#include "raytracer/util/nearest_name.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
@@ -35,51 +35,6 @@ const char* valueEnd(const char* at, const char* end) {
 
 using Kind = JsonDocument::Kind;
 
-// What else the pointer may mean.
-std::string question(const JsonDocument& document, const PointerEnd& end, std::string_view key) {
-    NearestName nearest(key);
-    for (std::uint32_t at = end.node + 1; at < document.end(end.node); at = document.end(at + 1))
-        nearest.consider(pointerStep(document.string(at)).substr(1));
-    if (!nearest.found()) return "";
-    const std::string behind(end.left.substr(1 + key.size()));
-    return "; did you mean " + document.pointer(end.node) + "/" + nearest.name() + behind + "?";
-}
-
-// Why a pointer does not lead further.
-std::string missing(const JsonDocument& document, const PointerEnd& end) {
-    const std::string here = end.node == 0 ? "the scene" : document.pointer(end.node);
-    const std::string_view step = end.left.substr(1, end.left.find('/', 1) - 1);
-    const std::string isNot = "there is no " + inQuotes(step);
-    switch (document.kind(end.node)) {
-        case Kind::Object: return isNot + " in " + here + question(document, end, step);
-        case Kind::Array: {
-            const std::size_t count = JsonView(document, end.node).size();
-            return here + " has " + std::to_string(count) + (count == 1 ? " element" : " elements") +
-                   ", from 0: " + isNot + "; " + document.pointer(end.node) + "/- adds one";
-        }
-        default: return here + " is no object and no list";
-    }
-}
-
-// The pointer with / where other programs have points and brackets: shapes[0].material
-std::string withSlashes(std::string_view pointer) {
-    std::string slashes;
-    for (const char c : pointer)
-        if (c != ']') slashes += c == '.' || c == '[' ? '/' : c;
-    return slashes;
-}
-
-// Throws Error where the pointer leads on with slashes for what parts its steps.
-void requireSlashes(const JsonDocument& document, const PointerEnd& end, const JsonEdit& edit,
-                    const std::string& path) {
-    const std::string left = withSlashes(end.left), pointer = document.pointer(end.node) + left;
-    if (left == end.left) return;
-    const PointerEnd other = follow(document, pointer);
-    const bool isKey = document.kind(other.node) == Kind::Object && other.left.rfind('/') == 0;
-    if (other.node != end.node && (other.left.empty() || isKey))
-        throw Error({path}, "--set " + edit.pointer + ": steps are parted by /: write " + pointer);
-}
-
 // Other text for a range of it.
 struct Replacement {
     TextRange range;
@@ -103,10 +58,13 @@ std::optional<Replacement> addition(const JsonDocument& document, std::string_vi
 Replacement replacement(const JsonDocument& document, const std::string& path, std::string_view text,
                         const JsonEdit& edit) {
     const PointerEnd end = follow(document, edit.pointer);
+    const auto requireNothing = [&](const std::string& wrong) {
+        if (!wrong.empty()) throw Error({path}, "--set " + edit.pointer + ": " + wrong);
+    };
     if (!end.left.empty()) {
-        requireSlashes(document, end, edit, path);
+        requireNothing(aboutPointerForm(document, edit.pointer));
         if (auto added = addition(document, text, end, edit)) return *added;
-        throw Error({path}, "--set " + edit.pointer + ": " + missing(document, end));
+        requireNothing(aboutLostPointer(document, edit.pointer));
     }
     const char* const begin = document.begin(end.node);
     return {{static_cast<std::size_t>(begin - text.data()),
@@ -136,32 +94,29 @@ void apply(const JsonEdit& edit, const std::string& path, EditedJson& json) {
 
 }  // namespace
 
-std::string whyNoJson(std::string_view text) {
-    try {
-        const JsonDocument document("", text);
-        return {};
-    } catch (const NotFinite&) {
-        return {};  // JSON, but for its size
-    } catch (const Error& error) {
+JsonReading readingOf(std::string_view text) {
+    const auto reason = [](const Error& error) {
         const std::string& message = error.inFile();
         return error.place().column > 0 ? message.substr(message.find(": ") + 2) : message;
+    };
+    try {
+        return {JsonDocument("", text).kind(0)};
+    } catch (const NotFinite& error) {
+        const char first = text[text.find_first_not_of(" \t\r\n")];
+        return {first == '[' ? Kind::Array : first == '{' ? Kind::Object : Kind::Number, reason(error)};
+    } catch (const Error& error) {
+        return {Kind::String, reason(error)};
     }
 }
 
 JsonEdit::JsonEdit(const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
-    if (equals != assignment.npos && equals > 0 && !assignment.starts_with('/')) {
-        // In textures/a.b the point belongs to a name.
-        const std::string steps = assignment.substr(0, equals);
-        const std::string slashes = steps.find('/') == steps.npos ? withSlashes(steps) : steps;
-        throw Error({"raytracer"}, "--set: a pointer begins with /: write " +
-                                       inQuotes("/" + slashes + assignment.substr(equals)));
-    }
-    if (equals == assignment.npos || !assignment.starts_with('/'))
+    if (equals == assignment.npos || equals == 0)
         throw Error({"raytracer"}, "--set: expected /pointer=value, found " + inQuotes(assignment));
     pointer = assignment.substr(0, equals);
     value = assignment.substr(equals + 1);
-    if (!whyNoJson(value).empty()) value = jsonString(value);
+    const JsonReading reading = readingOf(value);
+    if (reading.kind == Kind::String && !reading.why.empty()) value = jsonString(value);
 }
 
 EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments) {

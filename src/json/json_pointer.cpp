@@ -39,8 +39,8 @@ std::string keyOf(std::string_view step) {
     return key;
 }
 
-PointerEnd follow(const JsonDocument& document, std::string_view pointer) {
-    PointerEnd end{0, pointer};
+PointerEnd follow(const JsonDocument& document, std::string_view pointer, std::uint32_t from) {
+    PointerEnd end{from, pointer};
     while (!end.left.empty()) {
         const std::size_t size = std::min(end.left.find('/', 1), end.left.size());
         const std::uint32_t child = childOf(document, end.node, end.left.substr(0, size));

@@ -139,7 +139,7 @@ bool JsonReader::number(double value) {
 bool JsonReader::text(Kind kind, std::string& value) {
     add(kind);
     Node& node = nodes_.back();
-    if (value.size() > std::numeric_limits<std::uint32_t>::max()) fail(count() - 1, "a string of over 4 GiB");
+    if (value.size() > std::numeric_limits<std::uint32_t>::max()) fail(count() - 1, "a text of over 4 GiB");
     node.length = static_cast<std::uint32_t>(value.size());
     node.isDecoded = read_ - node.begin != static_cast<std::ptrdiff_t>(value.size() + 2);
     if (node.isDecoded) {
@@ -227,7 +227,7 @@ bool JsonReader::parse_error(std::size_t, const std::string& token, const nlohma
     }
     requireNoNul();
     const SyntaxMistake mistake = syntaxMistake(state());
-    throw document_.syntaxError(mistake.offset, mistake.message);
+    throw NoJson(document_.syntaxError(mistake.offset, mistake.message), mistake.range, mistake.instead);
 }
 
 JsonDocument::JsonDocument(std::string path, std::string_view text, std::vector<TextRange> edits)

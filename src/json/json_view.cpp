@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "number_mistake.h"
 #include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/nearest_name.h"
@@ -13,12 +14,25 @@ namespace {
 
 using Kind = JsonDocument::Kind;
 
-Kind kindOf(std::string_view text) {
-    try {
-        return JsonDocument("", text).kind(0);
-    } catch (const Error&) {
-        return Kind::String;
-    }
+// "y", "-Z": the direction of an axis.
+std::vector<std::string> axisNamed(std::string_view text) {
+    const bool isNegative = text.starts_with('-');
+    const std::string lower = inLowerCase(text.substr(isNegative));
+    const std::size_t axis = lower.size() == 1 ? std::string_view("xyz").find(lower) : std::string::npos;
+    if (axis == std::string::npos) return {};
+    std::vector<std::string> numbers(3, "0");
+    numbers[axis] = isNegative ? "-1" : "1";
+    return numbers;
+}
+
+bool inSingleQuotes(std::string_view text) {
+    return text.size() > 1 && text.starts_with('\'') && text.ends_with('\'');
+}
+
+std::string listOf(const std::vector<std::string>& numbers) {
+    std::string list;
+    for (const std::string& number : numbers) list += (list.empty() ? "[" : ", ") + number;
+    return list + "]";
 }
 
 }  // namespace
@@ -34,13 +48,14 @@ double JsonView::number() const {
 }
 
 std::string_view JsonView::string() const {
-    require(Kind::String, "a string");
+    require(Kind::String, "a text");
     return document_->string(node_);
 }
 
-void JsonView::numbers(std::span<double> out) const {
+void JsonView::numbers(std::span<double> out, const std::string& expected) const {
     if (kind() != Kind::Array || size() != out.size())
-        failExpected(std::to_string(out.size()) + " numbers", Kind::Array);
+        failExpectedNumbers(expected.empty() ? std::to_string(out.size()) + " numbers" : expected,
+                            out.size());
     std::size_t i = 0;
     for (const JsonView element : elements()) out[i++] = element.number();
 }
@@ -65,7 +80,7 @@ std::size_t JsonView::choice(std::span<const std::string_view> choices) const {
 }
 
 JsonView::Children JsonView::elements() const {
-    require(Kind::Array, "an array");
+    require(Kind::Array, "a list");
     return {{*document_, node_ + 1, 0}, {*document_, document_->end(node_), 0}};
 }
 
@@ -107,22 +122,69 @@ void JsonView::failExpected(const std::string& expected, Kind wanted) const {
     fail("expected " + expected + (why.empty() ? form(wanted) + ", found " + inWords() : ": " + why));
 }
 
+void JsonView::failExpectedNumbers(const std::string& expected, std::size_t count) const {
+    const std::string meant = numbersMeant(count);
+    if (!meant.empty()) fail("expected " + expected + ", found " + inWords() + ": write " + meant);
+    const bool isText = kind() == Kind::String && isColor();
+    failExpected(expected + (isText ? ", red, green and blue" : ""), Kind::Array);
+}
+
 // --set takes for a text what is no JSON. A reason that is an expectation too says no more than this one.
 std::string JsonView::whyText(Kind wanted) const {
     if (kind() != Kind::String) return {};
     const std::string_view text = document_->string(node_);
-    if (wanted == Kind::Array && isHexColor(text)) return aboutHexColor(text);
-    if (!document_->isEdited(node_)) return {};
-    const std::string why = whyNoJson(text);
-    return why.starts_with("expected ") ? "" : why;
+    const Meant decimal = wanted == Kind::Number ? withDecimalPoint(text) : Meant{};
+    if (decimal && decimal.size == text.size()) return "a number has a decimal point: write " + decimal.json;
+    if (!document_->isEdited(node_) || inSingleQuotes(text)) return {};
+    const std::string why = readingOf(text).why;
+    const bool isOther = wanted != Kind::Array && why.starts_with("a list ");
+    return why.starts_with("expected ") || isOther ? "" : why;
 }
 
 // What a text has to lose for what is wanted.
 std::string JsonView::form(Kind wanted) const {
     if (kind() != Kind::String || wanted == Kind::String) return {};
     const std::string_view text = document_->string(node_);
-    if (kindOf(inLowerCase(text)) != wanted) return {};
-    return document_->isEdited(node_) && kindOf(text) != wanted ? " in small letters" : " without quotes";
+    const auto is = [&](std::string_view json) {
+        const JsonReading reading = readingOf(json);
+        return reading.kind == wanted && reading.why.empty();
+    };
+    if (is(text) || (inSingleQuotes(text) && is(text.substr(1, text.size() - 2)))) return " without quotes";
+    const std::string lower = inLowerCase(text);
+    if (!is(lower)) return {};
+    return document_->isEdited(node_) ? " in small letters" : " as " + lower + ", without quotes";
+}
+
+bool JsonView::hasKey() const { return node_ > 0 && document_->kind(node_ - 1) == Kind::Key; }
+bool JsonView::isColor() const { return hasKey() && key().starts_with("color"); }
+
+// The list of so many numbers that this value, which is none, probably means, or nothing.
+std::string JsonView::numbersMeant(std::size_t count) const {
+    if (!hasKey()) return {};
+    std::vector<std::string> numbers;
+    if (kind() == Kind::String) {
+        const std::string_view text = document_->string(node_);
+        const std::string color = isColor() ? hexColor(text) : "";
+        if (!color.empty()) return color;
+        numbers = numbersIn(text);
+        if (numbers.empty()) numbers = axisNamed(text);
+    }
+    if (kind() == Kind::Number && (key() == "scale" || isColor()))
+        numbers.assign(count, shortestNumber(document_->number(node_)));
+    if (kind() == Kind::Object) numbers = coordinates();
+    return numbers.size() == count ? listOf(numbers) : "";
+}
+
+// The members x, y, z or r, g, b, if there are no others and all are numbers.
+std::vector<std::string> JsonView::coordinates() const {
+    for (const std::string_view names : {"xyz", "rgb"}) {
+        std::vector<std::string> numbers;
+        for (const char& name : names)
+            if (const auto member = find({&name, 1}); member && member->kind() == Kind::Number)
+                numbers.push_back(shortestNumber(member->number()));
+        if (numbers.size() == size()) return numbers;
+    }
+    return {};
 }
 
 std::string JsonView::inWords() const {
@@ -131,7 +193,7 @@ std::string JsonView::inWords() const {
         case Kind::Boolean: return document_->boolean(node_) ? "true" : "false";
         case Kind::Number: return shortestNumber(document_->number(node_));
         case Kind::String: return inQuotes(document_->string(node_));
-        case Kind::Array: return "an array of " + std::to_string(size());
+        case Kind::Array: return "a list of " + std::to_string(size());
         case Kind::Object: return "an object";
         case Kind::Key: break;  // a key is no value
     }

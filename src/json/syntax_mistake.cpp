@@ -1,23 +1,23 @@
 #include "syntax_mistake.h"
 
-#include <algorithm>
 #include <cctype>
 
-#include "raytracer/util/number.h"
+#include "foreign_text.h"
+#include "quote_mistake.h"
 #include "raytracer/util/text.h"
+#include "syntax_cursor.h"
 #include "word_mistake.h"
 
 namespace raytracer {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n", ends = " \t\r\n,:[]{}\"";
-
 // Finds out what stands behind the last event, and what should.
-class Finder {
+class Finder : private SyntaxCursor {
   public:
-    explicit Finder(const SyntaxState& state) : s_(state), at_(skipped(state.end)) {}
+    explicit Finder(const SyntaxState& state) : SyntaxCursor(state) {}
 
     SyntaxMistake find() {
+        if (s_.last == JsonEvent::None) return atRoot();
         if (s_.last == JsonEvent::Key) return behindKey();
         const bool isBehindValue = s_.last == JsonEvent::Value || s_.last == JsonEvent::Close;
         if (isBehindValue && !s_.container) return isForeign() ? foreign() : behindAll();
@@ -26,68 +26,52 @@ class Finder {
     }
 
   private:
-    std::size_t skipped(std::size_t at) const {
-        return std::min(s_.text.find_first_not_of(blanks, at), s_.text.size());
-    }
-    char found() const { return at_ < s_.text.size() ? s_.text[at_] : '\0'; }
-    bool isAtEnd() const { return at_ == s_.text.size(); }
-    std::string_view wordAt(std::size_t at) const {
-        return s_.text.substr(at, s_.text.find_first_of(ends, at) - at);
-    }
-    char closing() const { return s_.container == '{' ? '}' : ']'; }
-    std::size_t lineOf(std::size_t at) const {
-        return 1 + static_cast<std::size_t>(std::ranges::count(s_.text.substr(0, at), '\n'));
-    }
-
-    bool isForeign() const { return !aboutForeign(s_.text.substr(at_)).empty(); }
-    SyntaxMistake foreign() const { return {at_, aboutForeign(s_.text.substr(at_))}; }
-
-    // What was found, for a message.
-    std::string shown() const {
-        if (isAtEnd()) return "the end of the file";
-        const std::string_view word = wordAt(at_);
-        return inQuotes(word.empty() ? s_.text.substr(at_, 1) : word);
-    }
-
-    std::string theOpening() const {
-        const std::string kind = s_.container == '{' ? "the object" : "the list";
-        const bool isOneLine = s_.text.find('\n') == std::string_view::npos;
-        return isOneLine ? kind : kind + " of line " + std::to_string(lineOf(s_.opening));
-    }
     SyntaxMistake unclosed() const {
+        const auto line = isAtEnd() && s_.container == '{' ? outdented(s_.text) : std::nullopt;
+        if (line) return {line->place, "\"}\" is missing at the end of " + theOpening(line->opening)};
         const std::string bracket{'"', closing(), '"'};
-        return {at_, bracket + " is missing at the end of " + theOpening()};
+        return {at_, bracket + " is missing at the end of " + theOpening(s_.opening)};
+    }
+
+    bool isForeign() const { return !aboutForeign(rest()).empty(); }
+    SyntaxMistake foreign() const { return {at_, aboutForeign(rest())}; }
+
+    SyntaxMistake atRoot() const {
+        if (isAtEnd()) return {at_, "expected a scene, found an empty file"};
+        if (const auto format = aboutFormat(rest()); !format.empty()) return {at_, format};
+        if (rest().starts_with("---")) return {at_, "expected \"{\", found " + shown()};
+        return atValue();
     }
 
     SyntaxMistake behindKey() {
         const std::string_view key = s_.text.substr(s_.begin, s_.end - s_.begin);
         if (isForeign()) return foreign();
-        if (isSwallowing()) return {s_.begin, "a text has no end: \" is missing"};
+        if (isSwallowing(s_)) return {s_.begin, "a text has no end: \" is missing"};
+        if (isQuoteInText(s_)) return quoteInText();
         if (found() != ':')
             return {s_.end, "a colon is missing behind the key " + inQuotes(key.substr(1, key.size() - 2))};
+        isColor_ = key.starts_with("\"color");
         at_ = skipped(at_ + 1);
         return atValue();
     }
-    // A text without its end takes in what follows, to the next text's beginning: "red, "color": 1
-    bool isSwallowing() const {
-        if (s_.text[s_.begin] != '"' || at_ != s_.end || wordAt(at_).empty()) return false;
-        const std::size_t last = s_.text.find_last_not_of(blanks, s_.end - 2);
-        return last > s_.begin && std::string_view(",:[{").find(s_.text[last]) != std::string_view::npos;
-    }
+    SyntaxMistake quoteInText() const { return {s_.end - 1, "a quote in a text is written \\\""}; }
 
     SyntaxMistake behindAll() const {
         if (found() == '}' || found() == ']') return {at_, "a bracket too many"};
-        if (s_.last == JsonEvent::Close && excess(s_.text[s_.end - 1]) > 0)
+        if (s_.last == JsonEvent::Close && excess(s_.text, s_.text[s_.end - 1]) > 0)
             return {s_.end - 1, "a bracket too many"};
-        if (found() == ',' && s_.last == JsonEvent::Value) return {s_.begin, "a list stands in [ and ]"};
+        if (found() == ',' && s_.last == JsonEvent::Value) return bareNumbers();
         if (found() == ',') return {at_, "a comma too many: the scene ends before it"};
-        if (found() == ':') return {s_.begin, "\"{\" is missing before this key"};
+        if (found() == ':' && isBehindText()) return {s_.begin, "\"{\" is missing before this key"};
         return {at_, "expected the end of the file, found " + shown()};
+    }
+    SyntaxMistake bareNumbers() const {
+        return proposal(s_.begin, "a list stands in [ and ]", bareList(s_.text.substr(s_.begin)));
     }
 
     bool isParenthesis() const { return found() == ')' && s_.container; }
     SyntaxMistake parenthesis() const {
-        if (excess(closing()) >= 0) return {at_, "a bracket too many"};
+        if (excess(s_.text, closing()) >= 0) return {at_, "a bracket too many"};
         return {at_, std::string("expected \"") + closing() + "\", found \")\""};
     }
 
@@ -96,6 +80,9 @@ class Finder {
         if (isAtEnd()) return unclosed();
         if (isParenthesis()) return parenthesis();
         if (found() == ';') return {at_, "expected a comma, found \";\""};
+        if (isBehindNumber())
+            if (const Meant number = withoutThousands(s_.text.substr(s_.begin), s_.container == '['))
+                return proposal(s_.begin, "a number has no separator of thousands", number);
         if (found() == ',') {
             if (isDecimalComma()) return decimalComma();
             comma_ = at_;
@@ -103,33 +90,30 @@ class Finder {
             return s_.container == '{' ? atKey() : atValue();
         }
         const bool goesOn = at_ == s_.end && !wordAt(at_).empty();
-        if (isBehindNumber() && (goesOn || isOperator() || isUnitInLine())) return longerNumber();
-        if (isSwallowing()) return {s_.begin, "a text has no end: \" is missing"};
+        if (isBehindNumber() && (goesOn || isOperatorInLine() || isUnitInLine())) return longerNumber();
+        if (isSwallowing(s_)) return {s_.begin, "a text has no end: \" is missing"};
+        if (s_.last == JsonEvent::Value && isQuoteInText(s_)) return quoteInText();
         if (isOperatorInLine()) return calculation(valueBegin());
         if (goesOn && s_.last == JsonEvent::Value &&
             std::isalpha(static_cast<unsigned char>(s_.text[s_.begin])))  // truee
-            return {s_.begin, aboutWord(wordAt(s_.begin))};
+            return aboutWordAt(s_.begin);
         if (found() == '}' || found() == ']') return wrongClosing();
-        if (found() == ':' && s_.container == '[') return keyInList();
-        if (found() == ':') return {at_, "expected a comma, found \":\""};
+        if (found() == ':') return behindColon();
         return {s_.end, "a comma is missing here"};
     }
-    // How many more of these brackets the text closes than it opens, outside of its texts.
-    std::ptrdiff_t excess(char closing) const {
-        const char opening = closing == '}' ? '{' : '[';
-        std::ptrdiff_t count = 0;
-        bool isInText = false;
-        for (std::size_t at = 0; at < s_.text.size(); ++at) {
-            const char c = s_.text[at];
-            if (c == '"' || c == '\n') isInText = c == '"' && !isInText;
-            else if (isInText) at += c == '\\';
-            else count += (c == closing) - (c == opening);
-        }
-        return count;
+    bool isTooMany(char bracket) const {
+        return excess(s_.text, bracket) > 0 && excess(s_.text, closing()) >= 0;
     }
-    bool isTooMany(char bracket) const { return excess(bracket) > 0 && excess(closing()) >= 0; }
     SyntaxMistake wrongClosing() const {
         return isTooMany(found()) ? SyntaxMistake{at_, "a bracket too many"} : unclosed();
+    }
+    SyntaxMistake behindColon() const {
+        if (!isBehindText() || isKeyAt(skipped(at_ + 1))) return {at_, "expected a comma, found \":\""};
+        if (s_.container == '[') return keyInList();
+        return {s_.begin, "\"{\" is missing before this key"};
+    }
+    bool isKeyAt(std::size_t at) const {
+        return charAt(at) == '"' && charAt(skipped(s_.text.find('"', at + 1) + 1)) == ':';
     }
     SyntaxMistake keyInList() const {
         if (s_.text.find_first_not_of(blanks, s_.opening + 1) == s_.begin)
@@ -143,8 +127,7 @@ class Finder {
     // "[1 -2]" lacks a comma; "[1 - 2]" and "[1-2]" calculate.
     bool isOperator() const {
         const bool isSign = found() == '+' || found() == '-';
-        return std::string_view("+-*/^%").find(found()) != std::string_view::npos &&
-               (!isSign || at_ == s_.end || !isDigitAt(s_.text, at_ + 1));
+        return isOneOf(found(), "+-*/^%") && (!isSign || at_ == s_.end || !isDigitAt(s_.text, at_ + 1));
     }
 
     bool isInLine() const {
@@ -152,28 +135,17 @@ class Finder {
     }
     bool isUnitInLine() const { return isInLine() && isUnit(wordAt(at_)); }
     bool isOperatorInLine() const { return isInLine() && s_.text[s_.end - 1] != '}' && isOperator(); }
-    // Of the text or the list that the parser has read last.
-    std::size_t valueBegin() const {
-        if (s_.last == JsonEvent::Value) return s_.begin;
-        std::size_t at = s_.end;
-        int depth = 0;
-        do {
-            --at;
-            depth += (s_.text[at] == ']') - (s_.text[at] == '[');
-        } while (depth > 0 && at > s_.opening);
-        return at;
-    }
 
     // A number goes on where it should end: 360/4, 007, 90deg, 1 m.
     SyntaxMistake longerNumber() const {
         if (isOperator()) return calculation(s_.begin);
-        if (isUnit(wordAt(at_)))
-            return {s_.begin, "a number has no unit: write " +
-                                  std::string(s_.text.substr(s_.begin, s_.end - s_.begin))};
         const std::size_t end = at_ + wordAt(at_).size();
         const std::string all(s_.text.substr(s_.begin, end - s_.begin));
-        if (numberOf<double>(all))
-            return {s_.begin, "a number has no zero in front: write " + withoutZeros(all)};
+        if (isUnit(wordAt(at_))) {
+            const std::string number(s_.text.substr(s_.begin, s_.end - s_.begin));
+            return proposal({s_.begin, end}, {"a number has no unit", number});
+        }
+        if (isNumber(all)) return proposal({s_.begin, end}, {aboutNumberForm(all), asJsonNumber(all)});
         return {s_.begin, "expected a number, found " + inQuotes(all)};
     }
     SyntaxMistake calculation(std::size_t begin) const {
@@ -181,15 +153,18 @@ class Finder {
     }
 
     // Where a key should follow: "x": 0,5
-    bool isDecimalComma() const {
-        if (s_.container != '{' || !isBehindNumber() || at_ != s_.end || !isDigitAt(s_.text, at_ + 1))
-            return false;
-        const std::size_t next = at_ + 1 + wordAt(at_ + 1).size();  // "x": 3,5,4 is a list
-        return s_.text.substr(next, 1) != "," || !numberOf<double>(wordAt(next + 1));
-    }
+    Meant decimal() const { return withDecimalPoint(s_.text.substr(s_.begin)); }
+    bool isDecimalComma() const { return s_.container == '{' && isBehindNumber() && decimal(); }
     SyntaxMistake decimalComma() const {
-        const std::string whole(s_.text.substr(s_.begin, s_.end - s_.begin)), fraction(wordAt(at_ + 1));
-        return {at_, aboutComma(whole, fraction)};
+        const Meant number = decimal();
+        std::string whole = number.json;
+        std::erase(whole, '.');
+        const bool isUnsure = mayBeThousand(number.json);
+        SyntaxMistake mistake = isUnsure ? proposal({s_.begin, s_.begin + number.size},
+                                                    {"a number has no comma", whole, ", or " + number.json})
+                                         : proposal(s_.begin, "a number has a decimal point", number);
+        mistake.offset = at_;
+        return mistake;
     }
 
     // Where only the end of the container or another comma follows one.
@@ -200,10 +175,11 @@ class Finder {
         return {comma_, std::string("a comma too many before \"") + found() + '"'};
     }
 
-    // {{ at the beginning, or where nothing closes one of them; else it is a list of objects.
+    // {{ at the beginning, or where one of them has no end or no other end; else it is a list of objects.
     bool isBraceTwice() const {
-        const bool isRoot = skipped(0) == s_.opening, isUnclosed = excess('}') < 0 && excess(']') <= 0;
-        return found() == '{' && s_.last == JsonEvent::Open && (isRoot || isUnclosed);
+        if (found() != '{' || s_.last != JsonEvent::Open) return false;
+        const bool isUnclosed = excess(s_.text, '}') < 0 && excess(s_.text, ']') <= 0;
+        return isRoot(s_.opening) || isUnclosed || charAt(skipped(closingOf(s_.text, at_) + 1)) == '}';
     }
 
     SyntaxMistake atKey() const {
@@ -212,74 +188,78 @@ class Finder {
         if (isAtEnd()) return unclosed();
         if (isParenthesis()) return parenthesis();
         const std::string_view word = wordAt(at_);
-        const bool isNumber = numberOf<double>(word).has_value();
-        const bool isList = found() == '[' || found() == '{' || isNumber;
+        if (!word.empty() && charAt(skipped(at_ + word.size())) == ':' && aboutOtherQuotes(word).empty())
+            return bareKey(word);
+        const bool isList = found() == '[' || found() == '{' || isNumber(word);
         if (isBraceTwice()) return {at_, "a bracket too many"};
         if (isList && s_.last == JsonEvent::Open)
             return {s_.opening, "a list stands in [ and ], not in { and }"};
-        if (isNumber && isBehindNumber()) return {s_.begin, aboutBareList(s_.text.substr(s_.begin))};
+        if (isNumber(word) && isBehindNumber()) return bareNumbers();
         if (found() == ']') return wrongClosing();
         if (found() == '{') return unclosed();
-        if (found() == '"') return inString();
-        if (const auto quotes = otherQuotes(); !quotes.empty()) return {at_, quotes};
+        if (found() == '"') return stringMistake(s_, at_);
+        if (const auto quotes = aboutOtherQuotes(rest()); !quotes.empty()) return {at_, quotes};
         if (word.empty() || isDigitAt(word, 0))
             return {at_, "expected a key in double quotes, found " + shown()};
-        return {at_, "a key stands in double quotes: write \"" + std::string(inQuotes(word)).substr(1)};
+        return bareKey(isPlainText(word) ? word : "");
+    }
+    SyntaxMistake bareKey(std::string_view word) const {
+        const std::string why = "a key stands in double quotes", quoted = jsonString(word);
+        if (word.empty() || quoted.size() > longestProposal) return {at_, why};
+        return {at_, why + ": write " + quoted, {at_, at_ + word.size()}, quoted};
     }
 
     SyntaxMistake atValue() const {
-        if (isHexColor(wordAt(at_))) return {at_, aboutHexColor(wordAt(at_))};
+        const std::size_t end = at_ + wordAt(at_).size();
+        const std::string color = isColor_ && isEnd(end) ? hexColor(wordAt(at_)) : "";
+        if (!color.empty()) return proposal({at_, end}, {"a color is 3 numbers", color});
         if (isForeign()) return foreign();
         if (isParenthesis()) return parenthesis();
         if (isCommaTooMany()) return commaTooMany();
         if (isAtEnd() && s_.container) return unclosed();
-        if (isAtEnd()) return {at_, "expected a scene, found an empty file"};
         if (found() == '}' && s_.container == '[') return wrongClosing();
-        if (found() == '"') return inString();
-        if (const auto quotes = otherQuotes(); !quotes.empty()) return {at_, quotes};
+        if (found() == '"') return stringMistake(s_, at_);
+        if (const auto quotes = aboutOtherQuotes(rest()); !quotes.empty()) return {at_, quotes};
         const std::string_view word = wordAt(at_);
+        if (const auto list = otherList(); !list.message.empty()) return list;
+        if (found() == '(') return inParentheses();
         if (word.empty()) return {at_, "expected a value, found " + shown()};
-        return isFormula(word) ? calculation(at_) : SyntaxMistake{at_, aboutWord(word)};
+        if (word.size() <= 2 && charAt(at_ + word.size()) == '"') return prefixedText(word.size());
+        return isFormula(word) ? calculation(at_) : aboutWordAt(at_);
+    }
+    // Numbers as other languages write them.
+    SyntaxMistake otherList() const {
+        const char* const why = "a list stands in [ and ]";
+        const bool isInList = s_.container == '[' && s_.last == JsonEvent::Open;
+        if (isInList)
+            if (const Meant list = vectorElsewhere(s_.text.substr(s_.opening)))
+                return proposal(s_.opening, "the numbers of a list have no names", list);
+        const Meant list = vectorElsewhere(rest());
+        return list ? proposal(at_, why, list) : SyntaxMistake{at_, ""};
+    }
+    // r"red", as Python has it.
+    SyntaxMistake prefixedText(std::size_t prefix) const {
+        const std::size_t begin = at_ + prefix, end = s_.text.find_first_of("\"\n", begin + 1);
+        const std::string text(s_.text.substr(begin, end - begin));
+        return proposal({at_, begin + text.size() + 1}, {"a text begins with its quote", text + '"'});
+    }
+    SyntaxMistake inParentheses() const {
+        const std::size_t end = closingOf(s_.text, at_);
+        if (charAt(end) != ')') return {at_, "JSON has no ( and )"};
+        const std::string inside(s_.text.substr(at_ + 1, end - at_ - 1));
+        return proposal({at_, end + 1}, {"JSON has no ( and )", inside});
+    }
+    SyntaxMistake aboutWordAt(std::size_t at) const {
+        const std::string_view word = wordAt(at);
+        const WordMistake about = aboutWord(word);
+        const std::size_t end = at + word.size();
+        if (s_.last == JsonEvent::None && about.why.starts_with("expected a value"))
+            return {at, "expected \"{\", found " + inQuotes(word)};
+        return proposal({at, end}, about);
     }
 
-    std::string otherQuotes() const {
-        const std::string_view rest = s_.text.substr(at_);
-        if (rest.starts_with('\'')) return "text stands in double quotes, not in single ones";
-        const bool isCurly =
-            rest.starts_with("\u201c") || rest.starts_with("\u201d") || rest.starts_with("\u201e");
-        return isCurly ? "text stands in plain double quotes (\"), not in curved ones" : "";
-    }
-
-    SyntaxMistake inString() const {
-        std::size_t at = at_ + 1;
-        for (; at < s_.text.size() && s_.text[at] != '"'; ++at) {
-            if (s_.text[at] == '\n' || s_.text[at] == '\r')
-                return {at_, "a text has no end: \" is missing in this line"};
-            if (s_.text[at] == '\t') return {at, "a tab in a text: write \\t, or a blank"};
-            if (static_cast<unsigned char>(s_.text[at]) < ' ') return {at, "a control character in a text"};
-            if (s_.text[at] != '\\') continue;
-            if (const auto wrong = wrongEscape(at); !wrong.empty()) return {at, wrong};
-            ++at;
-        }
-        if (at >= s_.text.size()) return {at_, "a text has no end: \" is missing"};
-        return {s_.stopped, "a byte that is no UTF-8: save the file as UTF-8"};
-    }
-    std::string wrongEscape(std::size_t at) const {
-        const char escaped = at + 1 < s_.text.size() ? s_.text[at + 1] : '"';
-        if (std::string_view("\"\\/bfnrt").find(escaped) != std::string_view::npos) return "";
-        if (escaped != 'u') return "a backslash in a text is written twice; in a path, write /";
-        const std::string_view digits = s_.text.substr(at + 2, 4);
-        const bool isHex = digits.size() == 4 &&
-                           std::ranges::all_of(digits, [](unsigned char c) { return std::isxdigit(c); });
-        if (!isHex) return "expected four hexadecimal digits behind \\u";
-        const bool isBlamed = s_.stopped >= at && s_.stopped < at + 12;  // of a pair, its second half
-        const bool isSurrogate = (digits[0] == 'd' || digits[0] == 'D') && digits[1] >= '8';
-        return isSurrogate && isBlamed ? "half a character: \\ud800 to \\udfff stand in pairs" : "";
-    }
-
-    const SyntaxState& s_;
-    std::size_t at_;  // the first character that has a meaning, behind the last event
     std::size_t comma_ = std::string_view::npos;  // behind the last event, if it is there
+    bool isColor_ = false;                        // of the value that should follow, by its key
 };
 
 }  // namespace

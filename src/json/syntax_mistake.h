@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "raytracer/json/json_document.h"
+
 namespace raytracer {
 
 // How far a parser came: the last event that it reported.
@@ -20,9 +22,12 @@ struct SyntaxState {
     std::size_t opening = 0;  // where that stands
 };
 
+// Where the message proposes other text for a range, `instead` is that: with it, the place is JSON.
 struct SyntaxMistake {
     std::size_t offset;  // of the character to blame
     std::string message;
+    TextRange range{};
+    std::string instead{};
 };
 SyntaxMistake syntaxMistake(const SyntaxState& state);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "raytracer/util/error.h"
+#include "foreign_keys.h"
 #include "raytracer/util/nearest_name.h"
 
 namespace raytracer {
@@ -20,36 +20,6 @@ std::string keysOf(std::span<const JsonView> members) {
     return listed(keys, "and");
 }
 
-// What other programs have, in an object that has the key `beside` in ours, and what is instead of it.
-struct Foreign {
-    std::string_view key, beside, instead;
-};
-constexpr Foreign foreign[] = {
-    {"rotation", "rotate", "; did you mean \"rotate\"?"},
-    {"angle", "degrees", "; did you mean \"degrees\"?"},
-    {"scaling", "scale", "; did you mean \"scale\"?"},
-    {"size", "scale", "; did you mean \"scale\"?"},
-    {"position", "translate", "; did you mean \"translate\"?"},
-    {"position", "eye", "; did you mean \"eye\"?"},
-    {"texture", "diffuse_texture", "; did you mean \"diffuse_texture\"?"},
-    {"use_texture", "use_diffuse_texture", "; did you mean \"use_diffuse_texture\"?"},
-    {"color", "color_diffuse", "; did you mean \"color_diffuse\"?"},
-    {"ior", "index_of_refraction", "; did you mean \"index_of_refraction\"?"},
-    {"intensity", "color", "; did you mean \"color\"?"},
-    {"fov", "film_left", ": focal_length and film_left to film_top give the angle"},
-    {"radius", "transform", ": scale in its transform gives the size"},
-    {"size", "transform", ": scale in its transform gives the size"},
-    {"center", "transform", ": translate in its transform gives the place"},
-    {"position", "transform", ": translate in its transform gives the place"},
-    {"color", "transform", ": its material has the colors"},
-    {"path", "transform", ": only a mesh has one; delete it"},
-};
-
-std::string insteadOf(std::string_view key, const JsonObject& object) {
-    for (const Foreign& other : foreign)
-        if (key == other.key && object.knows(other.beside)) return std::string(other.instead);
-    return {};
-}
 }  // namespace
 
 bool JsonObject::knows(std::string_view key) const { return std::ranges::find(known_, key) != known_.end(); }
@@ -60,13 +30,49 @@ JsonView JsonObject::operator[](std::string_view key) const {
     std::vector<JsonView> unknown;
     for (const JsonView member : json_.members()) {
         if (knows(member.key())) continue;
+        const ForeignKey* const other = foreignKey(member.key(), known_);
+        const bool isThis = other && other->beside == key;
+        if (isThis && !other->why.empty()) throw json_.errorAtKey(member, whyUnknown(member));
+        if (other && !isThis) continue;
         misspelled.consider(member.key());
         unknown.push_back(member);
     }
     if (misspelled.found()) unknown = {*find(misspelled.name())};
     const std::string expected = "expected the key " + inQuotes(key) + ", found ";
-    if (unknown.empty()) json_.fail(expected + "none");
-    throw json_.errorAtKey(unknown[0], expected + keysOf(unknown));
+    if (!unknown.empty()) throw json_.errorAtKey(unknown[0], expected + keysOf(unknown));
+    if (const auto inside = findInside(key))
+        throw json_.errorAtKey(*inside, expected + "it as " + inside->pointer());
+    json_.fail(expected + "none");
+}
+
+// In an object below, for want of a bracket; a text may be anything's.
+std::optional<JsonView> JsonObject::findInside(std::string_view key) const {
+    for (const JsonView member : json_.members()) {
+        if (member.kind() != JsonDocument::Kind::Object) continue;
+        const auto inside = member.find(key);
+        if (inside && inside->kind() != JsonDocument::Kind::String) return inside;
+    }
+    return {};
+}
+
+// What the object has already is not meant, but by --set, which puts another value there.
+std::string JsonObject::meantBy(JsonView member) const {
+    const auto mayBe = [&](std::string_view key) { return member.hasEditedKey() || !find(key); };
+    if (const ForeignKey* const other = foreignKey(member.key(), known_))
+        return other->why.empty() && mayBe(other->beside) ? std::string(other->beside) : "";
+    NearestName nearest(member.key());
+    for (const std::string_view name : known_)
+        if (mayBe(name)) nearest.consider(name);
+    return nearest.found() ? nearest.name() : "";
+}
+
+std::string JsonObject::whyUnknown(JsonView member) const {
+    const std::string unknown = "unknown key " + inQuotes(member.key()), meant = meantBy(member);
+    if (!meant.empty()) return unknown + "; did you mean " + inQuotes(meant) + "?";
+    const ForeignKey* const other = foreignKey(member.key(), known_);
+    if (!other) return unknown + ": delete it";
+    if (!other->why.empty()) return unknown + ": " + std::string(other->why);
+    return unknown + ": delete it, there is " + inQuotes(other->beside);
 }
 
 JsonObject KnownKeys::check(JsonView json, std::span<const std::string_view> known) {
@@ -80,14 +86,15 @@ JsonObject KnownKeys::check(JsonView json, std::span<const std::string_view> kno
 }
 
 void KnownKeys::report(const JsonObject& object, JsonView member) {
-    const std::string_view key = member.key();
-    NearestName nearest(key);
-    for (const std::string_view name : object.known()) nearest.consider(name);
-    const std::string message = "unknown key " + inQuotes(key);
-    std::string remedy = nearest.found() ? nearest.question() : insteadOf(key, object);
-    if (member.hasEditedKey()) throw object.json().errorAtKey(member, message + remedy);
-    if (remedy.empty()) remedy = ": delete it";
-    warnings_.emplace_back(object.json().errorAtKey(member, message + remedy).what());
+    const Error error = object.json().errorAtKey(member, object.whyUnknown(member));
+    if (member.hasEditedKey()) throw error;
+    misnamed_.emplace(object.meantBy(member), error);
+    warnings_.emplace_back(error.what());
+}
+
+void KnownKeys::requireNamed(const std::string& key) const {
+    const auto found = misnamed_.find(key);
+    if (found != misnamed_.end()) throw found->second;
 }
 
 std::vector<std::string> KnownKeys::warnings(const std::string& path) const {

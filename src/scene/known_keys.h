@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "raytracer/json/json_view.h"
+#include "raytracer/util/error.h"
 
 namespace raytracer {
 
@@ -22,10 +24,16 @@ class JsonObject {
     JsonView operator[](std::string_view key) const;  // throws Error if it is missing
     std::optional<JsonView> find(std::string_view key) const { return json_.find(key); }
 
+    // The key that an unknown member's probably means, or nothing; and what to do about it.
+    std::string meantBy(JsonView member) const;
+    std::string whyUnknown(JsonView member) const;
+
     JsonView json() const { return json_; }
     std::span<const std::string_view> known() const { return known_; }
 
   private:
+    std::optional<JsonView> findInside(std::string_view key) const;
+
     JsonView json_;
     std::span<const std::string_view> known_;
 };
@@ -35,6 +43,9 @@ class KnownKeys {
     // `known` must outlive the result.
     JsonObject check(JsonView json, std::span<const std::string_view> known);
 
+    // Throws Error if an unknown key probably means this one: what should be there is missing for that.
+    void requireNamed(const std::string& key) const;
+
     // One line each, as what() of an Error about the file `path`. The last line counts those after the first
     // few: in a scene of a million shapes, each may have a comment.
     std::vector<std::string> warnings(const std::string& path) const;
@@ -43,6 +54,7 @@ class KnownKeys {
     void report(const JsonObject& object, JsonView member);
 
     std::vector<std::string> warnings_;
+    std::map<std::string, Error> misnamed_;  // the first key that means each
     std::size_t notShown_ = 0;
 };
 

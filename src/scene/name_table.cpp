@@ -18,6 +18,7 @@ void NameTable::add(std::string_view name, JsonView owner) {
 }
 
 std::size_t NameTable::find(JsonView name) {
+    if (name.kind() != JsonDocument::Kind::String) name.failExpected(std::string("the name of a ") + kind_);
     const std::string_view wanted = name.string();
     if (next_ == entries_.size() || entries_[next_].name != wanted) next_ = slotOf(wanted).index;
     if (next_ != none) return next_++;
@@ -28,7 +29,21 @@ std::size_t NameTable::find(JsonView name) {
         if (entry.owner.isString(wanted)) name.fail(unknown + "; it is the path of " + inQuotes(entry.name));
         nearest.consider(entry.name);
     }
-    name.fail(unknown + nearest.question());
+    name.fail(unknown + (nearest.found() ? nearest.question() : someNames()));
+}
+
+// What there is, if it is not much.
+std::string NameTable::someNames() const {
+    constexpr std::size_t most = 3, longest = 40;  // fits a terminal's line
+    std::vector<std::string> names;
+    for (const Entry& entry : entries_) {
+        const bool isNamed = entry.owner.kind() == JsonDocument::Kind::String;
+        if (!isNamed) return "; " + entry.owner.pointer() + " has no name";
+        if (names.size() <= most) names.push_back(inQuotes(entry.name));
+    }
+    const std::string list = listed(names, "and");
+    if (names.size() > most || list.size() > longest) return {};
+    return (names.size() == 1 ? "; there is " : "; there are ") + list;
 }
 
 // The slot of the name, or the free one that it would get.

@@ -34,6 +34,7 @@ class NameTable {
         std::uint32_t hash = 0, index = none;  // of an entry
     };
 
+    std::string someNames() const;
     Slot& slotOf(std::string_view name);
     void grow();
 

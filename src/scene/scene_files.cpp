@@ -8,10 +8,15 @@
 namespace raytracer {
 namespace {
 
-// A file that the scene names and that is not there, with what the scene should name.
-[[noreturn]] void failMissing(JsonView path, const std::string& folder, const std::string& file) {
+// A file that the scene names and that is not there, with what the scene should name. A scene from a pipe has
+// no folder of its own.
+[[noreturn]] void failMissing(JsonView path, const std::string& folder, bool isPipe,
+                              const std::string& file) {
     const bool isRelative = std::filesystem::path(path.string()).is_relative();
-    const std::string name = nearbyName(folder, path.string());
+    if (isPipe && isRelative)
+        path.fail("no file " + jsonString(file) +
+                  ": a scene from a pipe has no folder: write a path from the root");
+    const std::string name = isPipe ? "" : nearbyName(folder, path.string());
     path.fail("no file " + jsonString(file) + (isRelative ? " (relative to the scene file)" : "") +
               (name.empty() ? "" : "; write " + inQuotes(name)));
 }
@@ -25,14 +30,17 @@ MeshData readMesh(const std::string& file) {
 }  // namespace
 
 SceneFiles::SceneFiles(const std::string& scenePath)
-    : folder_(std::filesystem::path(scenePath).parent_path()) {}
+    : folder_(std::filesystem::path(scenePath).parent_path()) {
+    std::error_code unknown;
+    isPipe_ = std::filesystem::is_fifo(scenePath, unknown);
+}
 
 // Calls read(file). An Error about the file becomes one about the value of the scene that names it.
 template <class Read>
 auto SceneFiles::readNamed(JsonView path, const std::string& file, Read read) const {
     std::error_code unknown;
     if (std::filesystem::status(file, unknown).type() == std::filesystem::file_type::not_found)
-        failMissing(path, folder_.string(), file);
+        failMissing(path, folder_.string(), isPipe_, file);
     try {
         return read(file);
     } catch (const Error& error) {

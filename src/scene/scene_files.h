@@ -33,6 +33,7 @@ class SceneFiles {
     auto readNamed(JsonView path, const std::string& file, Read read) const;
 
     std::filesystem::path folder_;
+    bool isPipe_;
     std::set<std::string> names_;
     std::unordered_map<std::string, std::shared_ptr<const MeshData>> meshes_;  // by resolved path
     std::unordered_map<std::string, std::shared_ptr<const Texture>> textures_;

@@ -36,6 +36,7 @@ class SceneReader {
     void readTransforms(JsonView transforms);
     void readShapes(JsonView shapes);
     ShapeDescription readShape(JsonView shape);
+    std::size_t find(NameTable& table, JsonView name, const char* key);
     void loadTextureOf(const MaterialDescription& material);
 
     SceneFiles files_;
@@ -74,7 +75,8 @@ void SceneReader::readMaterials(JsonView materials) {
         const auto name = json.find("name");
         materials_.add(name ? name->string() : defaultMaterialName, name.value_or(json));
         // readMaterial has required the key.
-        if (material.use_diffuse_texture) material.texture = textures_.find(*json.find("diffuse_texture"));
+        if (material.use_diffuse_texture)
+            material.texture = find(textures_, *json.find("diffuse_texture"), "textures");
     }
 }
 
@@ -101,9 +103,19 @@ ShapeDescription SceneReader::readShape(JsonView view) {
     ShapeDescription shape;
     shape.type = static_cast<ShapeType>(json["type"].choice(shapeTypeNames));
     shape.transform = transforms_.find(json["transform"]);
-    shape.material = materials_.find(json["material"]);
+    shape.material = find(materials_, json["material"], "name");
     if (isMesh) shape.mesh = files_.mesh(json["path"]);
     return shape;
+}
+
+// `key`: without it, there is no such name.
+std::size_t SceneReader::find(NameTable& table, JsonView name, const char* key) {
+    try {
+        return table.find(name);
+    } catch (const Error&) {
+        keys_.requireNamed(key);
+        throw;
+    }
 }
 
 // A texture is read when the first shape uses it (src/README.md, 7: the model has what a scene needs).

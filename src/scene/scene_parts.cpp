@@ -2,6 +2,9 @@
 
 #include <array>
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include "raytracer/scene/affine.h"
 
 namespace raytracer {
@@ -60,8 +63,10 @@ void readFrame(const JsonObject& json, CameraDescription& camera) {
     read(json["eye"], camera.eye);
     camera.look = direction(json["look"]);
     camera.up = direction(json["up"]);
-    if (areParallel(camera.look, camera.up))
-        json["up"].fail("expected another direction than look's, found the same");
+    if (!areParallel(camera.look, camera.up)) return;
+    const glm::bvec3 areSame = glm::equal(glm::sign(camera.look), glm::sign(camera.up));
+    json["up"].fail(std::string("expected another direction than look's, found ") +
+                    (glm::all(areSame) ? "the same" : "its opposite"));
 }
 
 glm::dvec3 scaleFactors(JsonView scale) {
@@ -73,6 +78,11 @@ glm::dvec3 scaleFactors(JsonView scale) {
 
 TransformDescription::Rotation readRotation(JsonView view, KnownKeys& keys) {
     static constexpr std::array known = {"degrees"sv, "axis"sv};
+    if (view.kind() == JsonDocument::Kind::Array && view.size() > 0 &&
+        view.element(0).kind() == JsonDocument::Kind::Object)
+        view.failExpected("one rotation (a matrix takes more)");
+    if (view.kind() != JsonDocument::Kind::Object)
+        view.failExpected(R"({"degrees": 90, "axis": [0, 1, 0]})", JsonDocument::Kind::Object);
     const JsonObject json = keys.check(view, known);
     TransformDescription::Rotation rotation;
     read(json["degrees"], rotation.degrees);
@@ -105,8 +115,7 @@ glm::dmat4 readMatrix(JsonView json) {
 glm::dvec3 readPosition(JsonView json) {
     double numbers[4] = {0, 0, 0, 1};
     const bool isHomogeneous = json.size() == 4;
-    if (!isHomogeneous) json.requireElements(3, "3 numbers or 4");
-    json.numbers(std::span(numbers).first(isHomogeneous ? 4 : 3));
+    json.numbers(std::span(numbers).first(isHomogeneous ? 4 : 3), "3 numbers or 4");
     if (numbers[3] != 1) json.element(3).failExpected("1, as a point has");
     return {numbers[0], numbers[1], numbers[2]};
 }

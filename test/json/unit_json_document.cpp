@@ -232,49 +232,6 @@ TEST_CASE("json: an error of meaning, found before the text has been read to its
     CHECK(errorOf("[0, [1e999]]") == "x.json:1:6: /1/0: expected a finite number, found 1e999");
 }
 
-TEST_CASE("json: what is wrong is said in words, where it is") {
-    const std::string comma = "a comma is missing here";
-    CHECK(errorOf("[1  true]") == "x.json:1:3: " + comma);
-    CHECK(errorOf("[1  -2.5e3]") == "x.json:1:3: " + comma);
-    CHECK(errorOf("[1.5e3\n\"a \\n b\"]") == "x.json:1:7: " + comma);
-    CHECK(errorOf("[1  {}]") == "x.json:1:3: " + comma);
-    CHECK(errorOf("[[]  []]") == "x.json:1:4: " + comma);
-    CHECK(errorOf("[1,") == "x.json:1:4: \"]\" is missing at the end of the list");
-    CHECK(errorOf("{\"a\": [\n1}") == "x.json:2:2: \"]\" is missing at the end of the list of line 1");
-    CHECK(errorOf("[1 - 2]") == "x.json:1:2: JSON does not calculate: write the result of \"1 - 2\"");
-    CHECK(errorOf("[-007]") == "x.json:1:2: a number has no zero in front: write -7");
-    CHECK(errorOf("[-.5]") == "x.json:1:2: a point stands between digits: write -0.5");
-    CHECK(errorOf("[-]") == "x.json:1:2: expected a number, found \"-\"");
-    CHECK(errorOf("[1.2.3]") == "x.json:1:2: expected a number, found \"1.2.3\"");
-    CHECK(errorOf("[\"\\uD834\\uDD1E \\ud800\"]") ==
-          "x.json:1:16: half a character: \\ud800 to \\udfff stand in pairs");
-    CHECK(errorOf("[\"\\u12\"]") == "x.json:1:3: expected four hexadecimal digits behind \\u");
-    CHECK(errorOf("[\"\x01\"]") == "x.json:1:3: a control character in a text");
-    CHECK(errorOf("[] ]") == "x.json:1:4: a bracket too many");
-    CHECK(errorOf("[],") == "x.json:1:3: a comma too many: the scene ends before it");
-    CHECK(errorOf("[[1]}]") == "x.json:1:5: a bracket too many");
-    CHECK(errorOf("[\"}\", {}}]") == "x.json:1:9: a bracket too many");
-    CHECK(errorOf("{\"a\": [1]}, \"b\": 2}") == "x.json:1:10: a bracket too many");
-    CHECK(errorOf("[true]x") == "x.json:1:7: expected the end of the file, found \"x\"");
-    CHECK(errorOf("[\"a,\"]x") == "x.json:1:7: expected the end of the file, found \"x\"");
-    CHECK(errorOf("[[true]x]") == "x.json:1:8: a comma is missing here");
-    CHECK(errorOf("[1, 2, \"a\": 3}") == "x.json:1:8: \"]\" is missing at the end of the list");
-    CHECK(errorOf("[\"a, \"b\"]") == "x.json:1:2: a text has no end: \" is missing");
-    CHECK(errorOf("[\"a\"b]") == "x.json:1:5: a comma is missing here");
-    CHECK(errorOf("[--1]") == "x.json:1:2: expected a number, found \"--1\"");
-    CHECK(errorOf("[1 -- 2]") == "x.json:1:4: a comment, which JSON does not have: delete it");
-    CHECK(errorOf("[-pi*f(2, 3), 4]") ==
-          "x.json:1:2: JSON does not calculate: write the result of \"-pi*f(2, 3)\"");
-    CHECK(errorOf("{\"a\": 0,125}") == "x.json:1:8: a number has a decimal point: write 0.125");
-    for (const char* text : {"\xef\xbb", "\xff", "\xc0\x80", "\x80{}"})
-        CHECK(errorOf(text) == "x.json:1:1: a byte that is no UTF-8: save the file as UTF-8");
-    CHECK(errorOf("[1, \xe4]") == "x.json:1:5: a byte that is no UTF-8: save the file as UTF-8");
-    CHECK(errorOf("\x89PNG\r\n") == "x.json:1:1: expected JSON, found what is no text");
-    CHECK(errorOf("[1,\u20602]") == "x.json:1:4: an invisible character (U+2060): delete it");
-    CHECK(errorOf("[] /*") == "x.json:1:4: a comment, which JSON does not have: delete it");
-    CHECK(errorOf("{\"a\": 1: 2}") == "x.json:1:8: expected a comma, found \":\"");
-}
-
 TEST_CASE("an error of syntax shows its line, and a mark below") {
     using Lines = std::vector<std::string>;
     const auto excerptOf = [](const std::string& text, std::size_t columns) {

@@ -63,13 +63,20 @@ TEST_CASE("An error about a value that is set says so; the others keep their pla
     CHECK(message("/b/0") == "s.json:2:7: /b/0: bad");
 }
 
-TEST_CASE("Why a text is no JSON") {
-    CHECK(whyNoJson("[1]").empty());
-    CHECK(whyNoJson("[1 2]") == "a comma is missing here");
-    CHECK(whyNoJson("[1,\n{2}]") == "a list stands in [ and ], not in { and }");
-    CHECK(whyNoJson("1,2") == "a list stands in [ and ]");
-    CHECK(whyNoJson("{\"a\":{\"b\":1,\"b\":2}}") == "/a: expected each key once, found \"b\" twice");
-    CHECK(whyNoJson("\xff\xfe[") == "expected UTF-8, found UTF-16: save it as UTF-8");
+TEST_CASE("What a text is, read as JSON, and why it is none") {
+    const auto why = [](std::string_view json) { return readingOf(json).why; };
+    CHECK(why("[1]").empty());
+    CHECK(why("[1 2]") == "a comma is missing here");
+    CHECK(why("[1,\n{2}]") == "a list stands in [ and ], not in { and }");
+    CHECK(why("1,2") == "a list stands in [ and ]: write [1, 2]");
+    CHECK(why("{\"a\":{\"b\":1,\"b\":2}}") == "/a: expected each key once, found \"b\" twice");
+    CHECK(why("\xff\xfe[") == "expected UTF-8, found UTF-16: save it as UTF-8");
+    CHECK(why("[1e999]") == "/0: expected a finite number, found 1e999");
+    CHECK(readingOf("[1]").kind == JsonDocument::Kind::Array);
+    CHECK(readingOf("\n[1e999]").kind == JsonDocument::Kind::Array);
+    CHECK(readingOf("{\"a\": 1e999}").kind == JsonDocument::Kind::Object);
+    CHECK(readingOf("-1e999").kind == JsonDocument::Kind::Number);
+    CHECK(readingOf("1x").kind == JsonDocument::Kind::String);
 }
 
 TEST_CASE("A pointer to nothing is told, with the nearest") {
@@ -92,15 +99,34 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
     check(
         "/camera/a~1b~c/0=1",
         "s.json: --set /camera/a~1b~c/0: there is no \"a~1b~c\" in /camera; did you mean /camera/a~1b~0c/0?");
-    check("/list/-/0=1",
-          "s.json: --set /list/-/0: /list has 2 elements, from 0: there is no \"-\"; /list/- adds one");
+    check("/list/-/0=1", "s.json: --set /list/-/0: - adds an element, and ends its pointer: write /list/-");
     CHECK_THROWS_WITH(after("/a/3=1", "{\"a\":[1]}"),
-                      "s.json: --set /a/3: /a has 1 element, from 0: there is no \"3\"; /a/- adds one");
+                      "s.json: --set /a/3: /a has 1 element, from 0: there is no \"3\"");
     check("/camera/on/x=1", "s.json: --set /camera/on/x: /camera/on is no object and no list");
-    check("camera=1", "raytracer: --set: a pointer begins with /: write \"/camera=1\"");
-    check("camera.eye=[0,0,4]", "raytracer: --set: a pointer begins with /: write \"/camera/eye=[0,0,4]\"");
-    check("list[0][1].z=a.b", "raytracer: --set: a pointer begins with /: write \"/list/0/1/z=a.b\"");
-    check("camera/a.b=1", "raytracer: --set: a pointer begins with /: write \"/camera/a.b=1\"");
+    const auto checkForm = [&](const std::string& pointer, const std::string& place) {
+        check(pointer + "=1", "s.json: --set " + pointer + ": a pointer begins with /" +
+                                  (place.empty() ? "" : ": write " + place));
+    };
+    checkForm("camera", "/camera");
+    for (const char* pointer :
+         {"camera.eye", "camera:eye", "eye", "$.camera.eye", "\\camera\\eye", "-/camera/eye"})
+        checkForm(pointer, "/camera/eye");
+    for (const char* pointer : {"camera/eye[0]", "camera.eye.0", "eye/0", "eye[0]"})
+        checkForm(pointer, "/camera/eye/0");
+    checkForm("list[0][1].z", "/list/0/1/z");
+    checkForm("camera.new", "/camera/new");
+    for (const char* pointer : {"camera/a.b", "nothing", ".", "camera/5", "new", "list/2"})
+        checkForm(pointer, "");
+    const auto checkNamed = [](const std::string& pointer, const std::string& message) {
+        CHECK_THROWS_WITH(after(pointer + "=1", R"({"a": [{"name": "b", "c": [1]}, {"c": 2}]})"),
+                          "s.json: --set " + pointer + ": " + message);
+    };
+    checkNamed("/a/b/c/0", "\"b\" is the name of /a/0: write /a/0/c/0");
+    checkNamed("/a/b/new", "\"b\" is the name of /a/0: write /a/0/new");
+    checkNamed("a.b.c", "a pointer begins with /: write /a/0/c");
+    checkNamed("c", "a pointer begins with /");  // there are two
+    checkNamed("/a/0.5", "/a has 2 elements, from 0: there is no \"0.5\"; /a/- adds one");
+    checkNamed("/a/0/c/x", "/a/0/c has 1 element, from 0: there is no \"x\"");
     check("/list[0][1].z=1", "s.json: --set /list[0][1].z: steps are parted by /: write /list/0/1/z");
     check("/list/0.1=1", "s.json: --set /list/0.1: steps are parted by /: write /list/0/1");
     check("/camera.new=1", "s.json: --set /camera.new: steps are parted by /: write /camera/new");

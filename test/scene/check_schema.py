@@ -25,7 +25,7 @@ jsonschema.Draft7Validator.check_schema(SCHEMA)
 VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
 
 # How the loader begins what a schema cannot know.
-SEMANTIC = ("no material named", "no transform named", "no texture named", "the name ",
+SEMANTIC = ("no material named", "no transform named", "no texture named", "is taken by",
             "expected a transform that has an inverse", "expected a number other than film_",
             "expected another direction than look's", "in \"", "no file ",
             "expected each key once", "expected a finite number")

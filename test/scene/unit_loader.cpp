@@ -232,7 +232,7 @@ TEST_CASE("A message stays one short line, whatever is in the file") {
         const SceneText text(sceneOf(R"({"type": "cone", "transform": "i", "material": )" + begin +
                                      std::string(100'000, 'x') + "\"}"));
         CHECK(faultOf(text.path()) == text.path() + ":2:196: /shapes/0/material: no material named " + begin +
-                                          std::string(55, 'x') + "\"...");
+                                          std::string(55, 'x') + "\"...; /materials/0 has no name");
     }
     SECTION("a long string that does not end") {
         const SceneText text("{\"" + std::string(100'000, 'x'));

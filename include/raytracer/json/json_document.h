@@ -10,6 +10,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "raytracer/util/error.h"
@@ -26,6 +27,14 @@ struct TextRange {
 // What is wrong is a number that a double cannot hold.
 struct NotFinite : Error {
     explicit NotFinite(const Error& error) : Error(error) {}
+};
+
+// The text is no JSON. Where the message proposes other text for a range of it, `instead` is that.
+struct NoJson : Error {
+    NoJson(const Error& error, TextRange where, std::string proposed)
+        : Error(error), range(where), instead(std::move(proposed)) {}
+    TextRange range;
+    std::string instead;
 };
 
 class JsonDocument {

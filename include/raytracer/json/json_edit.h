@@ -10,14 +10,19 @@
 
 namespace raytracer {
 
-// What is wrong with a text that is no JSON, without its place; empty for JSON.
-std::string whyNoJson(std::string_view text);
+// What a text is, read as JSON: a string where it is none, but for a number that no double can hold, which
+// keeps its kind. `why`: what is wrong, without its place; empty for JSON.
+struct JsonReading {
+    JsonDocument::Kind kind;
+    std::string why{};
+};
+JsonReading readingOf(std::string_view text);
 
 // "/pointer=value": a JSON pointer (RFC 6901) up to the first "=", and JSON; what is no JSON is a string.
 struct JsonEdit {
     std::string pointer, value;
 
-    // Throws Error where there is no pointer or no "=".
+    // Throws Error where there is no pointer or no "="; edited() does for a pointer without its first "/".
     explicit JsonEdit(const std::string& assignment);
 };
 

@@ -1,5 +1,5 @@
 // Reads a value of a JsonDocument as the type that it must have. An Error has the value's place: "scene.json:
-// /camera/eye: expected 3 numbers, found an array of 2".
+// /camera/eye: expected 3 numbers, found a list of 2".
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -23,10 +24,12 @@ class JsonView {
     explicit JsonView(const JsonDocument& document, std::uint32_t node = 0)
         : document_(&document), node_(node) {}
 
+    JsonDocument::Kind kind() const { return document_->kind(node_); }
     bool boolean() const;
     double number() const;
     std::string_view string() const;
-    void numbers(std::span<double> out) const;  // an array of exactly out.size() numbers
+    // A list of exactly out.size() numbers, which a message calls `expected`, or that.
+    void numbers(std::span<double> out, const std::string& expected = {}) const;
     glm::dvec3 vec3() const;
 
     // The position of this string in `choices`.
@@ -58,11 +61,15 @@ class JsonView {
                                    JsonDocument::Kind wanted = JsonDocument::Kind::String) const;
 
   private:
-    JsonDocument::Kind kind() const { return document_->kind(node_); }
     void require(JsonDocument::Kind wanted, const char* expected) const {
         if (kind() != wanted) failExpected(expected, wanted);
     }
     std::string inWords() const;
+    bool hasKey() const;
+    bool isColor() const;
+    [[noreturn]] void failExpectedNumbers(const std::string& expected, std::size_t count) const;
+    std::string numbersMeant(std::size_t count) const;
+    std::vector<std::string> coordinates() const;
     std::string whyText(JsonDocument::Kind wanted) const;
     std::string form(JsonDocument::Kind wanted) const;
 
