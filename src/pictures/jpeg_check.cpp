@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "raytracer/util/error.h"
+
 namespace raytracer {
 namespace {
 
@@ -48,6 +50,19 @@ class JpegCheck {
         require(!components_.empty(), "it has no frame header");
     }
 
+    ImageSize size() {
+        for (;;) {
+            const std::uint8_t marker = nextMarker();
+            require(marker != endOfImage, "it has no frame header");
+            if (marker == startOfImage) continue;
+            segment_ = takeSegment();
+            if (!isFrame(marker)) continue;
+            skip(1);  // bits a sample
+            const int height = takeNumber();
+            return {takeNumber(), height};
+        }
+    }
+
   private:
     struct Component {
         std::uint8_t name, quantisation;
@@ -87,6 +102,11 @@ class JpegCheck {
         const std::uint8_t byte = byteAt(segment_, 0);
         segment_.remove_prefix(1);
         return byte;
+    }
+
+    int takeNumber() {  // of two bytes
+        const int high = takeByte();
+        return high << 8 | takeByte();
     }
 
     void skip(std::size_t count) {
@@ -176,6 +196,15 @@ bool isJpeg(const FileBytes& file) {
     const std::string_view text = file.text();
     const std::size_t marker = text.find_first_not_of('\xff');
     return marker > 0 && marker != text.npos && byteAt(text, marker) == startOfImage;
+}
+
+std::optional<ImageSize> sizeOfJpeg(const FileBytes& file) {
+    try {
+        const ImageSize size = JpegCheck(file).size();
+        return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt;
+    }
 }
 
 void requireSoundJpeg(const FileBytes& file) { JpegCheck(file).check(); }

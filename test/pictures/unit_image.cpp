@@ -273,6 +273,30 @@ struct GreyJpeg {
 
 }  // namespace
 
+// A graded program's picture is asked for its size before anything of it has been checked.
+TEST_CASE("The size in a picture's header is read whatever stands around it") {
+    const TestFolder folder;
+    const auto sizeOfFile = [&](const std::string& bytes) -> std::vector<int> {
+        const auto size = sizeInHeader(FileBytes(folder.write("a", bytes)));
+        return size ? std::vector{size->width, size->height} : std::vector<int>();
+    };
+    GreyJpeg jpeg;
+    jpeg.quantisation += tableOf(0x00, std::vector<int>(16, 255));  // stb writes past its table
+    jpeg.frame = segmentOf(0xc2, {"\x8\0\x7\1\2\1\1\x11\0", 9});
+    CHECK(sizeOfFile(jpeg.bytes()) == std::vector{258, 7});
+    CHECK(sizeOfFile(jpeg.bytes().substr(0, 30)).empty());
+    jpeg.frame = segmentOf(0xc2, {"\x8\0\0\1\2\1\1\x11\0", 9});  // no height
+    CHECK(sizeOfFile(jpeg.bytes()).empty());
+    jpeg.frame.clear();
+    CHECK(sizeOfFile(jpeg.bytes()).empty());
+    const std::string png("\x89PNG\r\n\x1a\n\0\0\0\xdIHDR\0\0\1\0\0\0\0\3", 24);
+    CHECK(sizeOfFile(png) == std::vector{256, 3});
+    CHECK(sizeOfFile(png.substr(0, 23)).empty());
+    CHECK(sizeOfFile(png.substr(0, 16) + "\xff" + png.substr(17)).empty());
+    CHECK(sizeOfFile(png.substr(0, 12) + "IEND" + png.substr(16)).empty());
+    CHECK(sizeOfFile("").empty());
+}
+
 TEST_CASE("A JPEG is read if its segments are sound") {
     const TestFolder folder;
     const auto read = [&](const GreyJpeg& jpeg) {
