@@ -164,7 +164,7 @@ std::string JsonView::numbersMeant(std::size_t count) const {
     std::vector<std::string> numbers;
     if (kind() == Kind::String) {
         const std::string_view text = document_->string(node_);
-        const std::string color = isColor() ? hexColor(text) : "";
+        std::string color = isColor() ? hexColor(text) : "";
         if (!color.empty()) return color;
         numbers = numbersIn(text);
         if (numbers.empty()) numbers = axisNamed(text);

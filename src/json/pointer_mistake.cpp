@@ -79,10 +79,10 @@ std::string onlyPlace(const JsonDocument& document, const Steps& steps) {
 std::string meant(const JsonDocument& document, const std::string& pointer) {
     const Steps bySlash = stepsOf(pointer, "/"), byAny = stepsOf(pointer, "/.:[]\\");
     for (const Steps& steps : {bySlash, byAny}) {
-        const std::string found = leading(document, steps);
+        std::string found = leading(document, steps);
         if (!found.empty() && follow(document, found).left.empty()) return found;
     }
-    const std::string added = leading(document, byAny);
+    std::string added = leading(document, byAny);
     if (!added.empty() || byAny.empty() || pointer.starts_with('/')) return added;
     return onlyPlace(document, byAny);
 }

@@ -16,7 +16,7 @@ std::string SyntaxCursor::shown() const {
 }
 
 std::string SyntaxCursor::theOpening(std::size_t opening) const {
-    const std::string kind = s_.text[opening] == '{' ? "the object" : "the list";
+    std::string kind = s_.text[opening] == '{' ? "the object" : "the list";
     if (s_.text.find('\n') == std::string_view::npos) return kind;
     return kind + " of line " + std::to_string(1 + std::ranges::count(s_.text.substr(0, opening), '\n'));
 }

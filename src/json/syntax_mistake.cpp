@@ -221,7 +221,7 @@ class Finder : private SyntaxCursor {
         if (found() == '"') return stringMistake(s_, at_);
         if (const auto quotes = aboutOtherQuotes(rest()); !quotes.empty()) return {at_, quotes};
         const std::string_view word = wordAt(at_);
-        if (const auto list = otherList(); !list.message.empty()) return list;
+        if (auto list = otherList(); !list.message.empty()) return list;
         if (found() == '(') return inParentheses();
         if (word.empty()) return {at_, "expected a value, found " + shown()};
         if (word.size() <= 2 && charAt(at_ + word.size()) == '"') return prefixedText(word.size());

@@ -7,7 +7,7 @@
 namespace raytracer {
 namespace {
 
-constexpr ForeignKey all[] = {
+constexpr ForeignKey foreignKeys[] = {
     {"rotation", "rotate"},
     {"scaling", "scale"},
     {"size", "scale"},
@@ -73,8 +73,8 @@ const ForeignKey* foreignKey(std::string_view key, std::span<const std::string_v
     const auto isMeant = [&](const ForeignKey& other) {
         return other.key == lower && std::ranges::find(known, other.beside) != known.end();
     };
-    const auto found = std::ranges::find_if(all, isMeant);
-    return found == std::end(all) ? nullptr : found;
+    const auto found = std::ranges::find_if(foreignKeys, isMeant);
+    return found == std::end(foreignKeys) ? nullptr : found;
 }
 
 }  // namespace raytracer

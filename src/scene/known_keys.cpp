@@ -79,17 +79,17 @@ JsonObject KnownKeys::check(JsonView json, std::span<const std::string_view> kno
     const JsonObject object(json, known);
     for (const JsonView member : json.members()) {
         if (object.knows(member.key())) continue;
-        if (member.hasEditedKey() || warnings_.size() < mostWarnings) report(object, member);
+        if (member.hasEditedKey()) throw object.json().errorAtKey(member, object.whyUnknown(member));
+        if (warnings_.size() < mostWarnings) warn(object, member);
         else ++notShown_;
     }
     return object;
 }
 
-void KnownKeys::report(const JsonObject& object, JsonView member) {
-    const Error error = object.json().errorAtKey(member, object.whyUnknown(member));
-    if (member.hasEditedKey()) throw error;
-    misnamed_.emplace(object.meantBy(member), error);
+void KnownKeys::warn(const JsonObject& object, JsonView member) {
+    Error error = object.json().errorAtKey(member, object.whyUnknown(member));
     warnings_.emplace_back(error.what());
+    misnamed_.emplace(object.meantBy(member), std::move(error));
 }
 
 void KnownKeys::requireNamed(const std::string& key) const {

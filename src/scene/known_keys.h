@@ -51,7 +51,7 @@ class KnownKeys {
     std::vector<std::string> warnings(const std::string& path) const;
 
   private:
-    void report(const JsonObject& object, JsonView member);
+    void warn(const JsonObject& object, JsonView member);
 
     std::vector<std::string> warnings_;
     std::map<std::string, Error> misnamed_;  // the first key that means each

@@ -205,7 +205,8 @@ std::string missingFolder(const std::string& path) {
 std::string whereLooked(const std::string& path) {
     const int before = errno;
     if (before != ENOENT) return {};
-    const std::string hint = hintAt(path), missing = missingFolder(path);
+    std::string hint = hintAt(path);
+    const std::string missing = missingFolder(path);
     std::error_code error;
     const fs::path wanted = path, here = fs::current_path(error), above = wanted.parent_path();
     errno = before;
