@@ -81,6 +81,13 @@ const std::string* surplusIn(const std::vector<std::string>& texts,
     return nullptr;
 }
 
+// Whether the first is a scene by its place, as a file whose name says nothing: "8".
+bool isOddlyNamedScene(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
+    std::error_code error;
+    return texts.size() == expected.size() && expected[0]->kind == ArgumentKind::Scene &&
+           isOfKind(texts[0], ArgumentKind::Number) && std::filesystem::exists(texts[0], error);
+}
+
 // The scene or the picture that no text is, where each text is of some kind and none is too many.
 const Word* absentKind(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
     if (texts.size() > expected.size()) return nullptr;
@@ -207,6 +214,7 @@ void CommandLine::requireNumbers(const std::vector<std::size_t>& places,
 void CommandLine::requireOrder() const {
     requireKinds();
     const std::vector<const Word*> expected = expectedArguments();
+    if (isOddlyNamedScene(rest_, expected)) return;
     const std::vector<std::size_t> places = placesInOrder(rest_, expected);
     const bool hasMore = places.size() < rest_.size();
     if (!hasMore && places.size() == expected.size()) return;

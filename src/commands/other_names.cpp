@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "command_line.h"
+#include "raytracer/tracer/term_names.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/text.h"
 
@@ -35,7 +36,6 @@ constexpr OtherName otherNames[] = {
     {"ambient", "--only ambient"},
     {"diffuse", "--only diffuse"},
     {"specular", "--only specular"},
-    {"no-shadows", "--only"},
     {"float", "--precision float"},
     {"double", "--precision double"},
     {"bilinear", "--texture-filter bilinear"},
@@ -69,13 +69,20 @@ std::string_view withoutDashes(std::string_view name) {
     return name;
 }
 
+// What to write instead of --no-TERM.
+std::string withoutTerm(std::string_view name) {
+    return isTerm(name) ? ": --only names the terms that are left" : "";
+}
+
 }  // namespace
 
 void CommandLine::failUnknown(const std::string& option) const {
     const auto lacking = std::ranges::find(lacking_, option, &Pair::first);
     if (lacking != lacking_.end()) throw WrongUsage{"there is no " + option + ": " + lacking->second};
-    const std::string ours = meantOption(withoutDashes(option));
     const std::string unknown = "unknown option " + option;
+    const std::string_view name = withoutDashes(option);
+    if (name.starts_with("no-")) throw WrongUsage{unknown + withoutTerm(name.substr(3)), true};
+    const std::string ours = meantOption(name);
     if (ours.empty()) throw WrongUsage{unknown, true};
     if (ours.starts_with("--")) throw WrongUsage{unknown + "; did you mean " + ours + "?"};
     throw WrongUsage{unknown + "; the order is " + order()};

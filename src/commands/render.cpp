@@ -181,7 +181,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     if (!wanted.targetTime) remarkOnTime(arguments, *renderer, options);
     if (wanted.isPfm()) renderTo<FloatSink>(job, out, pfmWriter(out, options.crop));
     else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, arguments.threads));
-    tellLimited(job.counts, options, options.crop.area() / options.part.count, arguments.quiet);
+    tellLimited(job.counts, options, options.crop.area() / options.part.count, arguments.quiet || job.choice);
     if (wanted.stats) printStats(job.counts, timings, options);
     tellDone(wanted.file(), options.crop, timings.wall(), arguments.quiet);
     return job.choice && !job.choice->reached && !wanted.isPart() ? 1 : 0;  // assemble tells it of parts

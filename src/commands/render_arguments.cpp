@@ -43,9 +43,8 @@ std::string passMeant(const std::string& name) {
     return std::string_view("raycasting").starts_with(name) ? "raycast" : "";
 }
 
-bool isTerm(const std::string& name) {
-    return std::ranges::find(termNames, name, &TermName::name) != std::end(termNames);
-}
+// The term alone, or with light where it has none.
+std::string visibly(const std::string& term) { return isDark(termsNamed(term)) ? "diffuse," + term : term; }
 
 // "ambient,diffuse" of "ambient_diffuse", a stage's name; empty where it is none.
 std::string termsOfStage(const std::string& name) {
@@ -63,7 +62,7 @@ bool Terms::*termNamed(const std::string& name) {
     if (const std::string pass = passMeant(name); !pass.empty())
         throw usageError("--only: no term " + inQuotes(name) + "; write --pass " + pass);
     if (const std::string terms = termsOfStage(name); !terms.empty())
-        throw usageError("--only: no term " + inQuotes(name) + "; write --only " + terms);
+        throw usageError("--only has commas, no underscores: write --only " + terms);
     if (name == "all") throw usageError("--only: no term \"all\"; without --only there are all");
     if (name.find_first_of(" ;+|/") != name.npos)
         throw usageError("--only: expected commas between the terms, found " + inQuotes(name));
@@ -135,9 +134,10 @@ void RenderArguments::addTo(CommandLine& line) {
 }
 
 void RenderArguments::addPictureTo(CommandLine& line) {
-    line.choice("--pass", pass, {"color", "raycast", "normals"},
-                "What a pixel shows: color (the light), raycast (color_diffuse) or normals",
-                [](const std::string& text) { return isTerm(text) ? "; write --only " + text : ""; });
+    line.choice(
+        "--pass", pass, {"color", "raycast", "normals"},
+        "What a pixel shows: color (the light), raycast (color_diffuse) or normals",
+        [](const std::string& text) { return isTerm(text) ? "; write --only " + visibly(text) : ""; });
     line.text("--crop", crop,
               "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
     line.shown("--crop", "x0,y0,x1,y1");
@@ -153,7 +153,7 @@ void RenderArguments::addPictureTo(CommandLine& line) {
 
 void RenderArguments::check(const CommandLine& line) const {
     const Terms chosen = terms();
-    if (!chosen.ambient && !chosen.diffuse && !chosen.specular)
+    if (isDark(chosen))
         throw usageError("--only " + only + ": there is no light without ambient, diffuse or specular");
     for (const std::string& set : sets) JsonEdit{set};
     if (!crop.empty()) parseCrop(crop);

@@ -104,10 +104,8 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
 void tellLimited(const RenderCounts& counts, const RenderOptions& options, double pixels, bool quiet) {
     const auto limited = static_cast<double>(counts.limited);
     if (quiet || limited <= 0.001 * pixels) return;
-    const std::string raise =
-        options.samples < mostSamples ? formatted(": raise --samples %d", options.samples) : "";
     tell(formatted("%.3g %% of the pixels have an error above --adaptive ", 100 * limited / pixels) +
-         shortNumber(options.adaptive) + raise);
+         shortNumber(options.adaptive) + formatted(": --samples %d is too few", options.samples));
 }
 
 void tellDone(const std::string& out, const PixelRectangle& crop, double seconds, bool quiet) {

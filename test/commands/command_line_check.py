@@ -191,6 +191,17 @@ def check_order():
                   "raytracer explain")
 
 
+def check_odd_names():
+    """Names of files that look like something else."""
+    with tempfile.TemporaryDirectory() as folder:
+        picture = pathlib.Path(folder, "o.png")
+        for name in ("8", "nan", "compare", "a=b", "-s", "--quiet"):
+            pathlib.Path(folder, name).write_bytes(pathlib.Path(SCENE).read_bytes())
+            for words in (["--quiet", "--", name, picture, "4"], ["explain", "--", name, "0", "0", "4"]):
+                done = subprocess.run([RAYTRACER, *words], cwd=folder, capture_output=True, text=True)
+                check(f"a scene named {name}: {words[0]}", (0, ""), (done.returncode, done.stderr))
+
+
 def check_commands():
     check_refused(["comapre", "a.png", "b.png"], 'unknown command "comapre"; did you mean "compare"?')
     check_refused(["render", "a.json"], 'unknown command "render"; write raytracer ' + ORDER)
@@ -369,6 +380,7 @@ def main():
             check_numbers(command, name, expected, good)
     check_other_refusals()
     check_order()
+    check_odd_names()
     check_commands()
     check_asked()
     check_quiet()

@@ -1,6 +1,7 @@
 // Terms and passes by name, as a command line and the stages of the course have them.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,13 @@ inline constexpr TermName termNames[] = {
     {"shadows", &Terms::shadows},   {"reflections", &Terms::reflections}, {"refraction", &Terms::refraction},
     {"textures", &Terms::textures},
 };
+
+inline bool isTerm(std::string_view name) {
+    return std::ranges::find(termNames, name, &TermName::name) != std::end(termNames);
+}
+
+// Whether nothing is lit.
+constexpr bool isDark(const Terms& terms) { return !terms.ambient && !terms.diffuse && !terms.specular; }
 
 constexpr Pass passNamed(std::string_view name) {
     return name == "raycast" ? Pass::Raycast : name == "normals" ? Pass::Normals : Pass::Color;
