@@ -120,15 +120,14 @@ void edgeToEdge(CameraDescription& camera, const ImageSize& size) {
     widen(camera.film_bottom, camera.film_top, size.height);
 }
 
-// A camera whose vectors are those of a rotation is needed to turn it. What is no square is stretched: u and
-// v are exchanged, of 0 to 1 each.
+// To turn it, u = v x w and -u x w = v are needed: w of unit length and a right angle. What is no square is
+// stretched: u and v are exchanged, of 0 to 1 each.
 bool canTurn(const CameraDescription& camera) {
     constexpr double threeDecimals = 2e-3;  // of vectors written so, as in scene_advice.cpp
     const auto near = [](double value, double expected) {
         return std::abs(value - expected) < threeDecimals;
     };
-    return near(glm::length(camera.up), 1) && near(glm::length(camera.look), 1) &&
-           near(glm::dot(camera.up, camera.look), 0);
+    return near(glm::length(camera.look), 1) && near(glm::dot(camera.up, camera.look), 0);
 }
 
 }  // namespace
