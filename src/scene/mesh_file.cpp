@@ -128,12 +128,25 @@ double leastCoordinate(const MeshData& mesh) {
     return least;
 }
 
-double leastTriangle(const MeshData& mesh) {
+// Of a triangle, relative to `largest`: the root of the product of its two least extents that are not zero,
+// as a triangle's area is made of such products. Infinite where it has no area.
+double sizeOfTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double largest) {
+    const glm::dvec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+    double least = std::numeric_limits<double>::infinity(), second = least;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double extent = (high[axis] / 2 - low[axis] / 2) / largest;
+        if (extent == 0) continue;
+        second = std::min(second, std::max(least, extent));
+        least = std::min(least, extent);
+    }
+    return std::sqrt(least) * std::sqrt(second);
+}
+
+double leastTriangle(const MeshData& mesh, double largest) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < mesh.positionIndex.size(); i += 3) {
         const auto corner = [&](std::size_t k) { return mesh.positions[mesh.positionIndex[i + k]]; };
-        const double size = std::max(largestOf(corner(1) - corner(0)), largestOf(corner(2) - corner(0)));
-        if (size > 0) least = std::min(least, size);
+        least = std::min(least, sizeOfTriangle(corner(0), corner(1), corner(2), largest));
     }
     return least;
 }
@@ -146,7 +159,7 @@ double finestOf(const MeshData& mesh, double largest, double least) {
         const double extent = (mesh.high[axis] / 2 - mesh.low[axis] / 2) / largest;
         if (extent > 0) finest = std::min(finest, extent);
     }
-    return least < 0x1p-28 * largest ? std::min(finest, leastTriangle(mesh) / largest) : finest;
+    return least < 0x1p-28 * largest ? std::min(finest, leastTriangle(mesh, largest)) : finest;
 }
 
 }  // namespace

@@ -171,6 +171,25 @@ TEST_CASE("a floor whose numbers are large is the same floor, or it is told that
     }
 }
 
+// The products of a needle's extents may be beyond double where its length is not.
+TEST_CASE("a mesh of needles is what extended precision makes of it") {
+    SceneMaker make;
+    make.scene.camera.eye = {0, 0, 4};
+    make.scene.camera.focal_length = 1;
+    make.material(glm::dvec3(0)).color_diffuse = glm::dvec3(1);
+    const auto mesh = std::make_shared<MeshData>();
+    mesh->positions = {{1, 0, 0}, {-1, 0, 0}, {6e254, 1, 0}, {0, 7e174, 0}, {0, 0, 1}, {0, 0, -7e140}};
+    mesh->positionIndex = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    mesh->findBounds();
+    mesh->chooseUnit();
+    TransformDescription turned;
+    turned.rotate = TransformDescription::Rotation{66, {-1, 0.35, 0.1}};
+    make.shape(ShapeType::Mesh, turned);
+    make.scene.shapes[0].mesh = mesh;
+    make.light({1, 2, 5});
+    CHECK(differingPixels(bytesOf(make.scene, 16), bytesOf(make.scene, 16, Precision::Extended), 1) == 0);
+}
+
 // A point of the ray is put onto a sphere or a cone: of one that is too flat for that, anywhere.
 TEST_CASE("a sphere or a cone that is flat is what extended precision makes of it, or it is told") {
     for (const ShapeType type : {ShapeType::Sphere, ShapeType::Cone})
