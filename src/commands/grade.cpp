@@ -153,20 +153,22 @@ bool hasFile(const Submission& submission, const std::string& name) {
     return std::filesystem::exists(path, error);
 }
 
+std::string missingInAll(const std::string& name) {
+    const std::size_t at = name.find("{}");
+    const bool hasMore = at > 0 && at + 2 < name.size();
+    if (hasMore) return "write " + printable(name.substr(at)) + ": {} is the whole path of a submission";
+    return "no submission has a file " + printable(name);
+}
+
 // A program that no submission has is a slip of the command line, not of sixty students.
 void requireProgramIn(const std::vector<Submission>& submissions, const std::string& program) {
-    const std::vector<std::string> words = plainWords(program);
-    if (words.empty()) return;
-    for (const std::string& name : {words[0], scriptIn(words)})
+    for (const std::string& name : filesStarted(program))
         if (name.find("{}") != name.npos &&
             std::ranges::none_of(submissions, [&](const Submission& one) { return hasFile(one, name); }))
-            throw usageError("--program: no submission has a file " + printable(name));
+            throw usageError("--program: " + missingInAll(name));
 }
 
 int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
-    if (!arguments.program.empty() && arguments.program.find("{}") == std::string::npos)
-        throw usageError("--program: expected {} for the submission's folder, found " +
-                         inQuotes(arguments.program));
     const std::vector<Submission> submissions = submissionsIn(arguments.submissions);
     if (!arguments.gradescope.empty() && submissions.size() != 1)
         throw usageError("--gradescope: expected one submission, found " +

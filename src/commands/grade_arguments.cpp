@@ -1,6 +1,7 @@
 #include "grade_arguments.h"
 
 #include "raytracer/grading/submissions.h"
+#include "raytracer/util/shell_words.h"
 #include "raytracer/util/standard_streams.h"
 #include "raytracer/util/text.h"
 
@@ -58,6 +59,14 @@ std::string otherCommandMeant(std::span<const std::string> words) {
         return takesFolder + "explain " + first + " --picture " + second;
     if (isPictureName(first) && isPictureName(second)) return takesFolder + "compare " + first + " " + second;
     return "one folder is graded; write --references " + second;
+}
+
+// What is run for each submission has its folder, which the grader quotes.
+void requireFolderIn(const std::string& program) {
+    if (program.find("{}") == program.npos)
+        throw usageError("--program: expected {} for the submission's folder, found " + inQuotes(program));
+    if (hasQuotedBraces(program))
+        throw usageError("--program: write {} without quotes: it is quoted already");
 }
 
 }  // namespace
@@ -119,6 +128,7 @@ ProgramOptions GradeArguments::programOptions() const {
 void GradeArguments::check() const {
     if (submissions.empty() && program.starts_with("{}"))
         throw usageError("--program: {} is a submission's folder: it needs --submissions");
+    if (!submissions.empty() && !program.empty()) requireFolderIn(program);
     if (!program.empty()) requirePrograms();
     if (const std::string fault = programFault(program); !fault.empty())
         throw usageError("--program: " + fault);

@@ -1,17 +1,18 @@
 #include "programs.h"
 
-#include <cctype>
-#include <cstring>
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
-#include <utility>
+#include <span>
 
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_watch.h"
 #include "raytracer/util/nearby_file.h"
+#include "raytracer/util/shell_words.h"
 #include "raytracer/util/temporary_folder.h"
 #include "raytracer/util/text.h"
 
@@ -69,35 +70,60 @@ std::string copyScene(const std::string& scene, const std::string& folder) {
     return (to / files::path(scene).filename()).string();
 }
 
-// A word of a command, as it is written and without its quotes. One that leads to something from our folder
-// is told in full, but for a command's name, which the shell looks for elsewhere.
-std::string fromHere(const std::string& written, const std::string& path, bool isFirst) {
-    std::error_code error;
-    const bool isName = isFirst && path.find('/') == std::string::npos;
-    if (isName || path.starts_with('/') || !files::exists(path, error)) return written;
-    return inShellQuotes(absolutePath(path));
-}
+// Follows a command, in which a path of ours is found, though it runs in another folder. A word that means
+// a file which the command itself makes is left as it is.
+class PathsFromHere {
+  public:
+    bool isOurs(const ShellWord& word) {
+        if (word.role == ShellRole::Operator) endCommand(word.text == "(");
+        if (word.role == ShellRole::Target) makes_ = makes_ || !word.text.starts_with("/dev/");
+        if (word.role == ShellRole::Command) {
+            makes_ = makes_ || std::ranges::find(harmless, word.text) == harmless.end();
+            moves_ = word.text == "cd" || word.text == "pushd";
+        }
+        const bool hasSlash = word.text.find('/') != word.text.npos;
+        const bool isStarted = word.role == ShellRole::Command || word.role == ShellRole::Wrapped;
+        startsFile_ = startsFile_ || (isStarted && hasSlash) || word.role == ShellRole::Script;
+        std::error_code error;
+        return isHere_ && word.isPlain && !word.text.starts_with('/') && mayBeOurs(word) &&
+               files::exists(word.text, error);
+    }
+
+  private:
+    // Commands, and words of the shell, that make no file.
+    static constexpr std::array<std::string_view, 17> harmless{
+        "export", "ulimit", "umask", "set",    "unset", "trap", ":",  "true", "false",
+        "test",   "[",      "echo",  "printf", "for",   "done", "fi", "}"};
+
+    // The name of a function, before (), is not run.
+    void endCommand(bool isName) {
+        isFresh_ = isFresh_ && (isName || !makes_);
+        isHere_ = isHere_ && !moves_;
+        makes_ = moves_ = startsFile_ = false;
+    }
+
+    bool mayBeOurs(const ShellWord& word) const {
+        const bool hasFolder = word.text.find('/') != word.text.npos, isDot = word.text.starts_with("./");
+        if (word.role == ShellRole::Script && !hasFolder) return isFresh_;
+        if (!hasFolder || word.text.find_first_not_of("./") == word.text.npos) return false;
+        const bool isRun = word.role != ShellRole::Target && startsFile_;
+        return !isDot || (isFresh_ && isRun);
+    }
+
+    bool isHere_ = true, isFresh_ = true;  // no command before has left our folder, or may have made files
+    bool makes_ = false, moves_ = false, startsFile_ = false;  // this command
+};
 
 std::string commandFromHere(const std::string& command) {
-    std::string text, word, path;
-    const auto endWord = [&] {
-        const bool isFirst = text.find_first_not_of(" \t\n") == std::string::npos;
-        text += fromHere(std::exchange(word, {}), std::exchange(path, {}), isFirst);
-    };
-    char quote = 0;
-    for (const char c : command) {
-        if (!quote && std::isspace(static_cast<unsigned char>(c))) {
-            endWord();
-            text += c;
-            continue;
-        }
-        word += c;
-        const bool isQuote = quote ? c == quote : c == '"' || c == '\'';
-        if (isQuote) quote = quote ? '\0' : c;
-        else path += c;
+    PathsFromHere paths;
+    std::string text;
+    std::size_t done = 0;
+    for (const ShellWord& word : shellWords(command)) {
+        if (!paths.isOurs(word)) continue;
+        text += command.substr(done, word.begin - done) + inShellQuotes(absolutePath(word.text));
+        done = word.end;
     }
-    endWord();
-    return text;
+    return text + command.substr(done);
 }
 
 // A run in progress. The program's folder is in one of this run's own, so that .. holds nothing of others.
@@ -161,6 +187,13 @@ std::string noFile(const std::string& name) { return "there is no file " + print
 // The shell that will run it is asked: it knows its own commands, and where it looks for others.
 bool isCommand(const std::string& name) { return runProcess({"command -v", {name}, "/dev/null"}).well(); }
 
+// Whether a word that an interpreter is given is its script for certain.
+bool isScript(const std::string& word) {
+    constexpr std::string_view endings[] = {".py", ".sh", ".js", ".rb", ".pl", ".lua", ".jar", ".java"};
+    return word.find('/') != word.npos ||
+           std::ranges::any_of(endings, [&](std::string_view ending) { return endsIn(word, ending); });
+}
+
 std::string faultOfProgram(const std::string& word) {
     std::error_code error;
     const files::file_status status = files::status(word, error);
@@ -180,38 +213,33 @@ std::string faultOfProgram(const std::string& word) {
 
 }  // namespace
 
-std::vector<std::string> plainWords(const std::string& command) {
-    std::vector<std::string> words;
-    std::string word;
-    for (std::size_t at = 0; at < command.size(); ++at) {
-        const char c = command[at];
-        const bool isFolder = command.substr(at, 2) == "{}";
-        const bool isBlank = c == ' ' || c == '\t', isEnd = std::strchr("\n;|&<>()", c);
-        if (!isFolder && std::strchr("'\"\\$`~*?[]{}!#=", c)) return words;
-        if (isFolder) word += command[at++];
-        if (!isBlank && !isEnd) word += command[at];
-        else if (!word.empty()) words.push_back(std::exchange(word, {}));
-        if (isEnd) return words;
+std::vector<std::string> filesStarted(const std::string& command) {
+    const std::vector<ShellWord> words = shellWords(command);
+    const auto end = std::ranges::find(words, ShellRole::Operator, &ShellWord::role);
+    const bool isFunction = end != words.end() && end->text == "(";
+    const bool hasOther = end != words.end() && end->text == "||";
+    if (words.empty() || isFunction || hasOther) return {};
+    const ShellWord& first = words[0];
+    if (first.role != ShellRole::Command || !first.isPlain || first.isQuoted) return {};
+    std::vector<std::string> started{first.text};
+    for (const ShellWord& word : std::span(words.begin(), end)) {
+        if (word.role == ShellRole::Wrapped) break;
+        if (word.role != ShellRole::Script || !word.isPlain || !isScript(word.text)) continue;
+        started.push_back(word.text);
+        break;
     }
-    if (!word.empty()) words.push_back(word);
-    return words;
-}
-
-std::string scriptIn(const std::vector<std::string>& words) {
-    constexpr std::string_view endings[] = {".py", ".sh", ".js", ".rb", ".pl", ".lua", ".jar"};
-    for (const std::string& word : words)
-        for (const std::string_view ending : endings)
-            if (&word != &words[0] && endsIn(word, ending)) return word;
-    return {};
+    return started;
 }
 
 std::string programFault(const std::string& command) {
-    const std::vector<std::string> words = plainWords(command);
-    if (words.empty()) return {};
-    if (std::string fault = faultOfProgram(words[0]); !fault.empty()) return fault;
-    const std::string script = scriptIn(words);
+    const std::vector<std::string> started = filesStarted(command);
+    if (started.empty()) return {};
+    if (std::string fault = faultOfProgram(started[0]); !fault.empty() || started.size() < 2) return fault;
+    const std::string& script = started[1];
     std::error_code error;
-    return script.empty() || hasFolder(script) || files::exists(script, error) ? "" : noFile(script);
+    if (hasFolder(script) || files::exists(script, error)) return {};
+    const bool isName = script.find('/') == script.npos;
+    return isName && isCommand(script) ? "" : noFile(script);
 }
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,

@@ -1,6 +1,7 @@
 #include "raytracer/util/nearby_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -44,18 +45,43 @@ fs::path named(const fs::path& name, const std::vector<fs::path>& files) {
     return {};
 }
 
+// Endings of one kind of file.
+std::string kindOf(const std::string& ending) {
+    for (const char* const picture : {".png", ".jpg", ".jpeg", ".pfm"})
+        if (inLowerCase(ending) == picture) return "picture";
+    return inLowerCase(ending);
+}
+
+// Whether a file may be meant by a name: it is of the same kind, or the name's ending is missing or
+// misspelled.
+bool isOfKind(const fs::path& file, const fs::path& name) {
+    const std::string wanted = name.extension().string(), found = file.extension().string();
+    NearestName nearest(wanted);
+    nearest.consider(found);
+    constexpr std::array<std::string_view, 4> known{"picture", ".json", ".obj", ".js"};
+    const bool isKnown = std::ranges::find(known, kindOf(wanted)) != known.end();
+    return wanted.empty() || kindOf(wanted) == kindOf(found) || (!isKnown && nearest.found());
+}
+
+// Programs, which alone have no ending, have short names that are like each other.
+NearestName nearestTo(const fs::path& name, const std::string& part) {
+    return NearestName(part, (name.has_extension() ? 1 : 2) * NearestName::lettersAnError);
+}
+
 fs::path likeName(const fs::path& name, const std::vector<fs::path>& files) {
-    NearestName nearest(name.string());
-    for (const fs::path& file : files) nearest.consider(file.filename().string());
-    if (nearest.found()) return named(nearest.name(), files);
+    std::vector<fs::path> alike = files;
+    std::erase_if(alike, [&](const fs::path& file) { return !isOfKind(file, name); });
+    NearestName nearest = nearestTo(name, name.string());
+    for (const fs::path& file : alike) nearest.consider(file.filename().string());
+    if (nearest.found()) return named(nearest.name(), alike);
     const std::string stem = name.stem().string();
     const bool hasStem = stem != name.string();
-    return hasStem ? named(stem, files) : fs::path();
+    return hasStem ? named(stem, alike) : fs::path();
 }
 
 // Of the files with this name's ending, the nearest of those whose names before it are like this one.
 fs::path likeStem(const fs::path& name, const std::vector<fs::path>& files) {
-    NearestName nearest(name.stem().string());
+    NearestName nearest = nearestTo(name, name.stem().string());
     const auto isAlike = [&](const fs::path& file) { return file.extension() == name.extension(); };
     for (const fs::path& file : files)
         if (isAlike(file)) nearest.consider(file.stem().string());

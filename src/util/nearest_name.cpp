@@ -54,8 +54,9 @@ bool begins(std::string_view whole, std::string_view part, std::size_t least) {
 
 }  // namespace
 
-NearestName::NearestName(std::string_view name)
-    : name_(name), limit_(std::min(std::max<std::size_t>(1, name.size() / 3) + 1, name.size())) {}
+NearestName::NearestName(std::string_view name, std::size_t lettersForError)
+    : name_(name),
+      limit_(std::min(std::max<std::size_t>(1, name.size() / lettersForError) + 1, name.size())) {}
 
 void NearestName::consider(std::string_view candidate) {
     if (name_.size() > longestName) return;

@@ -120,6 +120,7 @@ def check_cli(program, folder):
     check_own_failures(program, folder)
     check_lost_folder(program, folder)
     check_isolation(program, folder)
+    check_found(program, folder)
 
 
 def check_interrupt(program, folder):
@@ -242,7 +243,7 @@ def check_isolation(program, folder):
     write_program(folder / "my programs/lists", 'pwd | grep -q "^/.*/raytracer-[^/]*/[^/]*$" || exit 9\n'
                                                 'ls -A | tr "\\n" " "; cat "$2" "$1"\n')
     (folder / "word").write_text(" and a word")
-    done = grade(program, folder, "alone", "--program", "'my programs/lists' word")
+    done = grade(program, folder, "alone", "--program", "'my programs/lists' ./word")
     check("fresh: wrote no picture\n" in done.stdout and f" fresh.json {LEAST} and a word\n" in done.stdout,
           f"in a fresh folder: {done.stdout}")
     (folder / "threads.py").write_text(
@@ -251,6 +252,50 @@ def check_isolation(program, folder):
         "thread = threading.Thread(target=start)\nthread.start()\nthread.join()\n")
     done = grade(program, folder, "alone", "--program", f"{sys.executable} threads.py", "--wall", 20)
     check("fresh: started too many processes\n" in done.stdout, f"children of a second thread: {done.stdout}")
+
+
+# Commands in "found", and what they print.
+FOUND = {
+    "ex/p.sh a": "p.sh a",
+    "ex/my\\ p.sh a": "my p.sh a",
+    "ex/p.sh a;true": "p.sh a",
+    "ulimit -c 0; ./own.sh": "own.sh",
+    "timeout 8 ex/p.sh 8": "p.sh 8",
+    "timeout -s KILL 8 ./own.sh 8": "own.sh 8",
+    "sh own.sh own.sh": "own.sh own.sh",
+    "timeout 8 sh -e own.sh": "own.sh",
+    "2>/dev/null ex/p.sh": "p.sh",
+    "f() { ex/p.sh \"$@\"; }; f": "p.sh",
+    "f() { ./own.sh; }; f": "own.sh",
+    "if test -e x; then :; else ./own.sh 1; fi; :": "own.sh 1",
+    "for i in 1; do sh own.sh; done; :": "own.sh",
+    "echo sh own.sh .": "sh own.sh .",
+    "touch x.py; rm -f old.py; test -e x.sh || ex/p.sh": "p.sh",
+    "echo 'echo made' > own.sh; sh own.sh": "made",
+    "echo 'echo made' > own.sh && chmod +x own.sh && ./own.sh": "made",
+    "cp ex/p.sh . && sh p.sh": "p.sh",
+    "mkdir ex && cp '{}/ex/p.sh' ex/q.sh && cd ex && sh q.sh": "q.sh",
+}
+
+
+def check_found(program, folder):
+    """A path of ours in a command is found, and what the command makes is not taken for one."""
+    here = folder / "found"
+    (here / "ex").mkdir(parents=True)
+    (here / "8").write_text("")
+    for name in ("own.sh", "p.sh", "ex/p.sh", "ex/my p.sh"):
+        write_program(here / name, 'echo "${0##*/}" "$@"\n')
+    (here / "p.sh").write_text("echo that of another\n")
+    (here / "one").mkdir()
+    (here / "one/a.json").write_text(LEAST)
+    draw_scene(10).save(here / "one/a.png")
+    before = {path: path.read_bytes() for path in here.rglob("*") if path.is_file()}
+    for command, printed in FOUND.items():
+        line = command.replace("{}", str(here))
+        done = grade(program, here, "one", "--program", f"{line} #\n:")
+        check(printed in map(str.strip, done.stdout.split("\n")), f"{line}: {done.stdout}{done.stderr}")
+        after = {path: path.read_bytes() for path in here.rglob("*") if path.is_file()}
+        check(before == after, f"{line}: our folder is as it was")
 
 
 def check_lost_folder(program, folder):

@@ -188,20 +188,25 @@ TEST_CASE("grade: a program is told scene, picture and size") {
     CHECK(result.output != test.scene + "\n");
 }
 
-TEST_CASE("grade: of a program's command, the words that a shell takes as they are") {
+TEST_CASE("grade: of a program's command, what it starts first") {
     using Words = std::vector<std::string>;
-    CHECK(plainWords("") == Words{});
-    CHECK(plainWords("./run --fast  7") == Words{"./run", "--fast", "7"});
-    CHECK(plainWords("{}/run; true") == Words{"{}/run"});
-    CHECK(plainWords("{}/run\t-x|tee log") == Words{"{}/run", "-x"});
-    CHECK(plainWords("a{}b{}") == Words{"a{}b{}"});
-    CHECK(plainWords("python3 \"my file.py\" a.py") == Words{"python3"});
-    CHECK(plainWords("A=1 ./run") == Words{});
-    CHECK(plainWords("./r*n") == Words{});
-    CHECK(plainWords("(cd x && ./run)") == Words{});
-    CHECK(scriptIn({"python3", "-u", "b.PY", "c.py"}) == "b.PY");
-    CHECK(scriptIn({"b.py"}).empty());
-    CHECK(scriptIn({}).empty());
+    CHECK(filesStarted("") == Words{});
+    CHECK(filesStarted("./run --fast  7") == Words{"./run"});
+    CHECK(filesStarted("{}/run; true") == Words{"{}/run"});
+    CHECK(filesStarted("{}/run\t-x|tee log") == Words{"{}/run"});
+    CHECK(filesStarted("a{}b{}") == Words{"a{}b{}"});
+    CHECK(filesStarted("python3 \"my file.py\" a.py") == Words{"python3", "my file.py"});
+    CHECK(filesStarted("python3 -W ignore a.py b.py") == Words{"python3", "a.py"});
+    CHECK(filesStarted("/usr/bin/python3.12 -u b.PY c.py") == Words{"/usr/bin/python3.12", "b.PY"});
+    CHECK(filesStarted("java -cp a.jar:b.jar Main") == Words{"java"});
+    CHECK(filesStarted("java -Xmx1g -jar {}/rt.jar x.jar") == Words{"java", "{}/rt.jar"});
+    CHECK(filesStarted("sh -c a.sh") == Words{"sh"});
+    CHECK(filesStarted("python3 -m a.py") == Words{"python3"});
+    CHECK(filesStarted("touch x.py; ./run") == Words{"touch"});
+    CHECK(filesStarted("timeout 8 python3 a.py") == Words{"timeout"});
+    for (const char* unsure : {"A=1 ./run", "./r*n", "(cd x && ./run)", "run() { true; }; run",
+                               "2>/dev/null run", "run || ./run", "'run'", "~/run", "$A/run", "# run"})
+        CHECK(filesStarted(unsure) == Words{});
 }
 
 TEST_CASE("grade: a program that cannot be started is a fault of its command") {
@@ -212,6 +217,11 @@ TEST_CASE("grade: a program that cannot be started is a fault of its command") {
     CHECK(programFault("sh /no/run.sh") == "there is no file /no/run.sh");
     CHECK(programFault("sh {}/run.sh").empty());
     CHECK(programFault("\"/no/run\"").empty());
+    for (const char* valid :
+         {"java_() { :; }; java_", "2>/dev/null true", "echo -cp a.jar:b.jar", "touch x.py", "rm -f old.py",
+          "test -e x.sh || true", "echo a.py", "env -C /tmp python3 inner.py", "no-such-command || true",
+          "env docker run img python3 /app/main.py", "sh true.sh || :", "sh -c 'x.py'", "sh ls"})
+        CHECK(programFault(valid).empty());
     CHECK(programFault("/tmp") == "/tmp is a folder: name a program in it");
 }
 

@@ -39,6 +39,27 @@ TEST_CASE("a name to write is relative to the file in which it stands") {
     fs::current_path(before);
 }
 
+TEST_CASE("a file is proposed where it is of the kind that the name is of") {
+    const TemporaryFolder folder;
+    for (const char* file : {"pict.png", "reference.png", "s.json", "touch", "raytracer", "b.json", "c.py"})
+        std::ofstream(folder.file(file)) << "x";
+    const auto near = [&](const std::string& name) {
+        return fs::path(nearbyFile(folder.file(name))).filename().string();
+    };
+    for (const char* name : {"pict.json", "reference.json", "s.png", "pict.obj", "s.part", "nosuch", "b.js",
+                             "c.sh", "pict.txt", "c.pyy.png"})
+        CHECK(near(name) == "");
+    CHECK(near("pict.jpg") == "pict.png");
+    CHECK(near("pict.PFM") == "pict.png");
+    CHECK(near("referense.jpeg") == "reference.png");
+    CHECK(near("referense.png") == "reference.png");
+    CHECK(near("s.jsom") == "s.json");
+    CHECK(near("pict.pgn") == "pict.png");
+    CHECK(near("pict") == "pict.png");
+    CHECK(near("tuch") == "touch");
+    CHECK(near("raytracr") == "raytracer");
+}
+
 TEST_CASE("a file is found near a name that leads nowhere") {
     const TemporaryFolder folder;
     const std::string scenes = folder.file("scenes");

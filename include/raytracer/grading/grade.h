@@ -67,16 +67,13 @@ struct ProgramOptions {
 };
 
 // Runs `command scene.json out.png longEdge` in a fresh folder, which has a copy of the scene and of what
-// that names, and nothing else. What is written is a picture only where it is a regular file. A word of the
-// command that is a path from the current folder still is that path.
+// that names, and nothing else. What is written is a picture only where it is a regular file. A path of the
+// command from the current folder still is that path: of a program or its script, or one with a slash.
 CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options);
 
-// The words of a command that its shell takes as they are written: of the first command in the line, and up
-// to a word that the shell would change. In such a word "{}" stands for a submission's folder.
-std::vector<std::string> plainWords(const std::string& command);
-
-// Of these words, the script that an interpreter, the first of them, is given: by its ending. Empty: none.
-std::string scriptIn(const std::vector<std::string>& words);
+// What a command starts first: the program, and the script where that is an interpreter. Empty where only a
+// shell knows. "{}" stands for a submission's folder.
+std::vector<std::string> filesStarted(const std::string& command);
 
 // Why a command can't be started: there is no such program or script, it is a folder, or it is not
 // executable. Empty where it can be, where only a shell knows, and of a file in a submission.

@@ -24,8 +24,9 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, 
 std::string absolutePath(const std::string& path);
 
 // A regular file like the one that `path` should be: with slashes for backslashes, in other letters (case,
-// misspelled), with an ending that the path lacks or another one, in a folder with a name like the path's,
-// below the path's, or beside it. Empty where there is none, or where too many files are there to look at.
+// misspelled), with an ending that the path lacks or another one of the same kind, in a folder with a name
+// like the path's, below the path's, or beside it. Empty where there is none, or where too many files are
+// there to look at.
 std::string nearbyFile(const std::string& path);
 
 // What should be written in a file in `folder` that names another one, relative to that folder: for a name

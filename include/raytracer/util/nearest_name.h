@@ -10,14 +10,16 @@ namespace raytracer {
 
 // Keeps the candidate nearest to `name`, the first of several. The distance is that of Damerau and
 // Levenshtein (restricted, without regard to case): the number of letters inserted, left out, replaced, or
-// swapped with a neighbour. A candidate with more than one error for each three letters is a different word
-// and does not count, and so is one with as many errors as the name has letters. Nearer than two errors is
-// the one candidate that has the name as its last words, or is the last words of the name: "color_diffuse"
-// and "diffuse"; and else the one that begins with the name, or that the name begins with: "focal" and
-// "focal_length".
+// swapped with a neighbour. A candidate with more than one error for each three letters (or more, where the
+// constructor is told) is a different word and does not count, and so is one with as many errors as the name
+// has letters. Nearer than two errors is the one candidate that has the name as its last words, or is the
+// last words of the name: "color_diffuse" and "diffuse"; and else the one that begins with the name, or that
+// the name begins with: "focal" and "focal_length".
 class NearestName {
   public:
-    explicit NearestName(std::string_view name);
+    static constexpr std::size_t lettersAnError = 3;
+
+    explicit NearestName(std::string_view name, std::size_t lettersForError = lettersAnError);
 
     void consider(std::string_view candidate);
     bool found() const { return found_ || kin().count == 1; }
