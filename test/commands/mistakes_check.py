@@ -295,6 +295,8 @@ COMMANDS = [
      "raytracer: --set /camera/eye/0={0..1: a range is {0..1}"),
     ("scene.json out.png 8 --set /camera/eye/0={0:1}",
      "raytracer: --set /camera/eye/0={0:1}: a range is {0..1}"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0={0,1}",
+     "raytracer: --set /camera/eye/0={0,1}: a range is {0..1}"),
     # Options written in another way.
     ("scene.json out.png 8 --max-recursion = 3", 'raytracer: unexpected "="; write --max-recursion 3'),
     ("scene.json out.png 8 --max-recursion =3", 'raytracer: unexpected "="; write --max-recursion 3'),
@@ -652,6 +654,7 @@ SETS = [
     ("/camera/focal_length=1e999", "expected a finite number, found 1e999"),
     ("/camera/eye='[0,0,4]'", """expected 3 numbers without quotes, found "'[0,0,4]'\""""),
     ("/camera/eye=1 2 3", 'expected 3 numbers, found "1 2 3": write [1, 2, 3]'),
+    ("/camera/eye={0,0,4}", "expected 3 numbers: a list stands in [ and ], not in { and }"),
     ("/camera/eye=(0,0,4)",
      "expected 3 numbers: a list stands in [ and ]: write [0, 0, 4]"),
 ]
@@ -817,6 +820,22 @@ def check_all(folder):
         check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"], "--strict", "--quiet")
 
 
+def check_texts(folder):
+    """A text may have what would be a range, badly written, among numbers."""
+    (folder / "scene.json").write_text(SCENE, encoding="utf-8")
+    for edit in ['/materials/-={"name":"mat{1-2}"}', '/materials/-={"name": "1..2"}', "/transforms/0/name={0}",
+                 "/textures/1..2=textures/wood.png", "/textures/b=textures/../textures/wood.png"]:
+        for options in [], ["--frames", "1..1"]:
+            words = ["scene.json", "t-%d.png" if options else "out.png", "8", "--set", edit, *options]
+            done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder,
+                                  check=False)
+            refusals = [line for line in done.stderr.splitlines() if "a range is" in line]
+            check(f"{words}: a text", [], refusals)
+    for name in "1..2", "mat{1}", "{0-1}":
+        words = [*RENDER, "--set", f"/materials/0/name={name}", "--set", f"/shapes/0/material={name}"]
+        check(f"a material named {name}", (0, "", []), answered(folder, words))
+
+
 def check_black(folder):
     """A black picture: why, and what to change."""
     for changes, answer in [
@@ -910,6 +929,7 @@ def check_cost(folder):
 
 with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
+    check_texts(pathlib.Path(temporary))
     check_black(pathlib.Path(temporary))
     check_several(pathlib.Path(temporary))
     check_names(pathlib.Path(temporary))
