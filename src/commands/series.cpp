@@ -80,9 +80,10 @@ bool isValueAt(const std::string& value, std::size_t brace) {
 bool hasNearRange(const std::string& set, bool hasFrames) {
     const std::size_t equals = set.find('=');
     if (equals == set.npos || isOfText(std::string_view(set).substr(0, equals))) return false;
-    std::string value = set.substr(equals + 1);
-    while (const auto range = findRange(value, 0))
-        value.replace(range->begin, range->end - range->begin, "0");
+    std::string atSome = set;
+    while (const auto range = findRange(atSome, equals))
+        atSome.replace(range->begin, range->end - range->begin, "0");
+    const std::string value = atSome.substr(equals + 1);
     if (value.empty() || readingOf(value).why.empty()) return false;
     for (std::size_t open = 0; (open = value.find('{', open)) != value.npos; ++open) {
         const std::size_t end = std::min(value.find_first_of("}]", open), value.size());

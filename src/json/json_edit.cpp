@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "pointer_mistake.h"
 #include "raytracer/json/json_document.h"
@@ -72,23 +73,32 @@ Replacement replacement(const JsonDocument& document, const std::string& path, s
             edit.value};
 }
 
-// Where a range is after a part of the text, before it or within it, was replaced; of a range within that
-// part nothing is left.
-void move(TextRange& range, const Replacement& by) {
+// A range of the text has become another text: the edits behind it move, those in it are part of it, and the
+// one around it takes it in.
+void takeIn(std::vector<EditedRange>& edits, const Replacement& by) {
     const auto [begin, end] = by.range;
-    const auto moved = [&, end = end, begin = begin](std::size_t at) {
-        return at - (end - begin) + by.text.size();
-    };
-    if (range.end <= begin) return;
-    if (range.begin >= end) range = {moved(range.begin), moved(range.end)};
-    else range.end = range.begin <= begin && range.end >= end ? moved(range.end) : range.begin;
+    EditedRange now{{begin, begin + by.text.size()}, end - begin};
+    std::vector<EditedRange> others;
+    bool isInside = false;
+    for (EditedRange edit : edits) {
+        const auto move = [&](std::size_t& at) { at = at - (end - begin) + by.text.size(); };
+        const bool isBehind = edit.begin >= end && edit.end > begin;
+        const bool isIn = !isBehind && edit.begin >= begin && edit.end <= end;
+        const bool isAround = !isBehind && !isIn && edit.end > begin;
+        isInside = isInside || isAround;
+        if (isBehind) move(edit.begin);
+        if (isBehind || isAround) move(edit.end);
+        if (isIn) now.replaced = now.replaced - (edit.end - edit.begin) + edit.replaced;
+        else others.push_back(edit);
+    }
+    if (!isInside) others.push_back(now);
+    edits = std::move(others);
 }
 
 void apply(const JsonEdit& edit, const std::string& path, EditedJson& json) {
     const JsonDocument document(path, json.text, json.edits);
     const Replacement by = replacement(document, path, json.text, edit);
-    for (TextRange& range : json.edits) move(range, by);
-    json.edits.push_back({by.range.begin, by.range.begin + by.text.size()});
+    takeIn(json.edits.ranges, by);
     json.text.replace(by.range.begin, by.range.end - by.range.begin, by.text);
 }
 
@@ -120,7 +130,7 @@ JsonEdit::JsonEdit(const std::string& assignment) {
 }
 
 EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments) {
-    EditedJson json{std::string(text), {}};
+    EditedJson json{std::string(text), {{}, text}};
     for (const std::string& assignment : assignments) apply(JsonEdit(assignment), path, json);
     return json;
 }

@@ -820,6 +820,14 @@ def check_all(folder):
         check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"], "--strict", "--quiet")
 
 
+def check_places(folder):
+    """What stands behind an edit is told where it stands in the file."""
+    for edit in "/shapes/0/type=cylinder", "/camera/eye=[0,0,4.00]":
+        check_change(folder, ('"material": "red"', '"material": "rde"'), 2,
+                     ['scene.json:14:62: /shapes/0/material: no material named "rde"; did you mean "red"?'],
+                     "--set", edit)
+
+
 def check_texts(folder):
     """A text may have what would be a range, badly written, among numbers."""
     (folder / "scene.json").write_text(SCENE, encoding="utf-8")
@@ -929,6 +937,7 @@ def check_cost(folder):
 
 with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
+    check_places(pathlib.Path(temporary))
     check_texts(pathlib.Path(temporary))
     check_black(pathlib.Path(temporary))
     check_several(pathlib.Path(temporary))
