@@ -29,12 +29,6 @@ bool inSingleQuotes(std::string_view text) {
     return text.size() > 1 && text.starts_with('\'') && text.ends_with('\'');
 }
 
-std::string listOf(const std::vector<std::string>& numbers) {
-    std::string list;
-    for (const std::string& number : numbers) list += (list.empty() ? "[" : ", ") + number;
-    return list + "]";
-}
-
 }  // namespace
 
 bool JsonView::boolean() const {

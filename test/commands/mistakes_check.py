@@ -419,7 +419,7 @@ SCENES = [
     ('"shininess"', "shininess", "8:60", 'a key stands in double quotes: write "shininess"'),
     ("textures/wood.png", "C:\\wood.png", "6:30",
      "a backslash in a text is written twice; in a path, write /"),
-    ("[3, 5, 4]", "[3, 5, 4", "11:41", '"]" is missing at the end of the list of line 11'),
+    ("[3, 5, 4]", "[3, 5, 4", "11:39", '"]" is missing at the end of the list of line 11'),
     ('"red"', '"red', "8:19", 'a text has no end: " is missing'),
     ('"ball"', '"ball', "12:31", 'a text has no end: " is missing'),
     ('"name": "red"', '"name: "red"', "8:11", 'a text has no end: " is missing'),
@@ -445,6 +445,18 @@ SCENES = [
     ('"lights"', '-- sun\n"lights"', "11:5", "a comment, which JSON does not have: delete it"),
     ('"lights"', '<!-- sun -->\n"lights"', "11:5", "a comment, which JSON does not have: delete it"),
     ('"lights"', '\u00a0"lights"', "11:5", "an invisible character (U+00A0): delete it"),
+    ("[0.8, 0.1, 0.1]", "[.8, .1, .1]", "8:43", "a point stands between digits: write [0.8, 0.1, 0.1]"),
+    ("[0, 0, 4]", "[+1, 0, 4]", "3:58", "a number has no plus in front: write [1, 0, 4]"),
+    ("[0, 0, 4]", "[1., 0, 4]", "3:58", "a point stands between digits: write [1.0, 0, 4]"),
+    ("[0.8, 0.1, 0.1]", "rgb(255, 0, 0)", "8:43", "a list stands in [ and ]: write [255, 0, 0]"),
+    ("[0, 0, 4]", "<0, 0, 4>", "3:58", "a list stands in [ and ]: write [0, 0, 4]"),
+    ("[0, 0, 4]", "0 0 4", "3:58", "a list stands in [ and ]: write [0, 0, 4]"),
+    ('"eye": [', '"eye" = [', "3:57", 'expected ":" behind a key, found "="'),
+    ("[0, 0, 4]", "[0, 0, 4}", "3:66", 'expected "]", found "}"'),
+    ('"red" },\n        {', '"red" },\n        ', "15:10", '"{" is missing before this key'),
+    ('"ball" }, {', '"ball" },', "12:41", '"{" is missing before this key'),
+    ("[0.8, 0.1, 0.1]", "[0.8, 0.1, 0.1", "8:57",
+     '"]" is missing at the end of the list of line 8'),
     ('"lights"', '\u200b"lights"', "11:5", "an invisible character (U+200B): delete it"),
     ("40", "<40>", "8:73", 'expected a number, found "<40>"'),
     ('"red" }', '"red" )', "14:68", 'expected "}", found ")"'),
@@ -820,6 +832,16 @@ def check_all(folder):
         check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"], "--strict", "--quiet")
 
 
+def check_invisible(folder):
+    """What nobody sees is named; what a terminal would obey is a mark in the excerpt."""
+    film = SCENE.split("\n")[3]
+    for character in "\f\v\u0085\u180e\u2028\u2029\u2800\u3164\ufe0f":
+        shown = "?" if character in "\f\v\u0085\u2028\u2029" else character
+        check_change(folder, ('"film_left"', character + '"film_left"'), 2,
+                     [f"scene.json:4:9: an invisible character (U+{ord(character):04X}): delete it",
+                      "    " + film.replace('"film_left"', shown + '"film_left"'), " " * 12 + "^"])
+
+
 def check_places(folder):
     """What stands behind an edit is told where it stands in the file."""
     for edit in "/shapes/0/type=cylinder", "/camera/eye=[0,0,4.00]":
@@ -937,6 +959,7 @@ def check_cost(folder):
 
 with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
+    check_invisible(pathlib.Path(temporary))
     check_places(pathlib.Path(temporary))
     check_texts(pathlib.Path(temporary))
     check_black(pathlib.Path(temporary))
