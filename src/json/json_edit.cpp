@@ -119,7 +119,23 @@ JsonReading readingOf(std::string_view text) {
     }
 }
 
+// "/a:1" is "/a=1"; "/a=1,/b/c=2" are two, but "/a=x,/b=2" may be a name.
+static void refuseOtherSigns(const std::string& assignment) {
+    const std::size_t equals = assignment.find('='), colon = assignment.find(':');
+    if (equals == assignment.npos && colon != assignment.npos && assignment.starts_with('/'))
+        throw Error({"raytracer"}, "--set " + assignment.substr(0, colon) + ": write = for the : behind it");
+    for (std::size_t comma = equals; (comma = assignment.find(",/", comma + 1)) != assignment.npos;) {
+        const std::size_t next = assignment.find('=', comma);
+        const std::string pointer = assignment.substr(comma + 1, next - comma - 1);
+        const bool isPointer = next != assignment.npos && pointer.find('/', 1) != pointer.npos &&
+                               pointer.find_first_of(" \"{[,") == pointer.npos;
+        if (isPointer && !readingOf(assignment.substr(equals + 1)).why.empty())
+            throw Error({"raytracer"}, "--set has one value: write another --set before " + pointer);
+    }
+}
+
 JsonEdit::JsonEdit(const std::string& assignment) {
+    refuseOtherSigns(assignment);
     const std::size_t equals = assignment.find('=');
     if (equals == assignment.npos || equals == 0)
         throw Error({"raytracer"}, "--set: expected /pointer=value, found " + inQuotes(assignment));

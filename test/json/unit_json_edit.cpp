@@ -139,8 +139,8 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
         CHECK_THROWS_WITH(after(pointer + "=1", R"({"a": [{"name": "b", "c": [1]}, {"c": 2}]})"),
                           "s.json: --set " + pointer + ": " + message);
     };
-    checkNamed("/a/b/c/0", "\"b\" is the name of /a/0: write /a/0/c/0");
-    checkNamed("/a/b/new", "\"b\" is the name of /a/0: write /a/0/new");
+    checkNamed("/a/b/c/0", "\"b\" is a name: write /a/0/c/0");
+    checkNamed("/a/b/new", "\"b\" is a name: write /a/0/new");
     checkNamed("a.b.c", "a pointer begins with /: write /a/0/c");
     checkNamed("c", "a pointer begins with /");  // there are two
     checkNamed("/a/0.5", "/a has 2 elements, from 0: there is no \"0.5\"; /a/- adds one");
@@ -150,6 +150,15 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
     check("/camera.new=1", "s.json: --set /camera.new: steps are parted by /: write /camera/new");
     CHECK(after("/a.b=2", "{\"a\":1}") == "{\"a.b\": 2, \"a\":1}");  // a name, not a step below a number
     CHECK(after("/a.b=2", "{\"a.b\":1, \"a\":{}}") == "{\"a.b\":2, \"a\":{}}");
+    check("/camera/eye =1", "s.json: --set /camera/eye : a blank stands before =: delete it");
+    CHECK(after("/a =2", "{\"a \":1}") == "{\"a \":2}");
+    check("/camera/eye:[1]", "raytracer: --set /camera/eye: write = for the : behind it");
+    check("/camera/eye=[1],/camera/on=2",
+          "raytracer: --set has one value: write another --set before /camera/on");
+    check("/camera/eye=(1,2),/camera/on=2",
+          "raytracer: --set has one value: write another --set before /camera/on");
+    CHECK(after("/a=x,/b", "{\"a\":1}") == "{\"a\":\"x,/b\"}");
+    CHECK(after("/a=x,/b=c", "{\"a\":1}") == "{\"a\":\"x,/b=c\"}");
     check("=1", "raytracer: --set: expected /pointer=value, found \"=1\"");
     check("/camera", "raytracer: --set: expected /pointer=value, found \"/camera\"");
 }
