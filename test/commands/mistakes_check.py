@@ -872,8 +872,9 @@ def check_places(folder):
 def check_texts(folder):
     """A text may have what would be a range, badly written, among numbers."""
     (folder / "scene.json").write_text(SCENE, encoding="utf-8")
-    for edit in ['/materials/-={"name":"mat{1-2}"}', '/materials/-={"name": "1..2"}', "/transforms/0/name={0}",
-                 "/textures/1..2=textures/wood.png", "/textures/b=textures/../textures/wood.png"]:
+    for edit in ['/materials/-={"name":"mat{1-2}"}', '/materials/-={"name": "1..2"}',
+                 "/transforms/0/name={0}", "/textures/1..2=textures/wood.png",
+                 "/textures/b=textures/../textures/wood.png"]:
         for options in [], ["--frames", "1..1"]:
             words = ["scene.json", "t-%d.png" if options else "out.png", "8", "--set", edit, *options]
             done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder,
