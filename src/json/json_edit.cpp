@@ -124,10 +124,12 @@ static void refuseOtherSigns(const std::string& assignment) {
     const std::size_t equals = assignment.find('='), colon = assignment.find(':');
     if (equals == assignment.npos && colon != assignment.npos && assignment.starts_with('/'))
         throw Error({"raytracer"}, "--set " + assignment.substr(0, colon) + ": write = for the : behind it");
-    for (std::size_t comma = equals; (comma = assignment.find(",/", comma + 1)) != assignment.npos;) {
-        const std::size_t next = assignment.find('=', comma);
-        const std::string pointer = assignment.substr(comma + 1, next - comma - 1);
-        const bool isPointer = next != assignment.npos && pointer.find('/', 1) != pointer.npos &&
+    for (std::size_t comma = equals; (comma = assignment.find(',', comma + 1)) != assignment.npos;) {
+        const std::size_t begin = std::min(assignment.find_first_not_of(' ', comma + 1), assignment.size());
+        const std::size_t next = assignment.find('=', begin);
+        const std::string pointer = assignment.substr(begin, next - begin);
+        const bool isPointer = next != assignment.npos && pointer.starts_with('/') &&
+                               pointer.find('/', 1) != pointer.npos &&
                                pointer.find_first_of(" \"{[,") == pointer.npos;
         if (isPointer && !readingOf(assignment.substr(equals + 1)).why.empty())
             throw Error({"raytracer"}, "--set has one value: write another --set before " + pointer);

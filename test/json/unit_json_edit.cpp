@@ -155,7 +155,7 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
     check("/camera/eye:[1]", "raytracer: --set /camera/eye: write = for the : behind it");
     check("/camera/eye=[1],/camera/on=2",
           "raytracer: --set has one value: write another --set before /camera/on");
-    check("/camera/eye=(1,2),/camera/on=2",
+    check("/camera/eye=(1,2), /camera/on=2",
           "raytracer: --set has one value: write another --set before /camera/on");
     CHECK(after("/a=x,/b", "{\"a\":1}") == "{\"a\":\"x,/b\"}");
     CHECK(after("/a=x,/b=c", "{\"a\":1}") == "{\"a\":\"x,/b=c\"}");
