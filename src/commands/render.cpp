@@ -270,7 +270,7 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
 
 void check(const CommandLine& line, const RenderArguments& arguments, const PictureArguments& wanted) {
     arguments.check(line);
-    refuseNearRanges(arguments.sets);
+    refuseNearRanges(arguments.sets, !wanted.frames.empty());
     if (wanted.isPart()) parsePart(wanted.part);
     if (wanted.skipExisting && wanted.out == "-")
         throw usageError("--skip-existing has no effect with the picture -");

@@ -1,9 +1,10 @@
 #include "series.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "raytracer/json/json_document.h"
+#include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/file_hash.h"
 #include "raytracer/util/number.h"
@@ -49,18 +50,47 @@ std::optional<Span> findRange(const std::string& text, std::size_t begin) {
     return std::nullopt;
 }
 
-// Numbers between braces, or dots between numbers, that are no range.
-bool hasNearRange(std::string text) {
-    while (const auto range = findRange(text, 0)) text.erase(range->begin, range->end - range->begin);
-    constexpr const char* digits = "0123456789";
-    for (std::size_t open = 0; (open = text.find('{', open)) != text.npos; ++open) {
-        const std::size_t end = text.find_first_not_of("0123456789.,:;- ", open + 1);
-        const std::size_t digit = text.find_first_of(digits, open);
-        if (digit < end && (end == text.npos || text[end] == '}' || text[end] == ']')) return true;
+// Whether the pointer is of a name, a path or another text.
+bool isOfText(std::string_view pointer) {
+    static constexpr std::string_view keys[] = {"/name",      "/type", "/material",
+                                                "/transform", "/path", "/diffuse_texture"};
+    return pointer.starts_with("/textures/") ||
+           std::ranges::any_of(keys, [&](std::string_view key) { return pointer.ends_with(key); });
+}
+
+// "0-1", "0:1", "0..", "0...3", and with --frames "0,1"; "0,0,4" is a list.
+bool isNearRange(const std::string& inside, bool hasFrames) {
+    if (inside.find_first_not_of("0123456789.,:;- ") != inside.npos) return false;
+    if (inside.find_first_of("0123456789") == inside.npos) return false;
+    std::size_t parts = 0;
+    for (std::size_t end = 0, at = 0; (at = inside.find_first_not_of(",:; ", end)) != inside.npos; ++parts)
+        end = std::min(inside.find_first_of(",:; ", at), inside.size());
+    if (parts == 1) return inside.find("..") != inside.npos || inside.find('-', 1) != inside.npos;
+    return parts == 2 && (hasFrames || inside.find(',') == inside.npos);
+}
+
+// Whether a brace stands where a number of its own may: not in a word, as "mat{1-2}".
+bool isValueAt(const std::string& value, std::size_t brace) {
+    const std::size_t before = value.find_last_not_of(' ', brace - 1);
+    return brace == 0 || before == value.npos ||
+           std::string_view("[{(,:").find(value[before]) != std::string_view::npos;
+}
+
+// Numbers between braces, or dots between numbers, that are no range, where the value is meant as numbers.
+bool hasNearRange(const std::string& set, bool hasFrames) {
+    const std::size_t equals = set.find('=');
+    if (equals == set.npos || isOfText(std::string_view(set).substr(0, equals))) return false;
+    std::string atSome = set;
+    while (const auto range = findRange(atSome, equals))
+        atSome.replace(range->begin, range->end - range->begin, "0");
+    const std::string value = atSome.substr(equals + 1);
+    if (value.empty() || readingOf(value).why.empty()) return false;
+    for (std::size_t open = 0; (open = value.find('{', open)) != value.npos; ++open) {
+        const std::size_t end = std::min(value.find_first_of("}]", open), value.size());
+        if (isValueAt(value, open) && isNearRange(value.substr(open + 1, end - open - 1), hasFrames))
+            return true;
     }
-    const std::size_t dots = text.find(".."), value = text.find('=');
-    return dots != text.npos && value < dots &&
-           text.find_first_not_of("0123456789.-+", value + 1) == text.npos;
+    return value.find("..") != value.npos && value.find_first_not_of("0123456789.-+") == value.npos;
 }
 
 // The "%04d" of a name, which has one.
@@ -163,9 +193,9 @@ std::string atFrame(const std::string& set, const Frames& frames, int frame) {
     return value;
 }
 
-void refuseNearRanges(const std::vector<std::string>& sets) {
+void refuseNearRanges(const std::vector<std::string>& sets, bool hasFrames) {
     for (const std::string& set : sets)
-        if (hasNearRange(set)) throw usageError("--set " + set + ": a range is {0..1}");
+        if (hasNearRange(set, hasFrames)) throw usageError("--set " + set + ": a range is {0..1}");
 }
 
 void refuseFrames(const std::string& out, const std::vector<std::string>& sets) {

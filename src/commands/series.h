@@ -41,7 +41,8 @@ std::string frameName(const std::string& name, int frame);
 std::string atFrame(const std::string& set, const Frames& frames, int frame);
 
 // Throws Error where a value of --set has what is no range but is meant as one: "{0-1}", "{0..", "0..1".
-void refuseNearRanges(const std::vector<std::string>& sets);
+// A comma between two numbers is meant as a range only with --frames.
+void refuseNearRanges(const std::vector<std::string>& sets, bool hasFrames);
 
 // Throws Error where the picture's name, or a value of --set, is for frames.
 void refuseFrames(const std::string& out, const std::vector<std::string>& sets);

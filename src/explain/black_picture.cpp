@@ -98,6 +98,10 @@ class Reason {
                              tally_.brightest);
         if (std::ranges::all_of(scene_.lights, isBlackLight))
             return "what is seen has only black lights: set /lights/0/color";
+        if (const auto light = std::ranges::find_if(scene_.lights, takesLightAway);
+            light != scene_.lights.end())
+            return pointer("lights", static_cast<std::size_t>(light - scene_.lights.begin())) +
+                   "/color is negative, which takes light away: write 0 or more";
         if (const auto around = shapeAround())
             return "the camera is inside of " + pointer("shapes", *around) + ", a " +
                    typeName(scene_.shapes[*around].type) + ": move it out, or a light in";
@@ -109,6 +113,9 @@ class Reason {
 
   private:
     static bool isBlackLight(const LightDescription& light) { return isBlack(light.color); }
+    static bool takesLightAway(const LightDescription& light) {
+        return glm::any(glm::lessThan(light.color, glm::dvec3(0)));
+    }
 
     static std::string pointer(const char* list, std::size_t index) {
         return std::string("/") + list + "/" + std::to_string(index);

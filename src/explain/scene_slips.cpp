@@ -69,8 +69,8 @@ class SlipFinder {
         const double side = std::max(std::abs(camera.film_right - camera.film_left),
                                      std::abs(camera.film_top - camera.film_bottom));
         if (camera.type == CameraDescription::Type::Perspective && camera.focal_length >= leastTele * side)
-            lines_.add("/camera/focal_length: " + formatted("%.4g", camera.focal_length) + " for a film of " +
-                       formatted("%.4g", side) + " sees next to nothing: if in mm, write " +
+            lines_.add("/camera/focal_length: " + formatted("%.4g", camera.focal_length) +
+                       " is long for a film of " + formatted("%.4g", side) + ": if in mm, write " +
                        formatted("%.4g", camera.focal_length / filmInMm * side));
     }
 
@@ -80,7 +80,7 @@ class SlipFinder {
         };
         if (std::ranges::none_of(scene_.materials, names))
             lines_.add("/textures" + pointerStep(texture.name) +
-                       ": no material uses it: name it in a diffuse_texture, or delete it");
+                       ": no diffuse_texture names it: name it, or delete it");
     }
 
     void lookAtSign(const std::string& place, const Color& color) {

@@ -33,7 +33,7 @@ std::string JsonDocument::pointer(std::uint32_t node) const {
 bool JsonDocument::isEdited(std::uint32_t node) const {
     const auto offset = static_cast<std::size_t>(begin(node) - text_.data());
     return std::ranges::any_of(
-        edits_, [&](const TextRange& edit) { return edit.begin <= offset && offset < edit.end; });
+        edits_.ranges, [&](const TextRange& edit) { return edit.begin <= offset && offset < edit.end; });
 }
 
 Error JsonDocument::error(std::uint32_t node, const std::string& message, std::uint32_t where) const {

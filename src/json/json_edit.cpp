@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "pointer_mistake.h"
 #include "raytracer/json/json_document.h"
@@ -72,23 +73,32 @@ Replacement replacement(const JsonDocument& document, const std::string& path, s
             edit.value};
 }
 
-// Where a range is after a part of the text, before it or within it, was replaced; of a range within that
-// part nothing is left.
-void move(TextRange& range, const Replacement& by) {
+// A range of the text has become another text: the edits behind it move, those in it are part of it, and the
+// one around it takes it in.
+void takeIn(std::vector<EditedRange>& edits, const Replacement& by) {
     const auto [begin, end] = by.range;
-    const auto moved = [&, end = end, begin = begin](std::size_t at) {
-        return at - (end - begin) + by.text.size();
-    };
-    if (range.end <= begin) return;
-    if (range.begin >= end) range = {moved(range.begin), moved(range.end)};
-    else range.end = range.begin <= begin && range.end >= end ? moved(range.end) : range.begin;
+    EditedRange now{{begin, begin + by.text.size()}, end - begin};
+    std::vector<EditedRange> others;
+    bool isInside = false;
+    for (EditedRange edit : edits) {
+        const auto move = [&](std::size_t& at) { at = at - (end - begin) + by.text.size(); };
+        const bool isBehind = edit.begin >= end && edit.end > begin;
+        const bool isIn = !isBehind && edit.begin >= begin && edit.end <= end;
+        const bool isAround = !isBehind && !isIn && edit.end > begin;
+        isInside = isInside || isAround;
+        if (isBehind) move(edit.begin);
+        if (isBehind || isAround) move(edit.end);
+        if (isIn) now.replaced = now.replaced - (edit.end - edit.begin) + edit.replaced;
+        else others.push_back(edit);
+    }
+    if (!isInside) others.push_back(now);
+    edits = std::move(others);
 }
 
 void apply(const JsonEdit& edit, const std::string& path, EditedJson& json) {
     const JsonDocument document(path, json.text, json.edits);
     const Replacement by = replacement(document, path, json.text, edit);
-    for (TextRange& range : json.edits) move(range, by);
-    json.edits.push_back({by.range.begin, by.range.begin + by.text.size()});
+    takeIn(json.edits.ranges, by);
     json.text.replace(by.range.begin, by.range.end - by.range.begin, by.text);
 }
 
@@ -109,7 +119,25 @@ JsonReading readingOf(std::string_view text) {
     }
 }
 
+// "/a:1" is "/a=1"; "/a=1,/b/c=2" are two, but "/a=x,/b=2" may be a name.
+static void refuseOtherSigns(const std::string& assignment) {
+    const std::size_t equals = assignment.find('='), colon = assignment.find(':');
+    if (equals == assignment.npos && colon != assignment.npos && assignment.starts_with('/'))
+        throw Error({"raytracer"}, "--set " + assignment.substr(0, colon) + ": write = for the : behind it");
+    for (std::size_t comma = equals; (comma = assignment.find(',', comma + 1)) != assignment.npos;) {
+        const std::size_t begin = std::min(assignment.find_first_not_of(' ', comma + 1), assignment.size());
+        const std::size_t next = assignment.find('=', begin);
+        const std::string pointer = assignment.substr(begin, next - begin);
+        const bool isPointer = next != assignment.npos && pointer.starts_with('/') &&
+                               pointer.find('/', 1) != pointer.npos &&
+                               pointer.find_first_of(" \"{[,") == pointer.npos;
+        if (isPointer && !readingOf(assignment.substr(equals + 1)).why.empty())
+            throw Error({"raytracer"}, "--set has one value: write another --set before " + pointer);
+    }
+}
+
 JsonEdit::JsonEdit(const std::string& assignment) {
+    refuseOtherSigns(assignment);
     const std::size_t equals = assignment.find('=');
     if (equals == assignment.npos || equals == 0)
         throw Error({"raytracer"}, "--set: expected /pointer=value, found " + inQuotes(assignment));
@@ -120,7 +148,7 @@ JsonEdit::JsonEdit(const std::string& assignment) {
 }
 
 EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments) {
-    EditedJson json{std::string(text), {}};
+    EditedJson json{std::string(text), {{}, text}};
     for (const std::string& assignment : assignments) apply(JsonEdit(assignment), path, json);
     return json;
 }

@@ -230,15 +230,23 @@ bool JsonReader::parse_error(std::size_t, const std::string& token, const nlohma
     throw NoJson(document_.syntaxError(mistake.offset, mistake.message), mistake.range, mistake.instead);
 }
 
-JsonDocument::JsonDocument(std::string path, std::string_view text, std::vector<TextRange> edits)
+JsonDocument::JsonDocument(std::string path, std::string_view text, TextEdits edits)
     : path_(std::move(path)), text_(text), edits_(std::move(edits)) {
     if (const auto wide = wideEncoding(text); !wide.empty())
         throw Error({path_}, "expected UTF-8, found " + wide + ": save it as UTF-8");
     JsonReader(*this).read();
 }
 
+std::size_t JsonDocument::originalOffset(std::size_t offset) const {
+    std::size_t original = offset;
+    for (const EditedRange& edit : edits_.ranges)
+        if (edit.end <= offset) original = original - (edit.end - edit.begin) + edit.replaced;
+    return original;
+}
+
 Place JsonDocument::place(std::size_t offset) const {
-    std::string_view before = text_.substr(0, offset);
+    std::string_view before =
+        edits_.ranges.empty() ? text_.substr(0, offset) : edits_.original.substr(0, originalOffset(offset));
     if (before.starts_with(byteOrderMark)) before.remove_prefix(byteOrderMark.size());  // has no width
     const auto lines = std::ranges::count(before, '\n');
     before.remove_prefix(before.rfind('\n') + 1);  // npos + 1 is 0

@@ -29,12 +29,6 @@ bool inSingleQuotes(std::string_view text) {
     return text.size() > 1 && text.starts_with('\'') && text.ends_with('\'');
 }
 
-std::string listOf(const std::vector<std::string>& numbers) {
-    std::string list;
-    for (const std::string& number : numbers) list += (list.empty() ? "[" : ", ") + number;
-    return list + "]";
-}
-
 }  // namespace
 
 bool JsonView::boolean() const {
@@ -118,15 +112,20 @@ std::optional<JsonView> JsonView::find(std::string_view key) const {
 bool JsonView::isString(std::string_view text) const { return kind() == Kind::String && string() == text; }
 
 void JsonView::failExpected(const std::string& expected, Kind wanted) const {
-    const std::string why = whyText(wanted);
-    fail("expected " + expected + (why.empty() ? form(wanted) + ", found " + inWords() : ": " + why));
+    const std::string start = "expected " + expected, why = whyText(wanted);
+    if (why.empty()) fail(start + form(wanted) + ", found " + inWords());
+    const std::size_t remedy = why.find("write ");
+    constexpr std::size_t widest = 98;  // of a line of 100, behind a file's name
+    const bool fits = columnCount(pointer() + ", by --set: " + start + ": " + why) <= widest;
+    fail(start + ": " + (fits || remedy == why.npos ? why : why.substr(remedy)));
 }
 
 void JsonView::failExpectedNumbers(const std::string& expected, std::size_t count) const {
     const std::string meant = numbersMeant(count);
     if (!meant.empty()) fail("expected " + expected + ", found " + inWords() + ": write " + meant);
     const bool isText = kind() == Kind::String && isColor();
-    failExpected(expected + (isText ? ", red, green and blue" : ""), Kind::Array);
+    const bool isWhy = isText && !whyText(Kind::Array).empty();
+    failExpected(expected + (isText && !isWhy ? ", red, green and blue" : ""), Kind::Array);
 }
 
 // --set takes for a text what is no JSON. A reason that is an expectation too says no more than this one.
@@ -169,7 +168,7 @@ std::string JsonView::numbersMeant(std::size_t count) const {
         numbers = numbersIn(text);
         if (numbers.empty()) numbers = axisNamed(text);
     }
-    if (kind() == Kind::Number && (key() == "scale" || isColor()))
+    if (kind() == Kind::Number && (isColor() || (key() == "scale" && document_->number(node_) != 0)))
         numbers.assign(count, shortestNumber(document_->number(node_)));
     if (kind() == Kind::Object) numbers = coordinates();
     return numbers.size() == count ? listOf(numbers) : "";

@@ -68,7 +68,7 @@ bool isSure(const Grouped& found, bool isInList) {
 bool isVectorName(std::string_view name) {
     const std::string lower = inLowerCase(name.substr(name.rfind('.') + 1));  // npos + 1 is 0
     static constexpr std::string_view begins[] = {"vec",     "array", "point", "float3", "float4",
-                                                  "double3", "tuple", "list",  "color"};
+                                                  "double3", "tuple", "list",  "color",  "rgb"};
     return std::ranges::any_of(begins, [&](std::string_view begin) { return lower.starts_with(begin); });
 }
 
@@ -101,7 +101,7 @@ Numbers numbersAt(std::string_view text, std::size_t at) {
     for (bool goesOn = true; goesOn; ++count) {
         const std::size_t begin = behindLabel(text, at);
         const std::string_view word =
-            text.substr(begin, text.find_first_of(" \t\r\n,:=()[]{}\"", begin) - begin);
+            text.substr(begin, text.find_first_of(" \t\r\n,:=()[]{}<>\"", begin) - begin);
         if (!isNumber(word)) return {};
         found.hasLabels = found.hasLabels || begin != at;
         found.json += (count == 0 ? "[" : ", ") + asJsonNumber(word);
@@ -188,6 +188,12 @@ std::vector<std::string> numbersIn(std::string_view text) {
     }
 }
 
+std::string listOf(const std::vector<std::string>& numbers) {
+    std::string list;
+    for (const std::string& number : numbers) list += (list.empty() ? "[" : ", ") + number;
+    return list.empty() ? "" : list + "]";
+}
+
 Meant vectorElsewhere(std::string_view text) {
     std::size_t at = text.starts_with("new ") ? 4 : 0;
     const std::size_t name = nameAt(text, at);
@@ -195,8 +201,8 @@ Meant vectorElsewhere(std::string_view text) {
     if (isCall && name > 0 && !isVectorName(text.substr(at, name))) return {};
     std::string closing;
     if (isCall) at += name;
-    for (; charAt(text, at) == '(' || charAt(text, at) == '['; at = skipped(text, at + 1))
-        closing.insert(0, 1, text[at] == '(' ? ')' : ']');
+    for (; at < text.size() && isOneOf(text[at], "([<"); at = skipped(text, at + 1))
+        closing.insert(0, 1, text[at] == '(' ? ')' : text[at] == '[' ? ']' : '>');
     const Numbers found = numbersAt(text, at);
     if (found.json.empty() || (closing.empty() && !found.hasLabels)) return {};
     std::size_t end = found.end;

@@ -43,8 +43,11 @@ Meant bareList(std::string_view text);
 // The numbers, as JSON has them, that the whole text is, with blanks or commas between them; or none.
 std::vector<std::string> numbersIn(std::string_view text);
 
-// Numbers as other languages have them: (3, 5, 4), vec3(3, 5, 4), x: 3, y: 5, and from its bracket,
-// [x=3, y=5].
+// [1, 2] of "1" and "2"; nothing of no numbers.
+std::string listOf(const std::vector<std::string>& numbers);
+
+// Numbers as other languages have them: (3, 5, 4), <3, 5, 4>, vec3(3, 5, 4), x: 3, y: 5, and from its
+// bracket, [x=3, y=5].
 Meant vectorElsewhere(std::string_view text);
 
 }  // namespace raytracer

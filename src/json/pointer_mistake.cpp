@@ -98,17 +98,19 @@ std::string question(const JsonDocument& document, const PointerEnd& end, std::s
 }
 
 // A list of numbers is a point or a color, which has as many as it must.
-std::string notInList(const JsonView list, std::string_view step) {
+std::string notInList(const JsonView list, std::string_view step, bool isLast) {
     const std::size_t count = list.size();
     const std::string here = list.pointer();
     const bool isOfNumbers = count > 0 && list.element(0).kind() == Kind::Number;
     return here + " has " + std::to_string(count) + (count == 1 ? " element" : " elements") +
-           ", from 0: there is no " + inQuotes(step) + (isOfNumbers ? "" : "; " + here + "/- adds one");
+           ", from 0: there is no " + inQuotes(step) +
+           (isOfNumbers || !isLast ? "" : "; " + here + "/- adds one");
 }
 
 }  // namespace
 
 std::string aboutPointerForm(const JsonDocument& document, const std::string& pointer) {
+    if (pointer.ends_with(' ')) return "a blank stands before =: delete it";
     const bool hasSlash = pointer.starts_with('/');
     if (hasSlash && pointer.ends_with('/'))
         return {};  // "/lights/" may lack the key, or have a slash too many
@@ -119,7 +121,7 @@ std::string aboutPointerForm(const JsonDocument& document, const std::string& po
     const PointerEnd end = follow(document, pointer);
     const std::string step(end.left.substr(1, end.left.find('/', 1) - 1));
     if (const std::string element = named(document, end.node, step); !element.empty())
-        return inQuotes(step) + " is the name of " + element + remedy;
+        return inQuotes(step) + " is a name" + remedy;
     return "steps are parted by /" + remedy;
 }
 
@@ -131,7 +133,7 @@ std::string aboutLostPointer(const JsonDocument& document, const std::string& po
         return "there is no " + inQuotes(step) + " in " + here + question(document, end, step);
     if (document.kind(end.node) != Kind::Array) return here + " is no object and no list";
     if (step == "-") return "- adds an element, and ends its pointer: write " + here + "/-";
-    return notInList(JsonView(document, end.node), step);
+    return notInList(JsonView(document, end.node), step, step.size() + 1 == end.left.size());
 }
 
 }  // namespace raytracer

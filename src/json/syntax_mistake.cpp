@@ -48,6 +48,7 @@ class Finder : private SyntaxCursor {
         if (isForeign()) return foreign();
         if (isSwallowing(s_)) return {s_.begin, "a text has no end: \" is missing"};
         if (isQuoteInText(s_)) return quoteInText();
+        if (found() == '=') return {at_, "expected \":\" behind a key, found \"=\""};
         if (found() != ':')
             return {s_.end, "a colon is missing behind the key " + inQuotes(key.substr(1, key.size() - 2))};
         isColor_ = key.starts_with("\"color");
@@ -72,7 +73,10 @@ class Finder : private SyntaxCursor {
     bool isParenthesis() const { return found() == ')' && s_.container; }
     SyntaxMistake parenthesis() const {
         if (excess(s_.text, closing()) >= 0) return {at_, "a bracket too many"};
-        return {at_, std::string("expected \"") + closing() + "\", found \")\""};
+        return expectedClosing();
+    }
+    SyntaxMistake expectedClosing() const {
+        return {at_, std::string("expected \"") + closing() + "\", found \"" + found() + '"'};
     }
 
     SyntaxMistake behindValue() {
@@ -99,13 +103,24 @@ class Finder : private SyntaxCursor {
             return aboutWordAt(s_.begin);
         if (found() == '}' || found() == ']') return wrongClosing();
         if (found() == ':') return behindColon();
+        if (s_.container == '{' && isBehindNumber() && isInLine() && isNumber(wordAt(at_)))
+            return spacedNumbers();
         return {s_.end, "a comma is missing here"};
+    }
+    // "eye": 0 0 4
+    SyntaxMistake spacedNumbers() const {
+        const std::size_t end = std::min(s_.text.find_first_of(",}\r\n", s_.begin), s_.text.size());
+        const std::string list = listOf(numbersIn(s_.text.substr(s_.begin, end - s_.begin)));
+        if (list.empty()) return {s_.end, "a comma is missing here"};
+        return proposal({s_.begin, end}, {"a list stands in [ and ]", list});
     }
     bool isTooMany(char bracket) const {
         return excess(s_.text, bracket) > 0 && excess(s_.text, closing()) >= 0;
     }
     SyntaxMistake wrongClosing() const {
-        return isTooMany(found()) ? SyntaxMistake{at_, "a bracket too many"} : unclosed();
+        if (isTooMany(found())) return {at_, "a bracket too many"};
+        const bool isSwapped = excess(s_.text, found()) == 1 && excess(s_.text, closing()) == -1;
+        return isSwapped ? expectedClosing() : unclosed();
     }
     SyntaxMistake behindColon() const {
         if (!isBehindText() || isKeyAt(skipped(at_ + 1))) return {at_, "expected a comma, found \":\""};
@@ -119,8 +134,19 @@ class Finder : private SyntaxCursor {
         if (s_.text.find_first_not_of(blanks, s_.opening + 1) == s_.begin)
             return {s_.opening, "keys stand in { and }, not in [ and ]"};
         const std::size_t closed = s_.text.rfind('}', s_.begin);
-        if (closed != std::string_view::npos && isTooMany('}')) return {closed, "a bracket too many"};
-        return {s_.begin, unclosed().message};
+        if (closed != std::string_view::npos && isTooMany('}')) return keyBehind(closed);
+        const std::size_t comma = s_.text.find_last_not_of(blanks, s_.begin - 1);
+        const bool hasComma = s_.text[comma] == ',';
+        const std::size_t end = s_.text.find_last_not_of(blanks, comma - hasComma) + 1;
+        return {end, unclosed().message};
+    }
+    // An object that has the key is whole: the key is another's.
+    SyntaxMistake keyBehind(std::size_t closed) const {
+        const std::string_view key = s_.text.substr(s_.begin, s_.end - s_.begin);
+        const std::size_t opening = s_.text.rfind('{', closed);
+        if (s_.text.substr(opening, closed - opening).find(key) == std::string_view::npos)
+            return {closed, "a bracket too many"};
+        return {s_.begin, "\"{\" is missing before this key"};
     }
 
     bool isBehindNumber() const { return s_.last == JsonEvent::Value && isDigitAt(s_.text, s_.end - 1); }
@@ -233,9 +259,13 @@ class Finder : private SyntaxCursor {
         const bool isInList = s_.container == '[' && s_.last == JsonEvent::Open;
         if (isInList)
             if (const Meant list = vectorElsewhere(s_.text.substr(s_.opening)))
-                return proposal(s_.opening, "the numbers of a list have no names", list);
+                return proposal(s_.opening, aboutFirstNumber(), list);
         const Meant list = vectorElsewhere(rest());
         return list ? proposal(at_, why, list) : SyntaxMistake{at_, ""};
+    }
+    const char* aboutFirstNumber() const {
+        if (std::isalpha(static_cast<unsigned char>(found()))) return "the numbers of a list have no names";
+        return isNumber(wordAt(at_)) ? aboutNumberForm(wordAt(at_)) : "a list stands in [ and ]";
     }
     // r"red", as Python has it.
     SyntaxMistake prefixedText(std::size_t prefix) const {

@@ -8,7 +8,7 @@ namespace raytracer {
 namespace {
 
 constexpr ForeignKey foreignKeys[] = {
-    {"rotation", "rotate"},
+    {"rotation", "rotate", "write rotate, with degrees and an axis"},
     {"scaling", "scale"},
     {"size", "scale"},
     {"position", "translate"},
@@ -39,6 +39,9 @@ constexpr ForeignKey foreignKeys[] = {
     {"ka", "color_ambient"},
     {"specular_exponent", "shininess"},
     {"ior", "index_of_refraction"},
+    {"reflectivity", "color_reflect"},
+    {"reflectance", "color_reflect"},
+    {"reflection", "color_reflect"},
     {"mirror", "color_reflect", "reflective and color_reflect make a mirror"},
     {"glass", "color_refract", "refractive and color_refract make glass"},
     {"opacity", "color_refract", "refractive and color_refract let light through"},

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "foreign_keys.h"
 #include "known_keys.h"
 #include "name_table.h"
 #include "raytracer/json/json_document.h"
@@ -18,6 +19,9 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view defaultMaterialName = "default";  // as in MaterialDescription
+
+constexpr std::array sceneKeys = {"$schema"sv, "camera"sv,     "materials"sv, "lights"sv,
+                                  "shapes"sv,  "transforms"sv, "textures"sv};
 
 // Reads the whole scene and resolves its names. Strings and views belong to the document.
 class SceneReader {
@@ -47,9 +51,7 @@ class SceneReader {
 };
 
 void SceneReader::read(JsonView view) {
-    static constexpr std::array known = {"$schema"sv, "camera"sv,     "materials"sv, "lights"sv,
-                                         "shapes"sv,  "transforms"sv, "textures"sv};
-    const JsonObject scene = keys_.check(view, known);
+    const JsonObject scene = keys_.check(view, sceneKeys);
     if (const auto schema = scene.find("$schema")) schema->string();
     description_.camera = readCamera(scene["camera"], keys_);
     if (const auto textures = scene.find("textures")) readTextures(*textures);
@@ -143,6 +145,16 @@ Error placed(const JsonDocument& document, const std::string& path, const std::s
     return isFound ? document.error(end.node, remark.message) : Error({path}, text);
 }
 
+// "samples=4" is no pointer, but means an option.
+void refuseOptions(const std::string& path, std::span<const std::string> edits) {
+    for (const std::string& edit : edits) {
+        const std::string name = edit.substr(0, edit.find('='));
+        const ForeignKey* const other = foreignKey(name, sceneKeys);
+        if (other && !other->why.empty())
+            throw Error({path}, "--set " + name + ": " + std::string(other->why));
+    }
+}
+
 }  // namespace
 
 // A pipe cannot be read twice.
@@ -173,6 +185,7 @@ LoadedScene loadScene(const std::string& path, std::span<const std::string> edit
     try {
         const FileBytes file(path, kind);
         EditedJson json;
+        refuseOptions(path, edits);
         if (!edits.empty()) json = edited(path, file.text(), edits);
         const JsonDocument document(path, edits.empty() ? file.text() : json.text, json.edits);
         reader.read(JsonView(document));

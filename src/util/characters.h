@@ -27,11 +27,15 @@ constexpr UnseenRange unseen[] = {
     {{0, 0x1f}, Unseen::Control},        {{0x7f, 0x9f}, Unseen::Control},
     {{0xa0, 0xa0}, Unseen::Blank},       {{0xad, 0xad}, Unseen::Nothing},
     {{0x61c, 0x61c}, Unseen::Turning},   {{0x1680, 0x1680}, Unseen::Blank},
-    {{0x2000, 0x200a}, Unseen::Blank},   {{0x200b, 0x200d}, Unseen::Nothing},
-    {{0x200e, 0x200f}, Unseen::Turning}, {{0x202a, 0x202e}, Unseen::Turning},
-    {{0x202f, 0x202f}, Unseen::Blank},   {{0x205f, 0x205f}, Unseen::Blank},
-    {{0x2060, 0x2064}, Unseen::Nothing}, {{0x2066, 0x2069}, Unseen::Turning},
-    {{0x3000, 0x3000}, Unseen::Blank},   {{0xfeff, 0xfeff}, Unseen::Nothing},
+    {{0x115f, 0x1160}, Unseen::Blank},   {{0x180b, 0x180e}, Unseen::Nothing},
+    {{0x2028, 0x2029}, Unseen::Control}, {{0x2800, 0x2800}, Unseen::Blank},
+    {{0x3164, 0x3164}, Unseen::Blank},   {{0xfe00, 0xfe0f}, Unseen::Nothing},
+    {{0xffa0, 0xffa0}, Unseen::Blank},   {{0x2000, 0x200a}, Unseen::Blank},
+    {{0x200b, 0x200d}, Unseen::Nothing}, {{0x200e, 0x200f}, Unseen::Turning},
+    {{0x202a, 0x202e}, Unseen::Turning}, {{0x202f, 0x202f}, Unseen::Blank},
+    {{0x205f, 0x205f}, Unseen::Blank},   {{0x2060, 0x2064}, Unseen::Nothing},
+    {{0x2066, 0x2069}, Unseen::Turning}, {{0x3000, 0x3000}, Unseen::Blank},
+    {{0xfeff, 0xfeff}, Unseen::Nothing},
 };
 
 // East_Asian_Width W or F, emoji among them: two columns.

@@ -89,8 +89,8 @@ std::size_t printableBytes(std::string_view text) {
 unsigned invisibleCharacter(std::string_view text) {
     if (text.empty()) return 0;
     const std::uint32_t code = firstCharacter(text).code;
-    const UnseenRange* const range = unseenAt(code);
-    return range && range->look != Unseen::Control ? code : 0;
+    const bool isRead = code == '\t' || code == '\n' || code == '\r';
+    return unseenAt(code) && !isRead ? code : 0;
 }
 
 std::string_view behindLongDash(std::string_view text) {

@@ -177,8 +177,19 @@ COMMANDS = [
     ("scene.json out.png 8 --set /materials/-/name=x",
      "scene.json: --set /materials/-/name: - adds an element, and ends its pointer: write /materials/-"),
     ("scene.json out.png 8 --set /materials/red/shininess=3",
-     'scene.json: --set /materials/red/shininess: "red" is the name of /materials/0: '
+     'scene.json: --set /materials/red/shininess: "red" is a name: '
      "write /materials/0/shininess"),
+    ("scene.json out.png 8 --set /materials/red/color_diffuse=1,0,0",
+     'scene.json: --set /materials/red/color_diffuse: "red" is a name: write /materials/0/color_diffuse'),
+    ("scene.json out.png 8 --set /shapes/sphere/material=red",
+     'scene.json: --set /shapes/sphere/material: /shapes has 2 elements, from 0: there is no "sphere"'),
+    ("scene.json out.png 8 --set samples=4", "scene.json: --set samples: it is the option --samples"),
+    (["scene.json", "out.png", "8", "--set", "/camera/eye = [0,0,4]"],
+     "scene.json: --set /camera/eye : a blank stands before =: delete it"),
+    ("scene.json out.png 8 --set /camera/eye:[0,0,4]",
+     "raytracer: --set /camera/eye: write = for the : behind it"),
+    ("scene.json out.png 8 --set /camera/eye=[0,0,4],/camera/look=[0,0,-1]",
+     "raytracer: --set has one value: write another --set before /camera/look"),
     ("scene.json out.png 8 --set /lights/0.5=3",
      'scene.json: --set /lights/0.5: /lights has 1 element, from 0: there is no "0.5"; /lights/- adds one'),
     ("scene.json out.png 8 --set shapes[0].material=floor",
@@ -304,6 +315,8 @@ COMMANDS = [
      "raytracer: --set /camera/eye/0={0..1: a range is {0..1}"),
     ("scene.json out.png 8 --set /camera/eye/0={0:1}",
      "raytracer: --set /camera/eye/0={0:1}: a range is {0..1}"),
+    ("scene.json f-%04d.png 8 --frames 1..3 --set /camera/eye/0={0,1}",
+     "raytracer: --set /camera/eye/0={0,1}: a range is {0..1}"),
     # Options written in another way.
     ("scene.json out.png 8 --max-recursion = 3", 'raytracer: unexpected "="; write --max-recursion 3'),
     ("scene.json out.png 8 --max-recursion =3", 'raytracer: unexpected "="; write --max-recursion 3'),
@@ -429,7 +442,7 @@ SCENES = [
     ('"shininess"', "shininess", "8:60", 'a key stands in double quotes: write "shininess"'),
     ("textures/wood.png", "C:\\wood.png", "6:30",
      "a backslash in a text is written twice; in a path, write /"),
-    ("[3, 5, 4]", "[3, 5, 4", "11:41", '"]" is missing at the end of the list of line 11'),
+    ("[3, 5, 4]", "[3, 5, 4", "11:39", '"]" is missing at the end of the list of line 11'),
     ('"red"', '"red', "8:19", 'a text has no end: " is missing'),
     ('"ball"', '"ball', "12:31", 'a text has no end: " is missing'),
     ('"name": "red"', '"name: "red"', "8:11", 'a text has no end: " is missing'),
@@ -455,6 +468,19 @@ SCENES = [
     ('"lights"', '-- sun\n"lights"', "11:5", "a comment, which JSON does not have: delete it"),
     ('"lights"', '<!-- sun -->\n"lights"', "11:5", "a comment, which JSON does not have: delete it"),
     ('"lights"', '\u00a0"lights"', "11:5", "an invisible character (U+00A0): delete it"),
+    ("[0, 0, 4]", "{0, 0, 4]", "3:58", "a list stands in [ and ], not in { and }"),
+    ("[0.8, 0.1, 0.1]", "[.8, .1, .1]", "8:43", "a point stands between digits: write [0.8, 0.1, 0.1]"),
+    ("[0, 0, 4]", "[+1, 0, 4]", "3:58", "a number has no plus in front: write [1, 0, 4]"),
+    ("[0, 0, 4]", "[1., 0, 4]", "3:58", "a point stands between digits: write [1.0, 0, 4]"),
+    ("[0.8, 0.1, 0.1]", "rgb(255, 0, 0)", "8:43", "a list stands in [ and ]: write [255, 0, 0]"),
+    ("[0, 0, 4]", "<0, 0, 4>", "3:58", "a list stands in [ and ]: write [0, 0, 4]"),
+    ("[0, 0, 4]", "0 0 4", "3:58", "a list stands in [ and ]: write [0, 0, 4]"),
+    ('"eye": [', '"eye" = [', "3:57", 'expected ":" behind a key, found "="'),
+    ("[0, 0, 4]", "[0, 0, 4}", "3:66", 'expected "]", found "}"'),
+    ('"red" },\n        {', '"red" },\n        ', "15:10", '"{" is missing before this key'),
+    ('"ball" }, {', '"ball" },', "12:41", '"{" is missing before this key'),
+    ("[0.8, 0.1, 0.1]", "[0.8, 0.1, 0.1", "8:57",
+     '"]" is missing at the end of the list of line 8'),
     ('"lights"', '\u200b"lights"', "11:5", "an invisible character (U+200B): delete it"),
     ("40", "<40>", "8:73", 'expected a number, found "<40>"'),
     ('"red" }', '"red" )', "14:68", 'expected "}", found ")"'),
@@ -664,6 +690,12 @@ SETS = [
     ("/camera/focal_length=1e999", "expected a finite number, found 1e999"),
     ("/camera/eye='[0,0,4]'", """expected 3 numbers without quotes, found "'[0,0,4]'\""""),
     ("/camera/eye=1 2 3", 'expected 3 numbers, found "1 2 3": write [1, 2, 3]'),
+    ("/camera/eye={0,0,4}", "expected 3 numbers: a list stands in [ and ], not in { and }"),
+    ("/transforms/0/scale=0", "expected 3 numbers, found 0"),
+    ("/lights/0/color=rgb(255, 0, 0)",
+     "expected 3 numbers: a list stands in [ and ]: write [255, 0, 0]"),
+    ("/materials/0/color_diffuse=(0.8, 0.1, 0.1)", "expected 3 numbers: write [0.8, 0.1, 0.1]"),
+    ("/materials/0/color_diffuse=(1,0,0)", "expected 3 numbers: write [1, 0, 0]"),
     ("/camera/eye=(0,0,4)",
      "expected 3 numbers: a list stands in [ and ]: write [0, 0, 4]"),
 ]
@@ -691,9 +723,11 @@ WARNINGS = [
     ('"look": [0, 0, -1], "up": [0, 1, 0]', '"look": [0, 0, -1.41421], "up": [0, 1, 1]', "2:15",
      "/camera: look and up distort: lengths 1.414, 1.414 at 135\u00b0, not 1, 1 at 90\u00b0"),
     ('"textures": {', '"textures": { "stone": "textures/wood.png",', "6:28",
-     "/textures/stone: no material uses it: name it in a diffuse_texture, or delete it"),
+     "/textures/stone: no diffuse_texture names it: name it, or delete it"),
     ('"translate"', '"rotation": 1, "translate"', "12:60",
-     '/transforms/1: unknown key "rotation"; did you mean "rotate"?'),
+     '/transforms/1: unknown key "rotation": write rotate, with degrees and an axis'),
+    ('"shininess": 40', '"reflectivity": 0.5', "8:60",
+     '/materials/0: unknown key "reflectivity"; did you mean "color_reflect"?'),
     ('"translate"', '"scaling": 1, "translate"', "12:60",
      '/transforms/1: unknown key "scaling"; did you mean "scale"?'),
     ('"translate"', '"position": 1, "translate"', "12:60",
@@ -727,7 +761,7 @@ WARNINGS = [
     ("[0.8, 0.1, 0.1]", "[-0.8, 0.1, 0.1]", "8:43",
      "/materials/0/color_diffuse: a negative color takes light away: write 0 or more"),
     ('"focal_length": 1', '"focal_length": 35', "3:48",
-     "/camera/focal_length: 35 for a film of 1 sees next to nothing: if in mm, write 0.9722"),
+     "/camera/focal_length: 35 is long for a film of 1: if in mm, write 0.9722"),
     ('"film_left"', '"look_at": [0, 0, 0], "film_left"', "4:9",
      '/camera: unknown key "look_at": look is the direction, the target minus the eye'),
     ('"color": [1', '"intensity": 2, "color": [1', "11:42",
@@ -829,6 +863,41 @@ def check_all(folder):
         check_change(folder, (before, after), 2, [f"scene.json:{place}: {answer}"], "--strict", "--quiet")
 
 
+def check_invisible(folder):
+    """What nobody sees is named; what a terminal would obey is a mark in the excerpt."""
+    film = SCENE.split("\n")[3]
+    for character in "\f\v\u0085\u180e\u2028\u2029\u2800\u3164\ufe0f":
+        shown = "?" if character in "\f\v\u0085\u2028\u2029" else character
+        check_change(folder, ('"film_left"', character + '"film_left"'), 2,
+                     [f"scene.json:4:9: an invisible character (U+{ord(character):04X}): delete it",
+                      "    " + film.replace('"film_left"', shown + '"film_left"'), " " * 12 + "^"])
+
+
+def check_places(folder):
+    """What stands behind an edit is told where it stands in the file."""
+    for edit in "/shapes/0/type=cylinder", "/camera/eye=[0,0,4.00]":
+        check_change(folder, ('"material": "red"', '"material": "rde"'), 2,
+                     ['scene.json:14:62: /shapes/0/material: no material named "rde"; did you mean "red"?'],
+                     "--set", edit)
+
+
+def check_texts(folder):
+    """A text may have what would be a range, badly written, among numbers."""
+    (folder / "scene.json").write_text(SCENE, encoding="utf-8")
+    for edit in ['/materials/-={"name":"mat{1-2}"}', '/materials/-={"name": "1..2"}',
+                 "/transforms/0/name={0}", "/textures/1..2=textures/wood.png",
+                 "/textures/b=textures/../textures/wood.png"]:
+        for options in [], ["--frames", "1..1"]:
+            words = ["scene.json", "t-%d.png" if options else "out.png", "8", "--set", edit, *options]
+            done = subprocess.run([RAYTRACER, *words], capture_output=True, text=True, cwd=folder,
+                                  check=False)
+            refusals = [line for line in done.stderr.splitlines() if "a range is" in line]
+            check(f"{words}: a text", [], refusals)
+    for name in "1..2", "mat{1}", "{0-1}":
+        words = [*RENDER, "--set", f"/materials/0/name={name}", "--set", f"/shapes/0/material={name}"]
+        check(f"a material named {name}", (0, "", []), answered(folder, words))
+
+
 def check_black(folder):
     """A black picture: why, and what to change."""
     for changes, answer in [
@@ -840,6 +909,8 @@ def check_black(folder):
              "/shapes/1 shadows what is seen: move it, or set /materials/0/color_ambient"),
             ([('"lights": [ { "position": [3, 5, 4], "color": [1, 1, 1] } ]', '"lights": []')],
              'the scene has no lights: add one to "lights"'),
+            ([('"color": [1, 1, 1]', '"color": [-1, -1, -1]')],
+             "/lights/0/color is negative, which takes light away: write 0 or more"),
             ([('"color": [1, 1, 1]', '"color": [0.0001, 0, 0]')],
              "it is too dark: the largest channel is 7.46e-05 of 1: brighten a light")]:
         text = SCENE
@@ -922,6 +993,9 @@ def check_cost(folder):
 
 with tempfile.TemporaryDirectory() as temporary:
     check_all(pathlib.Path(temporary))
+    check_invisible(pathlib.Path(temporary))
+    check_places(pathlib.Path(temporary))
+    check_texts(pathlib.Path(temporary))
     check_black(pathlib.Path(temporary))
     check_several(pathlib.Path(temporary))
     check_names(pathlib.Path(temporary))

@@ -310,6 +310,10 @@ TEST_CASE("why a picture is all black") {
         scene.materials[TestScene::opaque].color_specular = glm::dvec3(0);
         CHECK(reason() == begin + "what is seen is black: set /materials/0/color_diffuse");
     }
+    SECTION("a negative light") {
+        scene.add(Type::Plane, {0, 0, -3}).lights[0].color = {-1, -1, -1};
+        CHECK(reason() == begin + "/lights/0/color is negative, which takes light away: write 0 or more");
+    }
     SECTION("black lights") {
         scene.add(Type::Plane, {0, 0, -3}).lights[0].color = glm::dvec3(0);
         CHECK(reason() == begin + "what is seen has only black lights: set /lights/0/color");

@@ -75,7 +75,7 @@ TEST_CASE("a focal length in millimetres is told") {
     scene.camera.focal_length = 17;
     CHECK(sceneSlips(scene).empty());
     scene.camera.focal_length = 50;
-    CHECK(sceneSlips(scene) == Slips{"/camera/focal_length: 50 for a film of 2 sees next to nothing: "
+    CHECK(sceneSlips(scene) == Slips{"/camera/focal_length: 50 is long for a film of 2: "
                                      "if in mm, write 2.778"});
     scene.camera.film_right = 35;
     CHECK(sceneSlips(scene).empty());
@@ -113,7 +113,7 @@ TEST_CASE("textures that are not shown are told") {
     scene.materials.resize(1);
     scene.materials[0].diffuse_texture = "wood";
     CHECK(sceneSlips(scene) ==
-          Slips{"/textures/stone: no material uses it: name it in a diffuse_texture, or delete it",
+          Slips{"/textures/stone: no diffuse_texture names it: name it, or delete it",
                 "/materials/0/diffuse_texture: not shown without \"use_diffuse_texture\": true"});
     scene.materials[0].use_diffuse_texture = true;
     scene.textures.pop_back();

@@ -57,10 +57,28 @@ TEST_CASE("An error about a value that is set says so; the others keep their pla
     };
     for (const char* pointer : {"/a", "/a/0", "/a/1", "/a/1/x", "/c", "/b/1"})
         CHECK(message(pointer) == "s.json: " + std::string(pointer) + ", by --set: bad");
-    const JsonDocument set("s.json", "{\"c\": 77}", std::vector<TextRange>{{1, 8}});
+    const JsonDocument set("s.json", "{\"c\": 77}", {{{{1, 8}, 0}}, "{}"});
     CHECK(std::string(set.error(0, "unknown key", 1).what()) == "s.json: the scene, by --set: unknown key");
     CHECK(message("/b") == "s.json:2:6: /b: bad");
     CHECK(message("/b/0") == "s.json:2:7: /b/0: bad");
+}
+
+TEST_CASE("What stands behind an edit has its place in the file") {
+    const std::string file = "{\"a\": [1,\n2], \"b\": null, \"c\": 0}";
+    const auto place = [&](std::vector<std::string> sets, std::string_view pointer) {
+        const EditedJson json = edited("s.json", file, sets);
+        const JsonDocument document("s.json", json.text, json.edits);
+        return std::string(document.error(follow(document, pointer).node, "bad").what());
+    };
+    const std::string c = "s.json:2:21: /c: bad", a = "s.json:1:7: /a: bad";
+    CHECK(place({}, "/c") == c);
+    CHECK(place({"/a=7"}, "/c") == c);
+    CHECK(place({"/a/1=77", "/a/-=\"x\"", "/a/-=4"}, "/c") == c);
+    CHECK(place({"/a/1=77", "/a/-=\"x\"", "/b=[1,{}]", "/b/1/x=5", "/b/0=[]", "/a=1234"}, "/c") == c);
+    CHECK(place({"/b={}", "/b/x=5", "/b/x=[1,2]", "/b/x/-=3", "/b=1", "/b=null"}, "/c") == c);
+    CHECK(place({"/d=1", "/e=2", "/d=33"}, "/c") == c);
+    CHECK(place({"/d=1", "/e=2", "/d=33"}, "/a") == a);
+    CHECK(place({"/b=1"}, "/a") == a);
 }
 
 TEST_CASE("What a text is, read as JSON, and why it is none") {
@@ -121,8 +139,8 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
         CHECK_THROWS_WITH(after(pointer + "=1", R"({"a": [{"name": "b", "c": [1]}, {"c": 2}]})"),
                           "s.json: --set " + pointer + ": " + message);
     };
-    checkNamed("/a/b/c/0", "\"b\" is the name of /a/0: write /a/0/c/0");
-    checkNamed("/a/b/new", "\"b\" is the name of /a/0: write /a/0/new");
+    checkNamed("/a/b/c/0", "\"b\" is a name: write /a/0/c/0");
+    checkNamed("/a/b/new", "\"b\" is a name: write /a/0/new");
     checkNamed("a.b.c", "a pointer begins with /: write /a/0/c");
     checkNamed("c", "a pointer begins with /");  // there are two
     checkNamed("/a/0.5", "/a has 2 elements, from 0: there is no \"0.5\"; /a/- adds one");
@@ -132,6 +150,15 @@ TEST_CASE("A pointer to nothing is told, with the nearest") {
     check("/camera.new=1", "s.json: --set /camera.new: steps are parted by /: write /camera/new");
     CHECK(after("/a.b=2", "{\"a\":1}") == "{\"a.b\": 2, \"a\":1}");  // a name, not a step below a number
     CHECK(after("/a.b=2", "{\"a.b\":1, \"a\":{}}") == "{\"a.b\":2, \"a\":{}}");
+    check("/camera/eye =1", "s.json: --set /camera/eye : a blank stands before =: delete it");
+    CHECK(after("/a =2", "{\"a \":1}") == "{\"a \":2}");
+    check("/camera/eye:[1]", "raytracer: --set /camera/eye: write = for the : behind it");
+    check("/camera/eye=[1],/camera/on=2",
+          "raytracer: --set has one value: write another --set before /camera/on");
+    check("/camera/eye=(1,2), /camera/on=2",
+          "raytracer: --set has one value: write another --set before /camera/on");
+    CHECK(after("/a=x,/b", "{\"a\":1}") == "{\"a\":\"x,/b\"}");
+    CHECK(after("/a=x,/b=c", "{\"a\":1}") == "{\"a\":\"x,/b=c\"}");
     check("=1", "raytracer: --set: expected /pointer=value, found \"=1\"");
     check("/camera", "raytracer: --set: expected /pointer=value, found \"/camera\"");
 }

@@ -78,7 +78,7 @@ TEST_CASE("json: what is wrong is said in words, where it is") {
     CHECK(whatIsWrong("[true]x") == "x.json:1:7: expected the end of the file, found \"x\"");
     CHECK(whatIsWrong("[\"a,\"]x") == "x.json:1:7: expected the end of the file, found \"x\"");
     CHECK(whatIsWrong("[[true]x]") == "x.json:1:8: a comma is missing here");
-    CHECK(whatIsWrong("[1, 2, \"a\": 3}") == "x.json:1:8: \"]\" is missing at the end of the list");
+    CHECK(whatIsWrong("[1, 2, \"a\": 3}") == "x.json:1:6: \"]\" is missing at the end of the list");
     CHECK(whatIsWrong("[\"a, \"b\"]") == "x.json:1:2: a text has no end: \" is missing");
     CHECK(whatIsWrong("[\"a\"b]") == "x.json:1:5: a comma is missing here");
     CHECK(whatIsWrong("[--1]") == "x.json:1:2: expected a number, found \"--1\"");

@@ -34,11 +34,11 @@ SEMANTIC = ("no material named", "no transform named", "no texture named", "is t
 ADVICE = ("look and up distort", "so unseen: move it or the camera",
           "hidden inside of ",
           "all black: ", "the picture is mirrored", "the picture is upside down",
-          "no material uses it", "not shown without", "the mesh has no vt", "a negative color")
+          "no diffuse_texture names it", "not shown without", "the mesh has no vt", "a negative color")
 
 # The advice that is due to good scenes: what is said of them is meant, or is what they are for.
-UNUSED = (":10:51: /textures/never used, so never decoded: no material uses it: "
-          "name it in a diffuse_texture, or delete it\n")
+UNUSED = (":10:51: /textures/never used, so never decoded: no diffuse_texture names it: "
+          "name it, or delete it\n")
 DUE = {
     "camera_test2.json":
     ":4:15: /camera: look and up distort: lengths 1, 1.25 at 90°, not 1, 1 at 90°\n",

@@ -63,7 +63,8 @@ TEST_CASE("columns are counted as a terminal shows them") {
 }
 
 TEST_CASE("a character that nobody sees is known") {
-    for (const char* blank : {"\u00a0", "\u2000", "\u2003", "\u202f", "\u205f", "\u3000"})
+    for (const char* blank : {"\u00a0", "\u2000", "\u2003", "\u202f", "\u205f", "\u3000", "\u2028", "\u2800",
+                              "\u3164", "\f", "\u0085"})
         CHECK(invisibleCharacter(blank) > 0);
     CHECK(invisibleCharacter("\u200bx") == 0x200b);
     CHECK(invisibleCharacter("\u00ad") == 0xad);

@@ -24,6 +24,17 @@ struct TextRange {
     std::size_t begin = 0, end = 0;
 };
 
+// Of an edited text: what is not the file's, and how many of the file's bytes it stands for.
+struct EditedRange : TextRange {
+    std::size_t replaced = 0;
+};
+
+// Ranges that do not overlap, and the file's text, which must outlive them.
+struct TextEdits {
+    std::vector<EditedRange> ranges;
+    std::string_view original;
+};
+
 // What is wrong is a number that a double cannot hold.
 struct NotFinite : Error {
     explicit NotFinite(const Error& error) : Error(error) {}
@@ -45,7 +56,7 @@ class JsonDocument {
     // The text of the file `path`: UTF-8, with a byte order mark or without. It must outlive the document.
     // Throws Error for what is no JSON, for a key that an object has twice, and for a number too large for a
     // double. Deep nesting does not use the stack. `edits`: what of the text is not the file's, but --set's.
-    JsonDocument(std::string path, std::string_view text, std::vector<TextRange> edits = {});
+    JsonDocument(std::string path, std::string_view text, TextEdits edits = {});
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
 
@@ -95,7 +106,8 @@ class JsonDocument {
     };
     static_assert(sizeof(Node) == 16);
 
-    Place place(std::size_t offset) const;  // line and column of text_[offset]
+    std::size_t originalOffset(std::size_t offset) const;  // in the file's text
+    Place place(std::size_t offset) const;                 // line and column of text_[offset], in the file
     Error syntaxError(std::size_t offset, const std::string& message) const;  // with the line's text
     bool isContainer(std::uint32_t node) const {
         return kind(node) == Kind::Array || kind(node) == Kind::Object;
@@ -103,7 +115,7 @@ class JsonDocument {
 
     std::string path_;
     std::string_view text_;
-    std::vector<TextRange> edits_;
+    TextEdits edits_;
     LargeVector<Node> nodes_;
     std::deque<Decoded> decoded_;
 };

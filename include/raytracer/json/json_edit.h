@@ -28,12 +28,13 @@ struct JsonEdit {
 
 struct EditedJson {
     std::string text;
-    std::vector<TextRange> edits;  // what is not the file's
+    TextEdits edits;
 };
 
-// The text of the file `path` with other values, one edit after the other. A pointer's last step may be a key
-// that its object does not have, or "-", behind the last element of its array: then the value is added.
-// Throws Error where a pointer leads nowhere, with the nearest pointer that the text has.
+// The text of the file `path` with other values, one edit after the other; the text must outlive it. A
+// pointer's last step may be a key that its object does not have, or "-", behind the last element of its
+// array: then the value is added. Throws Error where a pointer leads nowhere, with the nearest pointer that
+// the text has.
 EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments);
 
 }  // namespace raytracer

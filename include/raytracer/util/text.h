@@ -31,7 +31,7 @@ std::size_t utf8Bytes(std::string_view text);
 std::size_t printableBytes(std::string_view text);
 
 // The code point of the character that the text begins with, where that looks like a space but is none, or
-// like nothing; else 0. Control characters are another matter: programs read some of them.
+// like nothing; else 0. Of the control characters, programs read tabs and ends of lines.
 unsigned invisibleCharacter(std::string_view text);
 
 // What is behind the dash (Unicode's, or its minus) that a text program makes of "--" or of "-"; empty where
