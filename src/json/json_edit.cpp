@@ -76,7 +76,7 @@ Replacement replacement(const JsonDocument& document, const std::string& path, s
 // A range of the text has become another text: the edits behind it move, those in it are part of it, and the
 // one around it takes it in.
 void takeIn(std::vector<EditedRange>& edits, const Replacement& by) {
-    const auto [begin, end] = by.range;
+    const std::size_t begin = by.range.begin, end = by.range.end;
     EditedRange now{{begin, begin + by.text.size()}, end - begin};
     std::vector<EditedRange> others;
     bool isInside = false;
