@@ -36,7 +36,7 @@ void setChecksums(std::string& png) {
 bool isSlow(const std::optional<raytracer::ImageSize>& size) {
     if (!size) return false;
     const std::int64_t pixels = std::int64_t{size->width} * size->height;
-    return pixels > 1 << 14 && pixels < 1 << 25;
+    return pixels > 1 << 14 && pixels < 1 << 28;
 }
 
 }  // namespace
