@@ -26,7 +26,7 @@ constexpr double pilotPart = 0.3;
 constexpr double finer = 1 / 1.09;
 constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
-constexpr double mostRaysOfPixel = 1 << 16;     // that pilot samples cast, about, for each of the picture
+constexpr double mostRaysOfPixel = 1 << 16;     // of pilot samples, about, for each of the picture's
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {

@@ -12,22 +12,21 @@ namespace raytracer {
 namespace {
 
 void moveEye(CameraDescription& camera, double way) {
-    constexpr double littleMore = 1e-9;  // than rounding; no byte of an eye in free space changes
+    constexpr double littleMore = 1e-9;  // than rounding; of an eye in free space hardly a byte changes
     const double size = glm::length(camera.eye) + std::abs(camera.focal_length);
     camera.eye += way * littleMore * size * glm::dvec3(1);
 }
 
-// Edits for Variant::otherRoundings.
-const Mistake roundings[] = {{.what = "",
-                              .hint = "",
-                              .edit =
-                                  [](SceneDescription& scene, RenderOptions&) {
-                                      std::ranges::reverse(scene.shapes);
-                                      moveEye(scene.camera, 1);
-                                  }},
-                             {.what = "", .hint = "", .edit = [](SceneDescription& scene, RenderOptions&) {
-                                  moveEye(scene.camera, -1);
-                              }}};
+void otherNearest(SceneDescription& scene, RenderOptions&) {
+    std::ranges::reverse(scene.shapes);
+    moveEye(scene.camera, 1);
+}
+
+void otherSide(SceneDescription& scene, RenderOptions&) { moveEye(scene.camera, -1); }
+
+// For Variant::otherRoundings.
+const Mistake roundings[] = {{.what = "", .hint = "", .edit = otherNearest},
+                             {.what = "", .hint = "", .edit = otherSide}};
 
 }  // namespace
 

@@ -92,11 +92,9 @@ Real brightestOf(const Scene& scene) {
 }
 
 // How far a hit is from the eye. Of an eye that touches the shape: the shape's size, or how far its nearest
-// light is.
+// light is. Nothing is squared: it may overflow.
 Real viewingDistance(const Scene& scene, const Ray& ray, const Intersection& hit) {
-    const auto from = [&](const Vec3& place) {
-        return maxComponent(abs(place - hit.position));
-    };  // no squares
+    const auto from = [&](const Vec3& place) { return maxComponent(abs(place - hit.position)); };
     Real least = hit.shape->transform().largestScale();
     for (const Light& light : scene.lights) least = std::min(least, from(light.position));
     return std::max(least, from(ray.origin));
