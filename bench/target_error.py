@@ -8,12 +8,12 @@ Scene i of bench/random_scenes.py is rendered at one size and one E, such that e
 kinds have each pair of the SIZES and ERRORS once; which cycle has which pair is drawn by the seed. (Those of
 --scenes: at each size and E.)
 
-The true error is measured against a picture of twice the size, with other depths, whose pixels' own errors
-are estimated to be at most E; the mean of its 2 x 2 pixels is the truth. Of every fourth case its own error
-is measured too: half of the difference from a second one, of three times the size. A scene with glass whose
-truth takes more than --seconds of CPU time (both reflective and refractive, its rays double with each bounce)
-is left out, and counted. Prints each case that is above E, then the shares. --part 0/2 takes every second
-scene.
+The true error is measured against a picture of three times the size, with other depths, whose pixels' own
+errors are estimated to be at most E / 3; the mean of its 3 x 3 pixels is the truth. Of every fourth case its
+own error is measured too: the difference from a second one, of four times the size, which is at least as
+large. A scene with glass whose truth takes more than --seconds of CPU time (both reflective and refractive,
+its rays double with each bounce) is left out, and counted. Prints each case that is above E, then the shares.
+--part 0/2 takes every second scene.
 """
 import argparse
 import collections
@@ -69,9 +69,10 @@ class Program:
         bounces = 64 if "refractive" in pathlib.Path(scene).read_text() else 300
         large, _ = self.render(scene, times * size, "--adaptive", error, "--samples", 65536,
                                *(depth or ("--max-recursion", bounces, "--cutoff", error / 10)))
-        height, width = large.shape[0] // times, large.shape[1] // times
-        whole = large[:height * times, :width * times]
-        means = whole.reshape(height, times, width, times, 3).mean(axis=(1, 3))
+        if large.shape[0] % times:
+            raise SystemExit(f"{scene}: {size} px: the height was rounded, so that the two pictures differ; "
+                             "take a multiple of 80")
+        means = large.reshape(large.shape[0] // times, times, size, times, 3).mean(axis=(1, 3))
         return means.clip(0, 1)
 
 
@@ -124,16 +125,11 @@ class Results:
 
 def measure(program, case, results, with_own_error):
     scene, size, error = case
-    truth = program.truth(scene, size, error, 2)
+    truth = program.truth(scene, size, error / 3, 3)
     picture, done = program.render(scene, size, "--target-error", error)
-
-    def apart(a, b):  # the larger picture may be a pixel shorter
-        height, width = min(len(a), len(b)), min(a.shape[1], b.shape[1])
-        return rmse(a[:height, :width], b[:height, :width]) / error
-
     if with_own_error:
-        results.own.append(apart(truth, program.truth(scene, size, error, 3)) / 2)
-    results.add(case, apart(picture, truth), done)
+        results.own.append(rmse(truth, program.truth(scene, size, error / 3, 4)) / error)
+    results.add(case, rmse(picture, truth) / error, done)
 
 
 def main():

@@ -18,12 +18,10 @@ namespace raytracer {
 
 namespace {
 
-// Twice as many pilot pixels are taken where these do not tell and cost at most this part of the picture.
-constexpr double pilotPart = 0.3;
-// From one `adaptive` to the next: 4 % of the error are lost in the mean. From four times the target on:
-// errors are 0.1 to 1.1 of it, and where it is larger, those of single pixels are too, which pilot samples
-// may miss.
-constexpr double finer = 1 / 1.09;
+// The first `adaptive` and the last, in targets: errors are 0.1 to 1.3 of it, and where it is larger, those
+// of single pixels are too, which pilot samples may miss.
+constexpr double coarsest = 8, finest = 1 / 16.0;
+constexpr double finer = 1 / 1.09;  // from one `adaptive` to the next: 4 % of the error are lost in the mean
 constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
 constexpr double mostRaysOfPixel = 1 << 16;     // of pilot samples, about, for each of the picture's
@@ -127,28 +125,30 @@ class Search {
         count_ += count;
     }
 
-    // From the coarsest on, until the target is reached. Where the pilot pixels are too few to tell,
-    // twice as many are cheaper than more samples in all of them.
+    struct SquaredError {
+        double mean = 0;
+        double margin = 0;
+    };
+
+    // From the coarsest on, until the target is reached for sure.
     void chooseAdaptive() {
         double& adaptive = choice_.setting.adaptive;
-        adaptive = rounded(errorMargin * target_);
+        adaptive = rounded(coarsest * target_);
         before_ = choice_.counts.all();
         for (bool isLast = false;;) {
             takeSamples(adaptive);
-            const auto [estimate, deviation] = meanSquaredError();
-            const double square = std::max(0.0, estimate);  // below zero by chance
-            const double left = target_ * target_ - depth_.squaredError - square;
-            choice_.sampleError = std::sqrt(square);
-            choice_.reached =
-                left >= (isLast ? 0 : standardErrors * std::hypot(deviation, depth_.standardError));
+            const SquaredError error = squaredErrorOfPicture();
+            const double left = target_ * target_ - depth_.squaredError - error.mean;
+            choice_.sampleError = std::sqrt(error.mean);
+            choice_.reached = left >= (isLast ? 0 : error.margin);
             if (isSpent()) endHere();
             if (choice_.reached || isLast || isSpent()) return;
-            if (left >= 0 && mayDrawMore()) {
+            if (left >= 0 && mayDrawMore(error)) {
                 drawPixels(count_);
                 continue;
             }
             adaptive = rounded(adaptive * finer);
-            isLast = adaptive * errorMargin < target_;
+            isLast = adaptive < finest * target_;
         }
     }
 
@@ -163,15 +163,17 @@ class Search {
             choice_.setting.samples = std::max(choice_.setting.samples, pixel.own.samples());
     }
 
-    // Whether twice the pilot samples are cheap beside the picture.
-    bool mayDrawMore() const {
-        double taken = 0, perPixel = 1;
+    // Whether a sample of twice the pilot pixels, which shrink the margin by a factor of sqrt(2), gains more
+    // than a further sample of the picture, whose squared error falls as samples^-3/2.
+    bool mayDrawMore(const SquaredError& error) const {
+        double taken = 0, perPixel = 0;  // after the first
         for (const PilotPixel& pixel : pilots_) {
             const int own = pixel.own.samples();
             perPixel += pixel.draws / count_ * pixel.weight * (own - 1);
             taken += own + 2 * pixel.truth[0].samples();
         }
-        return 2 * taken <= pilotPart * perPixel * static_cast<double>(pixels_.size());
+        const double samples = perPixel * static_cast<double>(pixels_.size());
+        return error.margin * (1 - std::sqrt(0.5)) / taken > 1.5 * error.mean / samples;
     }
 
     // Takes the pilot pixels to their end, or as far as the rays go: each at least a first step.
@@ -211,17 +213,26 @@ class Search {
         if (listener_) listener_(choice_.counts.primary);
     }
 
-    // Of the picture, without bias, and its standard error.
-    std::pair<double, double> meanSquaredError() const {
-        double sum = 0, squares = 0;
+    // Of the picture: its mean square, without bias, and how much more it may be: so many standard errors,
+    // and more where few draws decide, whose distribution is skew (Johnson, Modified t tests and confidence
+    // intervals for asymmetrical populations, JASA 73, 1978).
+    SquaredError squaredErrorOfPicture() const {
+        double first = 0, second = 0, third = 0;  // moments of a draw
         for (const PilotPixel& pixel : pilots_) {
             const double value = pixel.weight * squaredError(pixel.own.color(), pixel.truth[0].color(),
                                                              pixel.truth[1].color());
-            sum += pixel.draws * value;
-            squares += pixel.draws * value * value;
+            const double part = pixel.draws / count_;
+            first += part * value;
+            second += part * value * value;
+            third += part * value * value * value;
         }
-        const double mean = sum / count_;
-        return {mean, std::sqrt(std::max(0.0, squares / count_ - mean * mean) / count_)};
+        const double variance = std::max(0.0, second - first * first);
+        const double thirdCentral = std::max(0.0, third - first * (3 * variance + first * first));
+        const double skewness = variance > 0 ? thirdCentral / std::pow(variance, 1.5) : 0;
+        const double deviations =
+            standardErrors + skewness / std::sqrt(count_) / 6 * (1 + 2 * standardErrors * standardErrors);
+        return {std::max(0.0, first),  // below zero by chance
+                deviations * std::hypot(std::sqrt(variance / count_), depth_.standardError)};
     }
 
     const Renderer& renderer_;

@@ -261,7 +261,8 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
                 variance +=
                     std::pow(std::clamp(of(x, y)[i][channel], 0.0, 1.0) - mean, 2) / 3 / std::max(1, n - 1);
         }
-        const double error = std::max(std::sqrt(variance) / std::pow(n, 0.75), contrast / (4 * n));
+        const double weight = n == 1 ? 1 : std::pow(16.0 / n, 0.25);
+        const double error = weight * std::max(std::sqrt(variance) / std::pow(n, 0.75), contrast / (4 * n));
         if (error <= adaptive || n == limit) return {n, error > adaptive};
     }
 }

@@ -55,7 +55,8 @@ class Pixels {
         double squares = 0;
         for (const glm::dvec3& color : colors) squares += dot(color - mean(colors), color - mean(colors)) / 3;
         const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
-        return std::max(deviation / std::pow(n, 0.75), contrast / (4 * n));
+        return (n == 1 ? 1 : std::pow(16 / n, 0.25)) *
+               std::max(deviation / std::pow(n, 0.75), contrast / (4 * n));
     }
 
     double contrast(int x, int y) const {

@@ -69,15 +69,16 @@ TEST_CASE("a pixel's error: by the contrast around it, and by what its samples s
     CHECK(pixel.error(0.2) == 0.2 / 4);
     for (int i = 0; i < 3; ++i) pixel.add({0.5, 0.5, 0.5});
     CHECK(pixel.error(0) == 0);
-    CHECK(pixel.error(0.2) == 0.2 / 16);
+    const double weight = std::sqrt(2);  // (16 / 4)^1/4
+    CHECK(pixel.error(0.2) == Approx(weight * 0.2 / 16));
 
     PixelEstimate mixed;
     for (const double red : {0.0, 0.0, 5.0, 5.0}) mixed.add({red, 0, 0});  // 5 is shown as 1
     CHECK(mixed.color() == glm::dvec3(2.5, 0, 0));
     const double deviation = std::sqrt((4 * 0.25) / 3 / 3);  // of four samples, in one channel of three
-    CHECK(mixed.error(0) == Approx(deviation / std::pow(4, 0.75)));
-    CHECK(mixed.error(1) == Approx(deviation / std::pow(4, 0.75)));
-    CHECK(mixed.error(4) == 0.25);
+    CHECK(mixed.error(0) == Approx(weight * deviation / std::pow(4, 0.75)));
+    CHECK(mixed.error(1) == Approx(weight * deviation / std::pow(4, 0.75)));
+    CHECK(mixed.error(4) == Approx(weight * 0.25));
 }
 
 TEST_CASE("contrast is that of the 3 x 3 colours around a pixel, as shown, in the worst channel") {

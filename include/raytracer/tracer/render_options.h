@@ -46,8 +46,8 @@ struct RenderOptions {
 
     // The knobs that trade speed for accuracy.
     int samples = 1;      // of a pixel, at the first points of the sequence, box-filtered; 1: its centre
-    double adaptive = 0;  // > 0: a pixel takes `samples` at most, and stops when its error is estimated (in
-                          // pixel_estimate.h) to be at most this
+    double adaptive = 0;  // > 0: a pixel takes `samples` at most, and stops when its weighted error
+                          // (pixel_estimate.h) is at most this
     double cutoff =
         0;  // a reflected or refracted ray that can change its sample by less than this is not cast
     bool bilinear = false;       // textures: the four nearest texels, weighted, instead of the nearest one
