@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The error of N samples a pixel, to that of the regular grid of as many, on all scenes.
 
-    bench/samples.py --old PROGRAM [--raytracer PROGRAM] [--size 80] [SCENE...]
+    bench/samples.py --old PROGRAM [--raytracer PROGRAM] [--size 96] [SCENE...]
 
 --old is this project's program at commit bd55ad3, whose --samples N was a grid of N x N. Both at the
 defaults' depth.
@@ -22,7 +22,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--raytracer", default=TOP / "build/release/raytracer")
     parser.add_argument("--old", required=True)
-    parser.add_argument("--size", type=int, default=80)
+    parser.add_argument("--size", type=int, default=96)
     parser.add_argument("scenes", nargs="*",
                         default=sorted(str(path) for path in (TOP / "scenes").glob("*.json")
                                         if "schema" not in path.name))

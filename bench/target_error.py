@@ -71,7 +71,7 @@ class Program:
                                *(depth or ("--max-recursion", bounces, "--cutoff", error / 10)))
         if large.shape[0] % times:
             raise SystemExit(f"{scene}: {size} px: the height was rounded, so that the two pictures differ; "
-                             "take a multiple of 80")
+                             "take a multiple of 48")
         means = large.reshape(large.shape[0] // times, times, size, times, 3).mean(axis=(1, 3))
         return means.clip(0, 1)
 
