@@ -56,7 +56,8 @@ struct TradeoffArguments {
 void requireScenes(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         std::string remedy;
-        if (numberOf<int>(name) && !std::filesystem::exists(name)) remedy = "write --size " + name;
+        std::error_code error;
+        if (numberOf<int>(name) && !std::filesystem::exists(name, error)) remedy = "write --size " + name;
         if (isPictureName(name)) remedy = "--out names a folder";
         if (remedy.empty()) continue;
         throw usageError(inQuotes(name) + " is no scene: tradeoff takes scenes alone; " + remedy);
