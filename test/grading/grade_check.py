@@ -198,6 +198,9 @@ def check_files(folder, failing):
     (folder / "pipes").mkdir()
     os.mkfifo(folder / "pipes/a.json")
     failing("a pipe for a scene", "pipes/a.json: cannot read: it is no regular file\n", "pipes", *program)
+    for files in 4, 5, 6:
+        failing(f"{files} open files", "(/dev/null: )?cannot start a process: Too many open files\n", "one",
+                *program, before=["sh", "-c", f'ulimit -n {files}; exec "$@"', "sh"])
     (folder / "links").mkdir()
     shutil.copy(folder / "one/a.json", folder / "links")
     for name, target, why in (("b.json", "nowhere", "No such file or directory.*"),
