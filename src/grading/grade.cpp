@@ -83,7 +83,7 @@ ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference,
     const FileBytes file(picture, FileKind::Regular);
     if (const auto size = sizeInHeader(file))
         requireSameSize(*size, {reference.image.width, reference.image.height});
-    ByteImage ours = readImage(picture, FileKind::Regular);
+    ByteImage ours = readImage(file);
     result.ourPng = file.text();
     result.comparison = compareImages(ours, reference.image);
     result.ourWorst = pixelOf(ours, *result.comparison);
@@ -139,7 +139,7 @@ void GradeResult::take(const Rendered& rendered) {
 
 ReferencePicture::ReferencePicture(const std::string& path) {
     const FileBytes file(path, FileKind::Regular);
-    image = readImage(path, FileKind::Regular);
+    image = readImage(file);
     requireMemoryToDecode(file);  // for the program's picture, so that this cannot be what fails then
     png = file.text();
 }
