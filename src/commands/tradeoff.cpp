@@ -88,9 +88,10 @@ int measure(TradeoffArguments& arguments) {
         scenes.push_back(measureTradeoff(name, loaded[i].description, arguments.options));
         print(tradeoffTable(scenes.back()) + "\n");
     }
-    csv.write(tradeoffCsv(scenes));
-    svg.write(tradeoffSvg(scenes));
-    page.write(tradeoffPage(scenes));
+    csv.append(tradeoffCsv(scenes));
+    svg.append(tradeoffSvg(scenes));
+    page.append(tradeoffPage(scenes));
+    for (OutputFile* const file : {&csv, &svg, &page}) file->finish();  // all, or none where the disk is full
     print("wrote " + printable(page.name()) + ", .svg and .csv\n");
     return 0;
 }
