@@ -6,7 +6,7 @@ another room.
 
 The order is the one of src/README.md. include/raytracer/ROOM/ is what a room offers; src/ROOM/ is private to
 it and to its tests. A library that one room, or one file, wraps is included there alone; the platform is
-util's.
+util's. What asks the file system takes an error code: what it throws has no words for a user.
 """
 import pathlib
 import re
@@ -30,6 +30,10 @@ platform = re.compile(r"\s*#\s*(el)?if.*(_WIN32|__MINGW32__|__linux__|__APPLE__|
 # The plain tracer that the tests compare the tracer with shares no more with it than the description of a
 # scene.
 independent = {"test/tracer/plain_tracer.h": {"scene", "pictures"}}
+
+# What asks the file system, or walks it.
+asks = re.compile(r"\b(?:std::filesystem|fs|files)::(?!path\b|file_time_type\b)(\w+)(?: \w+)?(?=[({])|"
+                  r"(?:\.|->)(is_(?!absolute|relative)\w+|file_size)(?=\(\))")
 
 
 def room_of(path):
@@ -73,11 +77,29 @@ def faults_of(root, path):
                 yield f"{place}, a private header of another room"
 
 
+def throwing_calls_of(root, path):
+    """A range-based for's iterator throws, too. A status that somebody else asked for does not."""
+    text = path.read_text()
+    codes = re.findall(r"std::error_code&? (\w+)|file_status (\w+)|((?:symlink_)?status)\(", text)
+    known = {name for names in codes for name in names} | {"error_code"}
+    for call in asks.finditer(text):
+        depth, end = 1, call.end() + 1
+        while depth > 0:
+            depth += {"(": 1, "{": 1, ")": -1, "}": -1}.get(text[end], 0)
+            end += 1
+        in_for = re.search(r"for \([^;()]* : $", text[:call.start()])
+        if in_for or not known & set(re.findall(r"\w+", text[call.end():end])):
+            line = text.count("\n", 0, call.start()) + 1
+            yield f"{path.relative_to(root)}:{line}: {call[1] or call[2]} throws: give it an error code"
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     files = [path for folder in ("include", "src", "test") for path in sorted((root / folder).rglob("*"))
              if path.suffix in (".h", ".cpp", ".inc")]
     faults = [fault for path in files for fault in faults_of(root, path)]
+    faults += [fault for path in files if path.relative_to(root).parts[0] != "test"
+               for fault in throwing_calls_of(root, path)]
     faults += [f"src/{path.name}: lies in no room" for path in (root / "src").iterdir()
                if path.is_file() and path.name not in ("main.cpp", "README.md")]
     for room in rooms:

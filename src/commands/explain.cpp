@@ -169,7 +169,7 @@ int explainSuspect(ExplainArguments& arguments) {
                               [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); }));
         return isRight(suspect.diagnosis) ? 0 : 1;
     }
-    printSuspect(suspect, name, pixel, missing);
+    printSuspect(suspect, printable(name), pixel, missing);
     print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
     return isRight(suspect.diagnosis) ? 0 : 1;
 }

@@ -56,7 +56,8 @@ struct TradeoffArguments {
 void requireScenes(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         std::string remedy;
-        if (numberOf<int>(name) && !std::filesystem::exists(name)) remedy = "write --size " + name;
+        std::error_code error;
+        if (numberOf<int>(name) && !std::filesystem::exists(name, error)) remedy = "write --size " + name;
         if (isPictureName(name)) remedy = "--out names a folder";
         if (remedy.empty()) continue;
         throw usageError(inQuotes(name) + " is no scene: tradeoff takes scenes alone; " + remedy);
@@ -87,9 +88,10 @@ int measure(TradeoffArguments& arguments) {
         scenes.push_back(measureTradeoff(name, loaded[i].description, arguments.options));
         print(tradeoffTable(scenes.back()) + "\n");
     }
-    csv.write(tradeoffCsv(scenes));
-    svg.write(tradeoffSvg(scenes));
-    page.write(tradeoffPage(scenes));
+    csv.append(tradeoffCsv(scenes));
+    svg.append(tradeoffSvg(scenes));
+    page.append(tradeoffPage(scenes));
+    for (OutputFile* const file : {&csv, &svg, &page}) file->finish();  // all, or none where the disk is full
     print("wrote " + printable(page.name()) + ", .svg and .csv\n");
     return 0;
 }

@@ -12,7 +12,7 @@ namespace {
 
 std::string nameOf(const SceneDescription& scene, std::size_t shape) {
     const ShapeDescription& described = scene.shapes[shape];
-    return std::string(typeName(described.type)) + " \"" + scene.transforms[described.transform].name + "\"";
+    return std::string(typeName(described.type)) + " " + inQuotes(scene.transforms[described.transform].name);
 }
 
 // "the light", "both lights", "light 2", "lights 0 and 2"

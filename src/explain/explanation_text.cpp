@@ -61,9 +61,9 @@ class Writer {
 
     std::string shapeName(std::size_t index) const {
         const ShapeDescription& shape = scene_->shapes[index];
-        return "/shapes/" + std::to_string(index) + " (" + typeName(shape.type) + ", transform \"" +
-               scene_->transforms[shape.transform].name + "\", material \"" +
-               scene_->materials[shape.material].name + "\")";
+        return "/shapes/" + std::to_string(index) + " (" + typeName(shape.type) + ", transform " +
+               inQuotes(scene_->transforms[shape.transform].name) + ", material " +
+               inQuotes(scene_->materials[shape.material].name) + ")";
     }
 
     static std::string heading(const RayExplanation& ray) {

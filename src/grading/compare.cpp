@@ -101,8 +101,9 @@ std::uint64_t Comparison::pixelsOver(int tolerance) const {
 }
 
 Picture readPicture(const std::string& path) {
-    if (endsIn(path, ".pfm")) return readPfm(path);
-    return readImage(path);
+    const FileBytes file(path);
+    if (isPfm(file)) return readPfm(file);
+    return readImage(file);
 }
 
 ByteImage toBytes(const Picture& picture) {

@@ -37,15 +37,15 @@ std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& fold
     std::error_code error;
     std::vector<fs::path> files = filesIn(folder, error);
     if (error) throw folderError(folder, error);
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (entry.path().extension() == ending && entry.is_other(error))
-            FileBytes(entry.path().string(), FileKind::Regular);  // throws
     std::erase_if(files, [&](const fs::path& file) { return file.extension() != ending; });
+    for (const fs::path& file : files)
+        if (!fs::is_regular_file(file, error)) FileBytes(file.string(), FileKind::Regular);  // throws
     return files;
 }
 
 void addCase(GradePlan& plan, const fs::path& scene, const fs::path& reference, const Stage& stage) {
-    if (!fs::exists(reference)) return;
+    std::error_code error;
+    if (!fs::exists(reference, error)) return;
     const std::string name = reference.stem().string();
     plan.cases.push_back({name, scene.stem().string(), &stage, scene.string(), reference.string()});
 }
@@ -83,7 +83,7 @@ ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference,
     const FileBytes file(picture, FileKind::Regular);
     if (const auto size = sizeInHeader(file))
         requireSameSize(*size, {reference.image.width, reference.image.height});
-    ByteImage ours = readImage(picture, FileKind::Regular);
+    ByteImage ours = readImage(file);
     result.ourPng = file.text();
     result.comparison = compareImages(ours, reference.image);
     result.ourWorst = pixelOf(ours, *result.comparison);
@@ -139,7 +139,7 @@ void GradeResult::take(const Rendered& rendered) {
 
 ReferencePicture::ReferencePicture(const std::string& path) {
     const FileBytes file(path, FileKind::Regular);
-    image = readImage(path, FileKind::Regular);
+    image = readImage(file);
     requireMemoryToDecode(file);  // for the program's picture, so that this cannot be what fails then
     png = file.text();
 }

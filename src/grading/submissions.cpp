@@ -152,7 +152,7 @@ class ClassGrading {
         if (edge) return edge;
         const FileBytes file(test.reference, FileKind::Regular);
         const auto size = sizeInHeader(file);
-        if (!size) readImage(test.reference, FileKind::Regular);  // says what is wrong with it
+        if (!size) readImage(file);  // says what is wrong with it
         return edge = std::max(size->width, size->height);
     }
 

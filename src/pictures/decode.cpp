@@ -37,14 +37,15 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     return png;
 }
 
-// stb inflates whatever is there, however small the picture is. Where that could be more than the memory
-// holds, it is inflated here before.
-void requireFewInflated(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+// stb looks at no checksum of the data, and inflates whatever is there, however small the picture is: that
+// could be more than the memory holds. So they are inflated here before.
+void requireSoundData(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
     const std::string deflated = deflatedData(chunks);
-    if (!sizeInHeader(file) || hasMemory(mostRatio * static_cast<double>(deflated.size()))) return;
-    requireMemoryToDecode(file, hasDeepTexels(chunks.front()) ? 2 : 1);
-    if (inflate(deflated, chunks.front()) == LIBDEFLATE_INSUFFICIENT_SPACE)
+    const libdeflate_result result = inflate(deflated, chunks.front());
+    if (result == LIBDEFLATE_BAD_DATA) file.fail("broken PNG picture: its compressed data are broken");
+    const double most = mostRatio * static_cast<double>(deflated.size());
+    if (result == LIBDEFLATE_INSUFFICIENT_SPACE && !hasMemory(most))
         file.fail("broken PNG picture: it has more data than pixels");
 }
 
@@ -87,19 +88,11 @@ void forgetReason() {
     file.fail("not enough memory to decode " + what + ": " + memoryLeft().inWords);
 }
 
-// Whether a PNG's data cannot be inflated, or are more than its pixels.
-bool hasBrokenData(const FileBytes& file) {
-    const auto chunks = readChunks(file);
-    return inflate(deflatedData(chunks), chunks.front()) != LIBDEFLATE_SUCCESS;
-}
-
-// Says why stb has failed. It gives no reason for some broken data, nor where it gets no memory to inflate
-// them; an older reason stays then.
+// Says why stb has failed. It gives no reason where it gets no memory to inflate; an older one stays then.
 [[noreturn]] void failToDecode(const FileBytes& file) {
     const std::string reason = stbi_failure_reason();
     const bool isPng = file.text().starts_with(pngSignature);
     if (reason == "Out of memory") failForMemory(file);
-    if (isPng && hasBrokenData(file)) file.fail("broken PNG picture: its compressed data are broken");
     if (isPng && reason == noReason) failForMemory(file);
     file.fail("cannot decode as PNG or JPEG: " + reason);
 }
@@ -111,7 +104,6 @@ using Decoder = Channel* (*)(const stbi_uc*, int, int*, int*, int*, int);
 template <class Channel>
 LargeVector<Channel> decode(const FileBytes& file, std::string_view text, int wanted, Texture& image,
                             Decoder<Channel> decoder) {
-    requireMemoryToDecode(file, sizeof(Channel));
     forgetReason();
     int channelsInFile = 0;
     const std::unique_ptr<Channel, decltype(&stbi_image_free)> pixels(
@@ -172,8 +164,9 @@ Texture decodeSound(const FileBytes& file) {
     if (isPng) {
         chunks = readChunks(file);
         requirePixelsFit(file, chunks);
-        requireFewInflated(file, chunks);
     }
+    requireMemoryToDecode(file, hasDeepTexels(chunks.front()) ? 2 : 1);
+    if (isPng) requireSoundData(file, chunks);
     Texture image;
     if (isPng && isPaletted(chunks.front())) decodePaletted(file, chunks, image);
     else if (hasDeepTexels(chunks.front()))
@@ -201,8 +194,8 @@ ImageSize sizeOfWholePng(const FileBytes& file) {
 
 Texture readTexture(const std::string& path) { return decode(FileBytes(path, FileKind::Regular)); }
 
-ByteImage readImage(const std::string& path, FileKind kind) {
-    Texture texture = decode(FileBytes(path, kind));
+ByteImage readImage(const FileBytes& file) {
+    Texture texture = decode(file);
     for (const std::uint32_t texel : texture.deepTexels)
         texture.texels.push_back(static_cast<std::uint8_t>((255 * texel + 32767) / 65535));
     return {texture.width, texture.height, std::move(texture.texels)};

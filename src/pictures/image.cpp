@@ -93,20 +93,6 @@ PfmHeader readWholePfm(const FileBytes& file) {
     return header;
 }
 
-FloatImage decodePfm(const FileBytes& file) {
-    const PfmHeader header = readWholePfm(file);
-    FloatImage image{header.width, header.height, LargeVector<float>(pixelBytes(header) / sizeof(float))};
-    const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
-    const char* row = header.rows.data() + pixelBytes(header);
-    for (float* to = image.pixels.data(); row != header.rows.data(); to += rowBytes / sizeof(float)) {
-        row -= rowBytes;
-        std::memcpy(to, row, rowBytes);
-    }
-    if (header.order != std::endian::native)
-        std::ranges::transform(image.pixels, image.pixels.begin(), swapBytes);
-    return image;
-}
-
 // stb counts in int: the pixels, one filter byte for each row, and the compressed stream, which is at most a
 // little larger than both. Half the range of int leaves room for that.
 bool fitsPng(int width, int height) {
@@ -121,7 +107,19 @@ ImageSize sizeOfWholePfm(const FileBytes& file) {
     return {header.width, header.height};
 }
 
-FloatImage readPfm(const std::string& path) { return decodePfm(FileBytes(path)); }
+FloatImage readPfm(const FileBytes& file) {
+    const PfmHeader header = readWholePfm(file);
+    FloatImage image{header.width, header.height, LargeVector<float>(pixelBytes(header) / sizeof(float))};
+    const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
+    const char* row = header.rows.data() + pixelBytes(header);
+    for (float* to = image.pixels.data(); row != header.rows.data(); to += rowBytes / sizeof(float)) {
+        row -= rowBytes;
+        std::memcpy(to, row, rowBytes);
+    }
+    if (header.order != std::endian::native)
+        std::ranges::transform(image.pixels, image.pixels.begin(), swapBytes);
+    return image;
+}
 
 std::vector<char> encodePng(const ByteImage& image, const std::string& path, int threads) {
     if (!fitsPng(image.width, image.height))

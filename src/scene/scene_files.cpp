@@ -14,10 +14,10 @@ namespace {
                               const std::string& file) {
     const bool isRelative = std::filesystem::path(path.string()).is_relative();
     if (isPipe && isRelative)
-        path.fail("no file " + jsonString(file) +
+        path.fail("no file " + inQuotes(file, file.size()) +
                   ": a scene from a pipe has no folder: write a path from the root");
     const std::string name = isPipe ? "" : nearbyName(folder, path.string());
-    path.fail("no file " + jsonString(file) + (isRelative ? " (relative to the scene file)" : "") +
+    path.fail("no file " + inQuotes(file, file.size()) + (isRelative ? " (relative to the scene file)" : "") +
               (name.empty() ? "" : "; write " + inQuotes(name)));
 }
 
@@ -44,7 +44,7 @@ auto SceneFiles::readNamed(JsonView path, const std::string& file, Read read) co
     try {
         return read(file);
     } catch (const Error& error) {
-        path.fail("in " + jsonString(file) + ": " + error.inFile());
+        path.fail("in " + inQuotes(file, file.size()) + ": " + error.inFile());
     }
 }
 

@@ -56,10 +56,12 @@ void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
                       const std::function<void(JobQueue&)>& work) {
     const std::size_t stack = usualStack + static_cast<std::size_t>(options.max_recursion) * recursionStack;
     if (onThreads(jobs, options.threads, work, stack)) return;
-    const std::size_t there = std::max(mainStack(), usualStack) - usualStack;
-    throw Error("--max-recursion " + std::to_string(options.max_recursion) + " needs " +
-                std::to_string(stack >> 20) + " MiB of stack, and no thread can be made; the main thread's " +
-                std::to_string(mainStack() >> 20) + " MiB allow " + std::to_string(there / recursionStack));
+    const std::size_t there = mainStack();
+    const std::string lower =
+        "lower it to " + std::to_string((there - usualStack) / recursionStack) + ", or ";
+    throw Error("--max-recursion " + std::to_string(options.max_recursion) +
+                " needs a thread, and none can be made: " + (there < usualStack ? "" : lower) +
+                "set ulimit -s " + std::to_string((limitForMainStack(stack) + 1023) / 1024));
 }
 
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,

@@ -26,6 +26,7 @@ std::vector<fs::path> filesNear(const fs::path& folder, int depth) {
     constexpr std::size_t most = 1000;
     std::error_code ignored;
     std::vector<fs::path> files = filesIn(folder.empty() ? "." : folder, ignored, depth, most);
+    std::erase_if(files, [](const fs::path& file) { return !isFile(file); });
     if (folder.empty())
         for (fs::path& file : files) file = file.lexically_relative(".");
     std::ranges::stable_sort(files, {},
@@ -159,12 +160,13 @@ std::string absolutePath(const std::string& path) {
 
 std::vector<fs::path> filesIn(const fs::path& folder, std::error_code& error, int depth, std::size_t most) {
     std::vector<fs::path> files;
+    std::error_code unknown;
     using enum fs::directory_options;
     fs::recursive_directory_iterator entry(folder, depth > 0 ? skip_permission_denied : none, error), end;
     for (std::size_t seen = 0; !error && entry != end && seen < most; entry.increment(error), ++seen) {
         const bool isHidden = entry->path().filename().string().starts_with('.');
         if (entry.depth() >= depth || isHidden) entry.disable_recursion_pending();
-        if (!isHidden && isFile(entry->path())) files.push_back(entry->path());
+        if (!isHidden && !entry->is_directory(unknown)) files.push_back(entry->path());
     }
     std::ranges::sort(files);
     return files;

@@ -8,6 +8,14 @@
 
 namespace raytracer {
 
+namespace {
+
+void writeLines(const std::string& text) {
+    writeAll(STDERR_FILENO, text + "\n");  // where this fails, nobody can be told
+}
+
+}  // namespace
+
 void print(std::string_view text) {
     if (!writeAll(STDOUT_FILENO, printable(text, "\n"))) throw systemError("standard output");
 }
@@ -16,19 +24,17 @@ void tell(std::string_view text) {
     constexpr std::size_t indent = 4;
     const std::string line = printable(text);
     const std::size_t columns = terminalColumns();
-    tellUnbroken(columns > 0 ? wrapped(line, std::min(columns, messageColumns), indent) : line);
+    writeLines(columns > 0 ? wrapped(line, std::min(columns, messageColumns), indent) : line);
 }
 
-void tellUnbroken(std::string_view text) {
-    writeAll(STDERR_FILENO, printable(text, "\n") + "\n");  // where this fails, nobody can be told
-}
+void tellUnbroken(std::string_view text) { writeLines(printable(text)); }
 
 void tell(const Error& error) {
     tell(std::string_view(error.what()));
     const std::size_t columns = terminalColumns();
     for (const std::string& line :
          error.excerpt(columns > 0 ? std::min(columns, messageColumns) : messageColumns))
-        writeAll(STDERR_FILENO, line + "\n");
+        writeLines(line);
 }
 
 }  // namespace raytracer

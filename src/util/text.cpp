@@ -55,23 +55,25 @@ std::size_t columnsOf(std::uint32_t code) {
     return std::ranges::any_of(wide, has) ? 2 : 1;
 }
 
-// The character with which the text begins; `escaped` and what is not shown as JSON's escape sequence. A byte
-// that is not UTF-8 is taken for Latin-1.
-std::string escape(std::string_view text, const Character& character, char escaped) {
+// The character with which the text begins; what is not shown as JSON's escape sequence. A byte that is not
+// UTF-8 is \xNN, which JSON has not: there it is taken for Latin-1.
+std::string escape(std::string_view text, const Character& character, bool isJson) {
     if (text[0] == '"' || text[0] == '\\') return {'\\', text[0]};
     if (text[0] == '\n') return "\\n";
     const auto [code, size] = character;
-    if (isShown(character) && text[0] != escaped) return std::string(text.substr(0, size));
+    const bool isEscaped = isJson && text[0] == '<';
+    if (isShown(character) && !isEscaped) return std::string(text.substr(0, size));
+    if (size == 0) return formatted(isJson ? "\\u%04x" : "\\x%02x", static_cast<unsigned char>(text[0]));
     if (code > 0xffff) return formatted("\\u%04x\\u%04x", 0xd7c0 + (code >> 10), 0xdc00 + (code & 0x3ff));
-    return formatted("\\u%04x", size == 0 ? static_cast<unsigned char>(text[0]) : code);
+    return formatted("\\u%04x", code);
 }
 
-// `escaped`: a character to escape beside those that JSON forbids.
-std::string quoted(std::string_view text, char escaped) {
+// For JSON in a page, or for a message.
+std::string quoted(std::string_view text, bool isJson) {
     std::string quoted = "\"";
     while (!text.empty()) {
         const Character character = firstCharacter(text);
-        quoted += escape(text, character, escaped);
+        quoted += escape(text, character, isJson);
         text.remove_prefix(std::max<std::size_t>(character.size, 1));
     }
     return quoted + '"';
@@ -144,18 +146,16 @@ std::string csvField(std::string_view text) {
     return quoted + '"';
 }
 
-std::string jsonString(std::string_view text) { return quoted(text, '<'); }
+std::string jsonString(std::string_view text) { return quoted(text, true); }
 
-// 60 bytes are enough for any name that people choose, and leave room on a terminal's line.
-std::string inQuotes(std::string_view text) {
-    constexpr std::size_t longest = 60;
-    if (text.size() <= longest) return quoted(text, '\0');
+std::string inQuotes(std::string_view text, std::size_t longest) {
+    if (text.size() <= longest) return quoted(text, false);
     std::size_t end = longest;
     const auto isInCharacter = [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
     };  // UTF-8
     while (end > 0 && isInCharacter(text[end])) --end;
-    return quoted(text.substr(0, end), '\0') + "...";
+    return quoted(text.substr(0, end), false) + "...";
 }
 
 std::string listed(const std::vector<std::string>& names, const std::string& last) {

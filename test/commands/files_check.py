@@ -111,7 +111,9 @@ def check_names(folder):
     for name, head in (("a.PNG", b"\x89PNG"), ("a.Pfm", b"PF\n10 10\n")):
         check(name, (0, b"", ""), render(folder / name))
         check(f"{name}: its format", True, (folder / name).read_bytes().startswith(head))
-    check("compare knows .Pfm", 0, run("compare", folder / "a.Pfm", folder / "a.Pfm")[0])
+    (folder / "floats").write_bytes((folder / "a.Pfm").read_bytes())
+    check("compare knows a PFM by its content", (0, ""),
+          run("compare", folder / "a.Pfm", folder / "floats", "--quiet")[::2])
     for name in ("a.gif", "png", ""):
         refused(f"name {name!r}", f"{folder / name}: expected a name that ends in .png or .pfm",
                 render(folder / name))
@@ -198,6 +200,9 @@ def check_write_errors(folder):
             os.close(write)
             check(f"{name} {where}", (2, f"standard output: {why}\n"),
                   (done.returncode, done.stderr.decode()))
+    status, _, error = run(*commands["tradeoff"], before=["sh", "-c", 'ulimit -f 20; "$@"', "sh"])
+    check("tradeoff: a large file", (2, f"{folder}/t/tradeoff.html: cannot write: File too large\n"),
+          (status, error))
     check("tradeoff leaves nothing", [], names(folder / "t"))
     for stream, where in (("/dev/stdout", ">&-"), ("/dev/stdin", "<&-"), ("/proc/self/fd/1", ">&-")):
         out = folder / "link.png"

@@ -1,5 +1,5 @@
 """What the program says on a terminal: wrapped to its width, a line on success, a bar that fits; nothing more
-when quiet.
+when quiet; and no line that a name makes.
 
 Usage: terminal_check.py RAYTRACER, from the source folder.
 """
@@ -108,7 +108,34 @@ def check_dumb(folder):
     check("a dumb terminal", True, bool(re.fullmatch(r"\S+: 300 × 300, [\d.]+ s\n", said)))
 
 
+def check_forged(folder):
+    """No name makes a line of its own: whatever is named has a newline in it."""
+    forged = "\nforged\n"
+    here = pathlib.Path(folder, forged)
+    here.mkdir()
+    scene, picture = here / f"{forged}.json", here / f"{forged}.png"
+    sphere = {"type": "sphere", "transform": forged, "material": forged}
+    scene.write_text(json.dumps(LEAST | {
+        "lights": [{"position": [3, 5, 4], "color": [1, 1, 1]}, {"position": [0, 0, -9], "color": [1, 1, 1]}],
+        "materials": [{"name": forged, "color_diffuse": [1, 1, 1], "reflective": True}],
+        "transforms": [{"name": forged}, {"name": "t"}],
+        "shapes": [sphere, sphere | {"transform": "t"}], forged: 0}))
+    wrong = here / f"{forged}wrong.png"
+    for words in ([scene, picture, 8, "--target-time", 0.01], [scene, wrong, 8, "--only", "diffuse"],
+                  [scene, picture, 8, "--part", "1/1"], [scene, picture, 8, "--skip-existing"],
+                  ["assemble", f"{picture}.part-1-of-1", here / f"{forged}.jpg"],
+                  ["explain", scene, 4, 4, 8], ["explain", scene, "--picture", wrong],
+                  ["compare", picture, wrong], ["compare", picture, scene], ["grade", here],
+                  ["grade", here, "--program", f"echo '{forged}'"],
+                  ["tradeoff", scene, "--size", 16, "--samples", 2, "--out", here / forged],
+                  [here, picture, 8], [forged, picture, 8], [scene, picture, forged]):
+        done = subprocess.run([RAYTRACER, *map(str, words)], capture_output=True, text=True, check=False)
+        said = done.stdout + done.stderr
+        check(f"{words}: is told", True, "forged" in said or words[-1] == "1/1")
+        check(f"{words}: forged", [], [line for line in said.splitlines() if line.startswith("forged")])
+
+
 with tempfile.TemporaryDirectory() as temporary:
-    for checked in (check_done, check_wrapped, check_bar, check_search, check_dumb):
+    for checked in (check_done, check_wrapped, check_bar, check_search, check_dumb, check_forged):
         checked(temporary)
 sys.exit(conclude("the terminal shows what it should"))

@@ -198,6 +198,17 @@ def check_files(folder, failing):
     (folder / "pipes").mkdir()
     os.mkfifo(folder / "pipes/a.json")
     failing("a pipe for a scene", "pipes/a.json: cannot read: it is no regular file\n", "pipes", *program)
+    for files in 4, 5, 6:
+        failing(f"{files} open files", "(/dev/null: )?cannot start a process: Too many open files\n", "one",
+                *program, before=["sh", "-c", f'ulimit -n {files}; exec "$@"', "sh"])
+    (folder / "links").mkdir()
+    shutil.copy(folder / "one/a.json", folder / "links")
+    for name, target, why in (("b.json", "nowhere", "No such file or directory.*"),
+                              ("a.png", "a.png", "Too many levels of symbolic links")):
+        link = folder / "links" / name
+        link.symlink_to(target)
+        failing(f"a link {name}", f"links/{name}: cannot read: {why}\n", "links", *program)
+        link.unlink()
     failing("--size", "raytracer grade: there is no --size: a picture has its reference's size, which a "
                       "program is told\n",
             "one", *program, "--size", 20)

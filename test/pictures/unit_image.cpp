@@ -149,7 +149,7 @@ TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
     SECTION("16 bits: one pixel 0x1234, 0xabcd, 0xff00") {
         const char png[] =
             "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x10\2\0\0\0@@@@"
-            "\0\0\0\x12IDAT\x78\x01\x01\x07\0\xf8\xff\0\x12\x34\xab\xcd\xff\0\x09\x01\x02\xbe@@@@"
+            "\0\0\0\x12IDAT\x78\x01\x01\x07\0\xf8\xff\0\x12\x34\xab\xcd\xff\0\x08\x88\x02\xbe@@@@"
             "\0\0\0\0IEND@@@@";
         const std::string path = folder.write("a", checksummed({png, sizeof png - 1}));
         CHECK(readTexture(path).deepTexels == LargeVector<std::uint16_t>{0x1234, 0xabcd, 0xff00});
@@ -221,6 +221,14 @@ TEST_CASE("A PNG whose data cannot be inflated is told") {
         const std::string path = folder.write("a.png", checksummed(head + chunk + end));
         CHECK_THROWS_WITH(readImage(path), path + ": broken PNG picture: its compressed data are broken");
     }
+}
+
+TEST_CASE("A PNG whose pixels have another checksum (Adler-32) is refused") {
+    const TestFolder folder;
+    std::string png = pngOf(5, 4, 3, testPicture(5, 4).pixels);
+    png[png.size() - 17] ^= 1;  // before the checksum of the last chunk of pixels, and the chunk IEND
+    const std::string path = folder.write("a.png", checksummed(png));
+    CHECK_THROWS_WITH(readImage(path), path + ": broken PNG picture: its compressed data are broken");
 }
 
 TEST_CASE("What a PNG's header says") {

@@ -37,7 +37,7 @@ def run(folder, recursion, threads, stack, processes=None, command=("s.json", "o
             resource.setrlimit(resource.RLIMIT_NPROC, (processes, processes))
             os.setgid(NOBODY)
             os.setuid(NOBODY)
-    depth = ["--max-recursion", str(recursion)] if recursion else []
+    depth = ["--max-recursion", str(recursion)] if recursion is not None else []
     return subprocess.run([RAYTRACER, *command, "--quiet", *depth, "--threads", str(threads)],
                           cwd=folder, preexec_fn=limit, capture_output=True, text=True, timeout=60)
 
@@ -74,10 +74,16 @@ def check_threads(folder):
     assert picture(folder, 3, 4, 8 * MEBIBYTE, 1) == plain
     assert picture(folder, 1000, 4, resource.RLIM_INFINITY, 1) == picture(folder, 1000, 4, 8 * MEBIBYTE)
     done = run(folder, 1000, 4, 4 * MEBIBYTE, 1)
-    assert (done.returncode, done.stderr) == (2, (
-        "--max-recursion 1000 needs 63 MiB of stack, and no thread can be made; the main thread's 3 MiB "
-        "allow 32\n")), done
+    assert (done.returncode, done.stderr) == (
+        2, "--max-recursion 1000 needs a thread, and none can be made: lower it to 32, or set ulimit -s "
+        "86699\n"), done
     assert picture(folder, 32, 4, 4 * MEBIBYTE, 1) == picture(folder, 32, 1, 8 * MEBIBYTE)
+    for kibibytes in (256, 1365):
+        done = run(folder, 0, 4, kibibytes << 10, 1)
+        assert (done.returncode, done.stderr) == (
+            2, "--max-recursion 0 needs a thread, and none can be made: set ulimit -s 1366\n"), done
+    assert picture(folder, 0, 4, 1366 << 10, 1) == picture(folder, 0, 1, 8 * MEBIBYTE)
+    assert picture(folder, 1000, 4, 86699 << 10, 1) == picture(folder, 1000, 1, 8 * MEBIBYTE)
 
 
 with tempfile.TemporaryDirectory() as temporary:

@@ -23,6 +23,7 @@ TEST_CASE("printable text is UTF-8 without control characters") {
     for (const char* mark : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202d", "\u2067", "\u2069"})
         CHECK(printableBytes(mark) == 0);
     CHECK(inQuotes("\u202efdp") == "\"\\u202efdp\"");
+    CHECK(inQuotes("\xff\n\"\x1b") == "\"\\xff\\n\\\"\\u001b\"");
     // Too long, a surrogate, beyond Unicode, cut short, without a beginning.
     CHECK(printable("\xc0\x80") == "\\xc0\\x80");
     CHECK(printable("\xe0\x9f\xbf") == "\\xe0\\x9f\\xbf");

@@ -17,7 +17,7 @@ namespace raytracer {
 
 using Picture = std::variant<ByteImage, FloatImage>;
 
-// Reads floats if the name ends in .pfm, else bytes. Throws Error.
+// Of a PFM floats, else bytes. Throws Error.
 Picture readPicture(const std::string& path);
 ByteImage toBytes(const Picture& picture);
 

@@ -46,9 +46,10 @@ inline int largestDifference(const std::uint8_t* a, const std::uint8_t* b) {
 
 // PNG or JPEG as RGB: without alpha, grey as three equal channels. Throws Error where the file is missing,
 // unreadable or not a picture.
-Texture readTexture(const std::string& path);                                 // of a regular file
-ByteImage readImage(const std::string& path, FileKind kind = FileKind::Any);  // 16 bits are rounded to 8
-FloatImage readPfm(const std::string& path);
+Texture readTexture(const std::string& path);  // of a regular file
+ByteImage readImage(const FileBytes& file);    // 16 bits are rounded to 8
+FloatImage readPfm(const FileBytes& file);
+inline bool isPfm(const FileBytes& file) { return file.text().starts_with("PF"); }
 
 // What a PNG's or JPEG's header says; nothing where it has none.
 std::optional<ImageSize> sizeInHeader(const FileBytes& file);

@@ -15,7 +15,8 @@ enum class FileKind { Any, Regular };
 // A copy of a file's bytes: what other programs do to the file afterwards changes nothing.
 class FileBytes {
   public:
-    explicit FileBytes(const std::string& path, FileKind kind = FileKind::Any);  // throws Error
+    // Throws Error. NOLINTNEXTLINE(google-explicit-constructor): a path stands for its file
+    FileBytes(const std::string& path, FileKind kind = FileKind::Any);
     FileBytes(const FileBytes&) = delete;
     FileBytes& operator=(const FileBytes&) = delete;
 

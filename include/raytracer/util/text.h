@@ -50,8 +50,9 @@ std::string csvField(std::string_view text);
 // can stand in a <script>.
 std::string jsonString(std::string_view text);
 
-// `text` in quotes with control characters escaped, for a message; shortened if it is long.
-std::string inQuotes(std::string_view text);
+// `text` in quotes with what is not shown escaped, for a message; shortened to so many bytes. 60 are enough
+// for any name that people choose, and leave room on a terminal's line.
+std::string inQuotes(std::string_view text, std::size_t longest = 60);
 
 // A word of a command line as a POSIX shell takes it: in single quotes where it needs them.
 std::string inShellQuotes(std::string_view word);

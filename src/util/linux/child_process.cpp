@@ -192,8 +192,10 @@ void giveFolderTo(const std::string& user, const std::string& folder) {
         if (::lchown(path.c_str(), ids.user, ids.group) != 0)
             throw systemError(path, "cannot give it to " + user);
     };
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-        give(entry.path().string());
+    std::error_code error;
+    std::filesystem::recursive_directory_iterator entry(folder, error), end;
+    for (; !error && entry != end; entry.increment(error)) give(entry->path().string());
+    if (error) throw Error({folder}, "cannot give it to " + user + ": " + error.message());
     give(folder);  // last: until then nobody else can change what is in it
 }
 

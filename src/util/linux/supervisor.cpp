@@ -90,8 +90,9 @@ bool becomeUser(const ProcessStart& start, const UserIds& ids) {
 
 bool openStreams(const std::string& output) {
     const int input = ::open("/dev/null", O_RDONLY);
+    if (input < 0) return false;
     const int printed = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    return ::dup2(input, STDIN_FILENO) >= 0 && ::dup2(printed, STDOUT_FILENO) >= 0 &&
+    return printed >= 0 && ::dup2(input, STDIN_FILENO) >= 0 && ::dup2(printed, STDOUT_FILENO) >= 0 &&
            ::dup2(printed, STDERR_FILENO) >= 0;
 }
 
