@@ -231,6 +231,14 @@ TEST_CASE("A PNG whose pixels have another checksum (Adler-32) is refused") {
     CHECK_THROWS_WITH(readImage(path), path + ": broken PNG picture: its compressed data are broken");
 }
 
+TEST_CASE("A PNG's first chunk of pixels may be empty") {
+    const TestFolder folder;
+    const ByteImage image = testPicture(5, 4);
+    std::string png = pngOf(5, 4, 3, image.pixels);
+    png.insert(33, {"\0\0\0\0IDAT@@@@", 12});  // behind the header
+    CHECK(readImage(folder.write("a.png", checksummed(png))).pixels == image.pixels);
+}
+
 TEST_CASE("What a PNG's header says") {
     const auto headerOf = [](const std::string& bytes) { return std::string(8, '@') + bytes; };
     const std::string five = headerOf({"\0\0\0\5\0\0\0\5\x8\0\0\0\1", 13});
