@@ -1,5 +1,7 @@
 #include "grade_arguments.h"
 
+#include <algorithm>
+
 #include "raytracer/grading/submissions.h"
 #include "raytracer/util/shell_words.h"
 #include "raytracer/util/standard_streams.h"
@@ -65,7 +67,7 @@ std::string otherCommandMeant(std::span<const std::string> words) {
 void requireFolderIn(const std::string& program) {
     if (program.find("{}") == program.npos)
         throw usageError("--program: expected {} for the submission's folder, found " + inQuotes(program));
-    if (hasQuotedBraces(program))
+    if (std::ranges::any_of(shellWords(program), &ShellWord::quotesBraces))
         throw usageError("--program: write {} without quotes: it is quoted already");
 }
 
