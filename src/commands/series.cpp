@@ -6,7 +6,6 @@
 
 #include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_writer.h"
-#include "raytracer/util/file_hash.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 #include "split_values.h"
@@ -159,7 +158,7 @@ PartHead partHead(const RenderArguments& arguments, const RenderOptions& options
                   const std::vector<std::string>& sceneFiles) {
     PartHead head;
     head.version = programVersion();
-    head.scene = hashOfFiles(sceneFiles);
+    head.scene = sceneChecksum(sceneFiles);
     head.options = pictureOptions(arguments, options);
     head.size = options.size;
     head.crop = options.crop;
