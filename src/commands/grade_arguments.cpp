@@ -91,10 +91,12 @@ void GradeArguments::addTo(CommandLine& line) {
 void GradeArguments::addProgramTo(CommandLine& line) {
     line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
     line.shown("--program", "PROGRAM", "a command");
-    line.number("--timeout", timeout, above(0), "Seconds of processor time after which it is stopped");
-    line.number("--wall", wall, above(0), "Seconds on the clock after which it is stopped");
+    line.number("--timeout", options.limits.processorSeconds, above(0),
+                "Seconds of processor time after which it is stopped");
+    line.number("--wall", options.limits.wallSeconds, above(0),
+                "Seconds on the clock after which it is stopped");
     line.number("--memory", memory, {1, 500000}, "MiB of memory for each of its processes");
-    line.text("--user", user, "As root: run it as this user");
+    line.text("--user", options.user, "As root: run it as this user");
     line.shown("--user", "NAME", "a name");
     line.number("--jobs", jobs, {1, 1024}, "Programs to run side by side");
     for (const char* option : {"--timeout", "--wall", "--memory", "--user", "--jobs"})
@@ -119,12 +121,9 @@ void GradeArguments::show(const std::string& text) const {
 }
 
 ProgramOptions GradeArguments::programOptions() const {
-    ProgramOptions options;
-    options.limits.processorSeconds = timeout;
-    options.limits.wallSeconds = wall;
-    options.limits.memory = static_cast<std::uint64_t>(memory) << 20;
-    options.user = user;
-    return options;
+    ProgramOptions all = options;
+    all.limits.memory = static_cast<std::uint64_t>(memory) << 20;
+    return all;
 }
 
 void GradeArguments::check() const {
@@ -141,7 +140,7 @@ void GradeArguments::check() const {
             throw Error({csv}, "what is written is CSV, not a workbook: name it " +
                                    csv.substr(0, csv.rfind('.')) + ".csv");
     try {
-        requireUser(user);
+        requireUser(options.user);
     } catch (const Error& error) {
         throw usageError("--user: " + std::string(error.what()));
     }

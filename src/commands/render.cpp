@@ -180,7 +180,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     options.part = job.part.part;
     if (!wanted.targetTime) remarkOnTime(arguments, *renderer, options);
     if (wanted.isPfm()) renderTo<FloatSink>(job, out, pfmWriter(out, options.crop));
-    else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, arguments.threads));
+    else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, options.threads));
     tellLimited(job.counts, options, options.crop.area() / options.part.count, arguments.quiet || job.choice);
     if (wanted.stats) printStats(job.counts, timings, options);
     tellDone(wanted.file(), options.crop, timings.wall(), arguments.quiet);

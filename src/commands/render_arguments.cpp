@@ -107,7 +107,7 @@ void RenderArguments::addTo(CommandLine& line) {
         "JSON; '/lights/-={...}', in quotes, adds a light; may be repeated");
     line.shown("--set", "/pointer=value");
     line.rejoins("--set", joinedEdit);
-    line.number("--max-recursion", max_recursion, {0, mostRecursion},
+    line.number("--max-recursion", options.max_recursion, {0, mostRecursion},
                 "How many times a ray is reflected or refracted");
     std::vector<std::string> terms;
     for (const TermName& known : termNames) terms.emplace_back(known.name);
@@ -121,11 +121,11 @@ void RenderArguments::addTo(CommandLine& line) {
     line.flag("--opaque", opaque, "Read every material as not refractive");
     line.choice("--precision", precision, {std::begin(precisionNames), std::end(precisionNames)},
                 "Arithmetic: float, double or extended (long double)");
-    line.number("--cutoff", cutoff, atLeast(0),
+    line.number("--cutoff", options.cutoff, atLeast(0),
                 "Do not cast a ray that changes its pixel by less than this, of 1");
     line.choice("--texture-filter", textureFilter, {"nearest", "bilinear"},
                 "Texture look-up: nearest or bilinear");
-    addThreads(line, threads);
+    addThreads(line, options.threads);
     line.choice("--accelerator", accelerator, {"bvh", "none"},
                 "How rays find shapes: bvh, or none to test them all (the picture is the same)");
     line.flag("--strict", strict, "Warnings about the scene are errors");
@@ -146,7 +146,7 @@ void RenderArguments::addPictureTo(CommandLine& line) {
         "--samples", samples, {1, mostSamples},
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");
     line.number(
-        "--adaptive", adaptive, {0, 1},
+        "--adaptive", options.adaptive, {0, 1},
         "Take more samples in a pixel until its error is estimated to be at most this, of 1, or there "
         "are --samples; 0.02 makes a nice picture");
 }
@@ -157,8 +157,8 @@ void RenderArguments::check(const CommandLine& line) const {
         throw usageError("--only " + only + ": there is no light without ambient, diffuse or specular");
     for (const std::string& set : sets) JsonEdit{set};
     if (!crop.empty()) parseCrop(crop);
-    const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> options) {
-        for (const char* option : options)
+    const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> useless) {
+        for (const char* option : useless)
             if (line.given(option)) throw usageError(option + (" has no effect with " + cause));
     };
     if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff"});
@@ -166,8 +166,8 @@ void RenderArguments::check(const CommandLine& line) const {
     if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff", "--max-recursion"});
     if (!chosen.refraction && !chosen.shadows) refuse("--only " + only, {"--opaque"});
     if (!chosen.textures) refuse("--only " + only, {"--texture-filter"});
-    if (max_recursion == 0 && cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});
-    if (samples == 1 && adaptive > 0) refuse("--samples 1", {"--adaptive"});
+    if (options.max_recursion == 0 && options.cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});
+    if (samples == 1 && options.adaptive > 0) refuse("--samples 1", {"--adaptive"});
 }
 
 void RenderArguments::addLongEdgeTo(CommandLine& line) {
@@ -186,8 +186,8 @@ Terms RenderArguments::terms() const {
 
 std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& description) const {
     const auto chosen = static_cast<Precision>(std::ranges::find(precisionNames, precision) - precisionNames);
-    const BuildOptions options{accelerator == "none" ? Accelerator::None : Accelerator::Bvh, threads};
-    auto renderer = raytracer::makeRenderer(description, chosen, options);
+    const BuildOptions build{accelerator == "none" ? Accelerator::None : Accelerator::Bvh, options.threads};
+    auto renderer = raytracer::makeRenderer(description, chosen, build);
     if (warns() && renderer->precision() != chosen)
         warn("the scene's numbers lie too far apart for --precision " + precision + ": computed in " +
              precisionName(renderer->precision()));
@@ -223,20 +223,16 @@ RenderOptions RenderArguments::prepare(SceneDescription& description) const {
     const Terms chosen = terms();
     if (pass == "color") keepTerms(description, chosen);
     if (opaque) makeOpaque(description);
-    RenderOptions options;
-    options.size = imageSize(description.camera, longEdge);
-    options.crop = crop.empty() ? PixelRectangle{0, 0, options.size.width, options.size.height}
-                                : cropOf(crop, options.size);
-    options.max_recursion = max_recursion;
-    options.pass = passNamed(pass);
-    options.shadows = chosen.shadows;
-    options.refraction = chosen.refraction;
-    options.threads = threads;
-    options.samples = samples.value_or(usualSamples(adaptive));
-    options.adaptive = adaptive;
-    options.cutoff = cutoff;
-    options.bilinear = textureFilter == "bilinear";
-    return options;
+    RenderOptions prepared = options;
+    prepared.size = imageSize(description.camera, longEdge);
+    prepared.crop = crop.empty() ? PixelRectangle{0, 0, prepared.size.width, prepared.size.height}
+                                 : cropOf(crop, prepared.size);
+    prepared.pass = passNamed(pass);
+    prepared.shadows = chosen.shadows;
+    prepared.refraction = chosen.refraction;
+    prepared.samples = samples.value_or(usualSamples(options.adaptive));
+    prepared.bilinear = textureFilter == "bilinear";
+    return prepared;
 }
 
 }  // namespace raytracer::commands
