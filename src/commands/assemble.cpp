@@ -77,7 +77,7 @@ int assemble(int argc, char** argv) {
     addThreads(line, threads);
     line.flag("--quiet", quiet, "Print nothing but errors");
     line.footer(assembleFooter);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     return assembleParts(paths, out, threads, quiet);
 }
 

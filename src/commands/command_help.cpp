@@ -39,9 +39,6 @@ std::string roffLines(const std::string& text) {
     return lines;
 }
 
-// "N" of "N=3".
-std::string placeholder(const Word& word) { return word.placeholder.substr(0, word.placeholder.find('=')); }
-
 // "compare" of "raytracer compare"; nothing of "raytracer".
 std::string subcommand(const std::string& command) {
     const std::size_t blank = command.find(' ');
@@ -111,7 +108,7 @@ std::string forZsh(const CommandLine& line) {
     for (const Word& word : line.words()) {
         const std::string values =
             word.choices.empty() ? zshFiles(word.kind) : "(" + joined(word.choices) + ")";
-        const std::string value = word.isFlag() ? "" : ":" + placeholder(word) + ":" + values;
+        const std::string value = word.isFlag() ? "" : ":" + word.placeholder + ":" + values;
         if (word.isOption())
             specs += "            '" + word.name + "[" + inZsh(brief(word.help)) + "]" + value + "' \\\n";
         else
@@ -148,7 +145,7 @@ std::string forFish(const CommandLine& line) {
 std::string CommandLine::help() const {
     std::string arguments, options;
     for (const Word& word : words_) {
-        const std::string value = word.isFlag() ? "" : " " + word.placeholder;
+        const std::string value = word.isFlag() ? "" : " " + word.shown();
         if (word.isOption()) options += entry(word.name + value, word.help);
         else arguments += entry(word.name + (word.isMany ? "..." : ""), word.help);
     }
@@ -161,7 +158,7 @@ std::string CommandLine::manual() const {
                        "\n.PP\n" + roff(purpose_) + "\n";
     for (const Word& word : words_) {
         const std::string value = word.isFlag()     ? ""
-                                  : word.isOption() ? " \\fI" + roff(word.placeholder) + "\\fR"
+                                  : word.isOption() ? " \\fI" + roff(word.shown()) + "\\fR"
                                                     : "";
         text += ".TP\n\\fB" + roff(word.name) + "\\fR" + value + "\n" + roff(word.help) + "\n";
     }

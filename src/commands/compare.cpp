@@ -169,7 +169,7 @@ int compare(int argc, char** argv) {
     CommandLine line("raytracer compare", "Says how much two pictures differ.");
     CompareArguments arguments;
     arguments.addTo(line);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     return comparePictures(arguments);
 }
 

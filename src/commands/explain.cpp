@@ -199,7 +199,7 @@ int explain(int argc, char** argv) {
     line.spares("--picture", {"X", "Y", "LONG_EDGE_PIXELS"});
     line.lacks({"--pass", "--samples", "--adaptive", "--crop"},
                "explain follows the one ray through the pixel's centre");
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     arguments.render.check(line);
     return arguments.picture.empty() ? explainPixel(arguments) : explainSuspect(arguments);
 }

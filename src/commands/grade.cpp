@@ -200,7 +200,7 @@ int grade(int argc, char** argv) {
                      "Renders every scene of a folder that has a reference picture, and compares.");
     GradeArguments arguments;
     arguments.addTo(line);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     arguments.check();
     const GradePlan plan = planFor(arguments);
     GradeFiles output(arguments, plan);

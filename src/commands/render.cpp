@@ -259,8 +259,6 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
     line.alone("--print-manual", "Print the man page");
     line.alone("--print-completion", "Print what bash, zsh or fish is to know, to complete command lines",
                {std::begin(shells), std::end(shells)});
-    line.shown("--print-completion", "SHELL");
-    line.knowsCommands(commandNames());
     line.answers(comparisonMeant);
     line.exclude("--watch", {"--frames", "--part", "--skip-existing"});
     line.exclude("--frames", {"--target-time"});
@@ -286,7 +284,7 @@ int render(int argc, char** argv) {
     RenderArguments arguments;
     PictureArguments wanted;
     addTo(line, arguments, wanted);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     check(line, arguments, wanted);
     wanted.again = line.again({"--target-time", "--skip-existing", "--watch", "--stats"});
     if (!wanted.frames.empty()) return renderFrames(arguments, wanted);

@@ -100,7 +100,7 @@ int tradeoff(int argc, char** argv) {
     CommandLine line("raytracer tradeoff", "Measures what speed costs in accuracy.");
     TradeoffArguments arguments;
     arguments.addTo(line);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     requireScenes(arguments.scenes);
     return measure(arguments);
 }
