@@ -18,12 +18,6 @@ std::string entry(const std::string& name, const std::string& help) {
     return left + wrapped(help, helpColumns, nameColumns, nameColumns) + "\n";
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
-        text.replace(at, what.size(), with);
-    return text;
-}
-
 // A line of roff: backslashes and hyphens as they are, no request.
 std::string roff(const std::string& text) {
     const std::string plain = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
@@ -32,10 +26,7 @@ std::string roff(const std::string& text) {
 
 std::string roffLines(const std::string& text) {
     std::string lines;
-    for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
-        end = std::min(text.find('\n', start), text.size());
-        lines += roff(text.substr(start, end - start)) + "\n";
-    }
+    for (const std::string& line : split(text, "\n")) lines += roff(line) + "\n";
     return lines;
 }
 
@@ -65,17 +56,11 @@ std::string inZsh(const std::string& text) {
 // A text between single quotes of fish.
 std::string inFish(const std::string& text) { return replaced(replaced(text, "\\", "\\\\"), "'", "\\'"); }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-    return all;
-}
-
 std::string options(const CommandLine& line) {
     std::vector<std::string> names;
     for (const Word& word : line.words())
         if (word.isOption()) names.push_back(word.name);
-    return joined(names);
+    return joined(names, " ");
 }
 
 // Cases of "COMMAND PREVIOUS-WORD", and of "COMMAND" for all options.
@@ -84,8 +69,8 @@ std::string forBash(const CommandLine& line) {
     std::string cases;
     for (const Word& word : line.words())
         if (!word.choices.empty())
-            cases +=
-                "        \"" + command + " " + word.name + "\") words=\"" + joined(word.choices) + "\" ;;\n";
+            cases += "        \"" + command + " " + word.name + "\") words=\"" + joined(word.choices, " ") +
+                     "\" ;;\n";
         else if (word.isOption() && !word.isFlag())
             cases += "        \"" + command + " " + word.name + "\") return ;;\n";
     return cases + "        \"" + command + " \"*) [[ $current == -* ]] && words=\"" + options(line) +
@@ -107,7 +92,7 @@ std::string forZsh(const CommandLine& line) {
     std::string specs;
     for (const Word& word : line.words()) {
         const std::string values =
-            word.choices.empty() ? zshFiles(word.kind) : "(" + joined(word.choices) + ")";
+            word.choices.empty() ? zshFiles(word.kind) : "(" + joined(word.choices, " ") + ")";
         const std::string value = word.isFlag() ? "" : ":" + word.placeholder + ":" + values;
         if (word.isOption())
             specs += "            '" + word.name + "[" + inZsh(brief(word.help)) + "]" + value + "' \\\n";
@@ -132,7 +117,7 @@ std::string forFish(const CommandLine& line) {
         if (!word.isOption()) continue;
         lines += "complete -c raytracer -n \"" + when + "\" -l " + word.name.substr(2) + " -d '" +
                  inFish(brief(word.help)) + "'";
-        if (!word.choices.empty()) lines += " -xa '" + joined(word.choices) + "'";
+        if (!word.choices.empty()) lines += " -xa '" + joined(word.choices, " ") + "'";
         else if (word.kind == ArgumentKind::Number) lines += " -x";
         else if (!word.isFlag()) lines += " -r";
         lines += "\n";

@@ -104,14 +104,9 @@ const Word* absentKind(const std::vector<std::string>& texts, const std::vector<
 
 // "3 3" of "3,3"; empty where the text is no list of numbers.
 std::string numbersApart(const std::string& text) {
-    std::string apart;
-    for (std::size_t start = 0, end = 0; end != text.npos; start = end + 1) {
-        end = text.find(',', start);
-        const std::string part = text.substr(start, end - start);
-        if (!isWholeNumber(part)) return {};
-        apart += (start > 0 ? " " : "") + part;
-    }
-    return apart == text ? "" : apart;
+    const std::vector<std::string> numbers = split(text, ",");
+    const bool isList = numbers.size() > 1 && std::ranges::all_of(numbers, isWholeNumber);
+    return isList ? joined(numbers, " ") : "";
 }
 
 // The argument that the text is the picture or the scene of, if it is another one than `here`.
@@ -144,10 +139,10 @@ std::vector<const Word*> CommandLine::arguments() const {
 }
 
 std::string CommandLine::order() const {
-    std::string names;
+    std::vector<std::string> names;
     for (const Word* argument : arguments())
-        names += (names.empty() ? "" : " ") + argument->name + (argument->isMany ? "..." : "");
-    return names;
+        names.push_back(argument->name + (argument->isMany ? "..." : ""));
+    return joined(names, " ");
 }
 
 // One for each that is given: the one that may be repeated, as often as leaves the others one each.

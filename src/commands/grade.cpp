@@ -146,11 +146,8 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
 }
 
 bool hasFile(const Submission& submission, const std::string& name) {
-    std::string path = name;
-    for (std::size_t at = 0; (at = path.find("{}", at)) != path.npos; at += submission.folder.size())
-        path.replace(at, 2, submission.folder);
     std::error_code error;
-    return std::filesystem::exists(path, error);
+    return std::filesystem::exists(replaced(name, "{}", submission.folder), error);
 }
 
 std::string missingInAll(const std::string& name) {

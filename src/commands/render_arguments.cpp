@@ -24,13 +24,11 @@ namespace raytracer::commands {
 namespace {
 
 // The parts of a comma-separated list, without the blanks around them.
-std::vector<std::string> split(const std::string& list) {
-    std::vector<std::string> parts;
-    for (std::size_t start = 0, end = 0; end != list.npos; start = end + 1) {
-        end = list.find(',', start);
-        const std::string part = list.substr(start, end - start);
-        const std::size_t first = std::min(part.find_first_not_of(' '), part.size());
-        parts.push_back(part.substr(first, part.find_last_not_of(' ') + 1 - first));
+std::vector<std::string> listParts(const std::string& list) {
+    std::vector<std::string> parts = split(list, ",");
+    for (std::string& part : parts) {
+        part.erase(part.find_last_not_of(' ') + 1);
+        part.erase(0, part.find_first_not_of(' '));
     }
     return parts;
 }
@@ -50,7 +48,7 @@ std::string visibly(const std::string& term) { return isDark(termsNamed(term)) ?
 std::string termsOfStage(const std::string& name) {
     std::string terms = name;
     std::ranges::replace(terms, '_', ',');
-    return terms != name && std::ranges::all_of(split(terms), isTerm) ? terms : "";
+    return terms != name && std::ranges::all_of(listParts(terms), isTerm) ? terms : "";
 }
 
 bool Terms::*termNamed(const std::string& name) {
@@ -80,7 +78,7 @@ std::optional<int> edgeIn(const std::string& text) {
 
 PixelRectangle parseCrop(const std::string& text) {
     std::vector<std::optional<int>> numbers;
-    for (const std::string& part : split(text)) numbers.push_back(edgeIn(part));
+    for (const std::string& part : listParts(text)) numbers.push_back(edgeIn(part));
     if (numbers.size() != 4 || std::ranges::count(numbers, std::optional<int>()) > 0)
         throw usageError("--crop: expected four whole numbers x0,y0,x1,y1, found " + inQuotes(text));
     const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
@@ -177,7 +175,7 @@ void RenderArguments::addLongEdgeTo(CommandLine& line) {
 Terms RenderArguments::terms() const {
     if (only.empty()) return {};
     Terms terms = noTerms;
-    for (const std::string& name : split(only)) {
+    for (const std::string& name : listParts(only)) {
         if (name.empty()) throw usageError("--only: a comma too many in " + inQuotes(only));
         terms.*termNamed(name) = true;
     }

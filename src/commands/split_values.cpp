@@ -21,11 +21,8 @@ struct ListForm {
 
 // Without the empty ones.
 std::vector<std::string> partsOf(const std::string& text, const ListForm& form) {
-    std::vector<std::string> parts;
-    for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
-        end = std::min(text.find_first_of(form.separators, start), text.size());
-        if (end > start) parts.push_back(text.substr(start, end - start));
-    }
+    std::vector<std::string> parts = split(text, form.separators);
+    std::erase(parts, "");
     return parts;
 }
 
@@ -40,9 +37,7 @@ std::string joinedList(const std::string& text, std::span<const std::string> beh
         parts.insert(parts.end(), more.begin(), more.end());
     }
     if (parts.size() == own || parts.size() < form.least) return {};
-    std::string list;
-    for (const std::string& part : parts) list += (list.empty() ? "" : form.between) + part;
-    return list;
+    return joined(parts, form.between);
 }
 
 Word::Whole withCommas(const std::string& text, Behind behind, const ListForm& form) {
@@ -85,8 +80,7 @@ std::string joinedBraces(const std::string& text, Behind behind) {
     }
     if (values.size() == 1) return {};
     if (isCount(values)) return pointer + "{" + values.front() + ".." + values.back() + "}";
-    std::string list;
-    for (const std::string& value : values) list += (list.empty() ? "" : ",") + value;
+    const std::string list = joined(values, ",");
     const std::string whole = list.find(':') == list.npos ? "[" + list + "]" : objectOf(list);
     return pointer + (whole.size() > longest ? "{...}" : whole);
 }

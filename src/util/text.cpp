@@ -138,10 +138,7 @@ std::string csvField(std::string_view text) {
     std::string field = printable(text);
     if (!field.empty() && std::string_view("=+-@").find(field[0]) != std::string_view::npos)
         field.insert(0, 1, '\'');
-    if (field.find_first_of(",\"") == field.npos) return field;
-    std::string quoted = "\"";
-    for (const char c : field) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
+    return field.find_first_of(",\"") == field.npos ? field : '"' + replaced(field, "\"", "\"\"") + '"';
 }
 
 std::string jsonString(std::string_view text) { return quoted(text, '<'); }
@@ -156,6 +153,28 @@ std::string inQuotes(std::string_view text) {
     };  // UTF-8
     while (end > 0 && isInCharacter(text[end])) --end;
     return quoted(text.substr(0, end), '\0') + "...";
+}
+
+std::vector<std::string> split(std::string_view text, std::string_view separators) {
+    std::vector<std::string> parts;
+    for (std::size_t start = 0, end = 0; end != text.npos; start = end + 1) {
+        end = text.find_first_of(separators, start);
+        parts.emplace_back(text.substr(start, end - start));
+    }
+    return parts;
+}
+
+std::string joined(const std::vector<std::string>& parts, std::string_view between) {
+    std::string text;
+    for (const std::string& part : parts)
+        if (!part.empty()) text.append(text.empty() ? "" : between).append(part);
+    return text;
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+        text.replace(at, what.size(), with);
+    return text;
 }
 
 std::string listed(const std::vector<std::string>& names, const std::string& last) {
@@ -181,9 +200,7 @@ std::string inShellQuotes(std::string_view word) {
     constexpr std::string_view plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,@%+-";
     if (!word.empty() && word.find_first_not_of(plain) == word.npos) return std::string(word);
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+    return "'" + replaced(std::string(word), "'", "'\\''") + "'";
 }
 
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used) {

@@ -60,6 +60,15 @@ std::string inShellQuotes(std::string_view word);
 // blanks. `used`: what the first line has already. A longer word has a line of its own.
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used = 0);
 
+// The parts of a text between the characters that are separators, the empty ones too.
+std::vector<std::string> split(std::string_view text, std::string_view separators);
+
+// The parts that are not empty, with a text between each two.
+std::string joined(const std::vector<std::string>& parts, std::string_view between);
+
+// The text with other words for each `what` in it.
+std::string replaced(std::string text, std::string_view what, std::string_view with);
+
 // "a, b or c".
 std::string listed(const std::vector<std::string>& names, const std::string& last = "or");
 
