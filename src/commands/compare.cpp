@@ -106,14 +106,12 @@ void printText(const Comparison& c) {
 }
 
 std::string colorAt(const Picture& picture, const Comparison& c) {
-    const auto at = 3 * (static_cast<std::size_t>(c.worstY) * static_cast<std::size_t>(c.width) +
-                         static_cast<std::size_t>(c.worstX));
     if (const auto* floats = std::get_if<FloatImage>(&picture)) {
-        const float* p = &floats->pixels[at];
+        const float* const p = floats->at(c.worstX, c.worstY);
         return formatted("(%.6g, %.6g, %.6g)", static_cast<double>(p[0]), static_cast<double>(p[1]),
                          static_cast<double>(p[2]));
     }
-    const std::uint8_t* p = &std::get<ByteImage>(picture).pixels[at];
+    const std::uint8_t* const p = std::get<ByteImage>(picture).at(c.worstX, c.worstY);
     return formatted("(%d, %d, %d)", p[0], p[1], p[2]);
 }
 

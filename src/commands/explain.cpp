@@ -69,15 +69,10 @@ void requirePixel(const ImageSize& size, const PixelPlace& pixel) {
                                    size.width - 1, size.height - 1, pixel.x, pixel.y));
 }
 
-using Bytes = std::uint8_t[3];
-
-const Bytes& bytesAt(const ByteImage& image, const PixelPlace& pixel) {
-    const auto number = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(image.width) +
-                        static_cast<std::size_t>(pixel.x);
-    return *reinterpret_cast<const Bytes*>(&image.pixels[3 * number]);
+std::string bytesAt(const ByteImage& image, const PixelPlace& pixel) {
+    const std::uint8_t* const bytes = image.at(pixel.x, pixel.y);
+    return formatted("(%d, %d, %d)", bytes[0], bytes[1], bytes[2]);
 }
-
-std::string inWords(const Bytes& bytes) { return formatted("(%d, %d, %d)", bytes[0], bytes[1], bytes[2]); }
 
 // Someone's picture of the scene.
 struct Suspect {
@@ -121,19 +116,14 @@ void printSuspect(const Suspect& suspect, const std::string& name, const PixelPl
                   const std::vector<std::string>& missing) {
     print(inLines(name + " ", verdict(suspect)));
     for (const std::string& hint : suspect.diagnosis.hints()) print(inLines("  ", hint));
-    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + inWords(bytesAt(suspect.image, pixel)) + " in " +
-          name + ", " + inWords(bytesAt(suspect.right, pixel)) + " is right\n");
+    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + bytesAt(suspect.image, pixel) + " in " + name +
+          ", " + bytesAt(suspect.right, pixel) + " is right\n");
     const std::string asIn = " it would be as in " + name + "\n";
     for (const std::string& term : missing) print(("without " + term).append(asIn));
 }
 
 void writeSuspect(JsonWriter& json, const Suspect& suspect, const PixelPlace& pixel,
                   const std::vector<std::string>& missing) {
-    const auto writeBytes = [&](const char* key, const Bytes& bytes) {
-        json.key(key).beginArray();
-        for (const std::uint8_t byte : bytes) json.value(static_cast<int>(byte));
-        json.endArray();
-    };
     json.key("verdict").value(verdict(suspect));
     json.key("mistakes").beginArray();
     for (const NamedMistake& mistake : suspect.diagnosis.mistakes) {
@@ -143,7 +133,10 @@ void writeSuspect(JsonWriter& json, const Suspect& suspect, const PixelPlace& pi
     }
     json.endArray();
     json.key("pixel").beginArray().value(pixel.x).value(pixel.y).endArray();
-    writeBytes("theirs", bytesAt(suspect.image, pixel));
+    const std::uint8_t* const bytes = suspect.image.at(pixel.x, pixel.y);
+    json.key("theirs").beginArray();
+    for (int c = 0; c < 3; ++c) json.value(static_cast<int>(bytes[c]));
+    json.endArray();
     json.key("without").beginArray();
     for (const std::string& term : missing) json.value(term);
     json.endArray();
@@ -163,7 +156,7 @@ int explainSuspect(ExplainArguments& arguments) {
                                          : PixelPlace{suspect.comparison.worstX, suspect.comparison.worstY};
     requirePixel(options.size, pixel);
     const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
-    const auto missing = missingTerms(tree, scene, bytesAt(suspect.image, pixel));
+    const auto missing = missingTerms(tree, scene, suspect.image.at(pixel.x, pixel.y));
     if (arguments.json) {
         print(explanationJson(tree, scene,
                               [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); }));
