@@ -4,8 +4,7 @@
 #include <span>
 #include <system_error>
 
-#include "command_line.h"
-#include "raytracer/json/json_document.h"
+#include "arguments.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 
@@ -23,30 +22,20 @@ std::string fileWithBlank(const std::vector<std::string>& words) {
     return {};
 }
 
-bool isOfKind(const std::string& text, ArgumentKind kind) {
-    switch (kind) {
-        case ArgumentKind::Scene: return endsIn(text, ".json");
-        case ArgumentKind::Picture: return text == "-" || endsIn(text, ".png") || endsIn(text, ".pfm");
-        case ArgumentKind::Number: return numberOf<double>(text).has_value();
-        case ArgumentKind::Any:
-        case ArgumentKind::Folder: break;
-    }
-    return false;
+ArgumentKind kindOf(const std::string& text) {
+    if (endsIn(text, ".json")) return ArgumentKind::Scene;
+    if (text == "-" || isPictureName(text)) return ArgumentKind::Picture;
+    return numberOf<double>(text) ? ArgumentKind::Number : ArgumentKind::Any;
 }
 
-const char* nounOf(ArgumentKind kind) {
-    switch (kind) {
-        case ArgumentKind::Scene: return "the scene";
-        case ArgumentKind::Picture: return "the picture";
-        case ArgumentKind::Any:
-        case ArgumentKind::Number:
-        case ArgumentKind::Folder: break;
-    }
-    return "";
+std::string nounOf(ArgumentKind kind) {
+    if (kind == ArgumentKind::Scene) return "the scene";
+    return kind == ArgumentKind::Picture ? "the picture" : "";
 }
 
-bool isAnywhere(const std::string& text, const std::vector<const Word*>& expected) {
-    return std::ranges::any_of(expected, [&](const Word* word) { return isOfKind(text, word->kind); });
+// Whether an argument is of this kind, which is not any.
+bool has(const std::vector<const Word*>& expected, ArgumentKind kind) {
+    return kind != ArgumentKind::Any && std::ranges::count(expected, kind, &Word::kind) > 0;
 }
 
 // For each text the place of an argument of its kind, behind those of the texts before it; or of any kind,
@@ -58,9 +47,9 @@ std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
     for (const std::string& text : texts) {
         const bool hasAll = texts.size() - places.size() >= expected.size() - next;
         const auto fits = [&](ArgumentKind kind) {
-            return isOfKind(text, kind) || (kind == ArgumentKind::Any && hasAll);
+            return kind == ArgumentKind::Any ? hasAll : kind == kindOf(text);
         };
-        if (isAnywhere(text, expected))
+        if (has(expected, kindOf(text)))
             while (next < expected.size() && !fits(expected[next]->kind)) ++next;
         if (next >= expected.size()) break;
         places.push_back(next);
@@ -76,7 +65,7 @@ const std::string* surplusIn(const std::vector<std::string>& texts,
         auto places = std::ranges::count(expected, kind, &Word::kind);
         if (places == 0) continue;
         for (const std::string& text : texts)
-            if (isOfKind(text, kind) && places-- == 0) return &text;
+            if (kindOf(text) == kind && places-- == 0) return &text;
     }
     return nullptr;
 }
@@ -85,21 +74,16 @@ const std::string* surplusIn(const std::vector<std::string>& texts,
 bool isOddlyNamedScene(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
     std::error_code error;
     return texts.size() == expected.size() && expected[0]->kind == ArgumentKind::Scene &&
-           isOfKind(texts[0], ArgumentKind::Number) && std::filesystem::exists(texts[0], error);
+           kindOf(texts[0]) == ArgumentKind::Number && std::filesystem::exists(texts[0], error);
 }
 
 // The scene or the picture that no text is, where each text is of some kind and none is too many.
 const Word* absentKind(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
-    if (texts.size() > expected.size()) return nullptr;
-    for (const std::string& text : texts)
-        if (!isAnywhere(text, expected)) return nullptr;
-    const auto isAbsent = [&](const Word* word) {
-        return *nounOf(word->kind) && std::ranges::none_of(texts, [&](const std::string& text) {
-            return isOfKind(text, word->kind);
-        });
-    };
-    const auto absent = std::ranges::find_if(expected, isAbsent);
-    return absent == expected.end() ? nullptr : *absent;
+    const auto isKnown = [&](const std::string& text) { return has(expected, kindOf(text)); };
+    if (texts.size() > expected.size() || !std::ranges::all_of(texts, isKnown)) return nullptr;
+    for (const Word* word : expected)
+        if (!nounOf(word->kind).empty() && std::ranges::count(texts, word->kind, kindOf) == 0) return word;
+    return nullptr;
 }
 
 // "3 3" of "3,3"; empty where the text is no list of numbers.
@@ -109,22 +93,13 @@ std::string numbersApart(const std::string& text) {
     return isList ? joined(numbers, " ") : "";
 }
 
-// The argument that the text is the picture or the scene of, if it is another one than `here`.
-const Word* meantInstead(const std::string& text, const Word* here,
-                         const std::vector<const Word*>& expected) {
-    const auto isMeant = [&](const Word* word) {
-        return word->kind != ArgumentKind::Number && isOfKind(text, word->kind);
-    };
-    const auto meant = std::ranges::find_if(expected, isMeant);
-    return meant == expected.end() || (here && isMeant(here)) ? nullptr : *meant;
-}
-
 // "is out.png the picture", of the first text that has another's place; empty where none has.
 std::string swappedIn(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        const Word* const here = i < expected.size() ? expected[i] : nullptr;
-        if (const Word* const meant = meantInstead(texts[i], here, expected))
-            return "is " + texts[i] + " " + nounOf(meant->kind);
+        const ArgumentKind kind = kindOf(texts[i]);
+        const bool isHere = i < expected.size() && expected[i]->kind == kind;
+        if (!isHere && has(expected, kind) && !nounOf(kind).empty())
+            return "is " + texts[i] + " " + nounOf(kind);
     }
     return {};
 }
@@ -173,8 +148,8 @@ void CommandLine::requireKinds() const {
     const std::vector<const Word*> expected = arguments();
     if (!rest_.empty() && rest_[0] == "-" && expected[0]->kind == ArgumentKind::Scene)
         throw usageError("a scene is not read from standard input: name its file");
-    const auto picture = std::ranges::find_if(
-        rest_, [](const std::string& text) { return text != "-" && isOfKind(text, ArgumentKind::Picture); });
+    const auto picture =
+        std::ranges::find_if(rest_, [](const std::string& text) { return isPictureName(text); });
     if (find("--picture") && picture != rest_.end())
         throw usageError("is " + *picture + " the picture? Give it with --picture; the order is " + order());
 }
@@ -197,7 +172,7 @@ void CommandLine::requireNumbers(const std::vector<std::size_t>& places,
                                  const std::vector<const Word*>& expected) const {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Word& word = *expected[places[i]];
-        if (word.kind != ArgumentKind::Number || isOfKind(rest_[i], word.kind)) continue;
+        if (word.kind != ArgumentKind::Number || kindOf(rest_[i]) == word.kind) continue;
         if (const std::string apart = numbersApart(rest_[i]); !apart.empty())
             refuse(word.name, word.expected, inQuotes(rest_[i]) + "; write " + apart);
         word.read(rest_[i]);  // says what it expects

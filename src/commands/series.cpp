@@ -61,18 +61,9 @@ bool isOfText(std::string_view pointer) {
 bool isNearRange(const std::string& inside, bool hasFrames) {
     if (inside.find_first_not_of("0123456789.,:;- ") != inside.npos) return false;
     if (inside.find_first_of("0123456789") == inside.npos) return false;
-    std::size_t parts = 0;
-    for (std::size_t end = 0, at = 0; (at = inside.find_first_not_of(",:; ", end)) != inside.npos; ++parts)
-        end = std::min(inside.find_first_of(",:; ", at), inside.size());
-    if (parts == 1) return inside.find("..") != inside.npos || inside.find('-', 1) != inside.npos;
-    return parts == 2 && (hasFrames || inside.find(',') == inside.npos);
-}
-
-// Whether a brace stands where a number of its own may: not in a word, as "mat{1-2}".
-bool isValueAt(const std::string& value, std::size_t brace) {
-    const std::size_t before = value.find_last_not_of(' ', brace - 1);
-    return brace == 0 || before == value.npos ||
-           std::string_view("[{(,:").find(value[before]) != std::string_view::npos;
+    const auto commas = std::ranges::count(inside, ',');
+    if (commas > 0) return commas == 1 && hasFrames;
+    return inside.find("..") != inside.npos || inside.find_first_of(":;- ", 1) != inside.npos;
 }
 
 // Numbers between braces, or dots between numbers, that are no range, where the value is meant as numbers.
@@ -86,8 +77,7 @@ bool hasNearRange(const std::string& set, bool hasFrames) {
     if (value.empty() || readingOf(value).why.empty()) return false;
     for (std::size_t open = 0; (open = value.find('{', open)) != value.npos; ++open) {
         const std::size_t end = std::min(value.find_first_of("}]", open), value.size());
-        if (isValueAt(value, open) && isNearRange(value.substr(open + 1, end - open - 1), hasFrames))
-            return true;
+        if (isNearRange(value.substr(open + 1, end - open - 1), hasFrames)) return true;
     }
     return value.find("..") != value.npos && value.find_first_not_of("0123456789.-+") == value.npos;
 }
