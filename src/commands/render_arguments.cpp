@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "arguments.h"
@@ -113,9 +112,7 @@ void RenderArguments::addTo(CommandLine& line) {
                "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
                "refraction, textures");
     line.shown("--only", "LIST", "terms, as ambient,diffuse");
-    line.rejoins("--only", [terms](const std::string& text, std::span<const std::string> behind) {
-        return joinedTerms(text, behind, terms);
-    });
+    line.rejoins("--only", rejoinedList({"has commas, no blanks", ", ", ",", 2, terms.size(), isTerm}));
     line.flag("--opaque", opaque, "Read every material as not refractive");
     line.choice("--precision", precision, {std::begin(precisionNames), std::end(precisionNames)},
                 "Arithmetic: float, double or extended (long double)");
@@ -139,7 +136,7 @@ void RenderArguments::addPictureTo(CommandLine& line) {
     line.text("--crop", crop,
               "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
     line.shown("--crop", "x0,y0,x1,y1");
-    line.rejoins("--crop", joinedCrop);
+    line.rejoins("--crop", rejoinedList({"has commas, no blanks", ", ", ",", 4, 4, isWholeNumber}));
     line.number(
         "--samples", samples, {1, mostSamples},
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");

@@ -104,14 +104,14 @@ void addPartsAndFramesTo(CommandLine& line, std::string& part, std::string& fram
               "Render the K-th of N parts of the picture, K/N, into the file IMAGE_OUT.part-K-of-N, for "
               "raytracer assemble; all parts take about the same time");
     line.shown("--part", "K/N");
-    line.rejoins("--part", joinedPart);
+    line.rejoins("--part", rejoinedList({"is K/N, no blanks", "/of", "/", 2, 2, isWholeNumber}));
     line.exclude("--part", {"--target-time"});
     line.text(
         "--frames", frames,
         "Render frames A..B; IMAGE_OUT has one %04d, for their number. In a --set, {a..b} is a number that "
         "runs from a at frame A to b at the one after B; write it in quotes: '/camera/eye/0={0..1}'");
     line.shown("--frames", "A..B");
-    line.rejoins("--frames", joinedFrames);
+    line.rejoins("--frames", rejoinedList({"is A..B, no blanks", ".to", "..", 2, 2, isWholeNumber}));
 }
 
 std::string pictureOptions(const RenderArguments& arguments, const RenderOptions& options) {

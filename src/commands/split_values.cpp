@@ -1,8 +1,7 @@
 #include "split_values.h"
 
 #include <algorithm>
-#include <functional>
-#include <string_view>
+#include <vector>
 
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
@@ -10,14 +9,6 @@
 namespace raytracer::commands {
 
 namespace {
-
-// How an option's list is written.
-struct ListForm {
-    std::string_view separators;  // characters
-    const char* between;          // its parts, as the list is written
-    std::size_t least, most;      // parts
-    std::function<bool(const std::string&)> isPart;
-};
 
 // Without the empty ones.
 std::vector<std::string> partsOf(const std::string& text, const ListForm& form) {
@@ -27,7 +18,7 @@ std::vector<std::string> partsOf(const std::string& text, const ListForm& form) 
 }
 
 // Empty where the text is whole, or what is behind is no part.
-std::string joinedList(const std::string& text, std::span<const std::string> behind, const ListForm& form) {
+std::string joinedList(const std::string& text, Behind behind, const ListForm& form) {
     std::vector<std::string> parts = partsOf(text, form);
     const std::size_t own = parts.size();
     if (!std::ranges::all_of(parts, form.isPart)) return {};
@@ -38,10 +29,6 @@ std::string joinedList(const std::string& text, std::span<const std::string> beh
     }
     if (parts.size() == own || parts.size() < form.least) return {};
     return joined(parts, form.between);
-}
-
-Word::Whole withCommas(const std::string& text, Behind behind, const ListForm& form) {
-    return {"has commas, no blanks", joinedList(text, behind, form)};
 }
 
 // An object's text whose quotes a shell has taken away: {"type":"sphere"} of type:sphere.
@@ -106,24 +93,10 @@ std::string inAnyShell(const std::string& text) {
 
 }  // namespace
 
-Word::Whole joinedTerms(const std::string& text, Behind behind, const std::vector<std::string>& terms) {
-    return withCommas(text, behind, {", ", ",", 2, terms.size(), [&](const std::string& part) {
-                                         return std::ranges::find(terms, part) != terms.end();
-                                     }});
-}
-
-Word::Whole joinedCrop(const std::string& text, Behind behind) {
-    return withCommas(text, behind, {", ", ",", 4, 4, [](const std::string& part) {
-                                         return part.find_first_not_of("0123456789-") == part.npos;
-                                     }});
-}
-
-Word::Whole joinedPart(const std::string& text, std::span<const std::string> behind) {
-    return {"is K/N, no blanks", joinedList(text, behind, {"/of", "/", 2, 2, isWholeNumber})};
-}
-
-Word::Whole joinedFrames(const std::string& text, std::span<const std::string> behind) {
-    return {"is A..B, no blanks", joinedList(text, behind, {".to", "..", 2, 2, isWholeNumber})};
+Word::Rejoin rejoinedList(const ListForm& form) {
+    return [form](const std::string& text, Behind behind) -> Word::Whole {
+        return {form.inWords, joinedList(text, behind, form)};
+    };
 }
 
 Word::Whole joinedEdit(const std::string& text, Behind behind) {
