@@ -134,12 +134,6 @@ std::string sizeInWords(const Picture& picture) {
     return std::visit(words, picture);
 }
 
-void requireSize(const std::string& name, const std::string& size, const std::string& other,
-                 const std::string& expected) {
-    if (size != expected)
-        throw Error({name}, "expected " + expected + " pixels, as in " + other + ", found " + size);
-}
-
 int comparePictures(const CompareArguments& arguments) {
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
@@ -149,7 +143,10 @@ int comparePictures(const CompareArguments& arguments) {
         diff.emplace(arguments.diff);
     }
     const Picture a = readPicture(arguments.a), b = readPicture(arguments.b);
-    requireSize(arguments.b, sizeInWords(b), arguments.a, sizeInWords(a));
+    const std::string size = sizeInWords(b), expected = sizeInWords(a);
+    if (size != expected)
+        throw Error({arguments.b},
+                    "expected " + expected + " pixels, as in " + arguments.a + ", found " + size);
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
     if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a), toBytes(b)));

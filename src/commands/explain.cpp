@@ -142,6 +142,12 @@ void writeSuspect(JsonWriter& json, const Suspect& suspect, const PixelPlace& pi
     json.endArray();
 }
 
+void printRays(const RayExplanation& tree, const SceneDescription& scene, const ExplainArguments& arguments,
+               const std::function<void(JsonWriter&)>& before = {}) {
+    if (arguments.json) print(explanationJson(tree, scene, before));
+    else print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
+}
+
 int explainSuspect(ExplainArguments& arguments) {
     RenderArguments& render = arguments.render;
     const std::string& name = arguments.picture;
@@ -157,13 +163,9 @@ int explainSuspect(ExplainArguments& arguments) {
     requirePixel(options.size, pixel);
     const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
     const auto missing = missingTerms(tree, scene, suspect.image.at(pixel.x, pixel.y));
-    if (arguments.json) {
-        print(explanationJson(tree, scene,
-                              [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); }));
-        return isRight(suspect.diagnosis) ? 0 : 1;
-    }
-    printSuspect(suspect, name, pixel, missing);
-    print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
+    const auto addSuspect = [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); };
+    if (!arguments.json) printSuspect(suspect, name, pixel, missing);
+    printRays(tree, scene, arguments, addSuspect);
     return isRight(suspect.diagnosis) ? 0 : 1;
 }
 
@@ -178,8 +180,7 @@ int explainPixel(ExplainArguments& arguments) {
     const RenderOptions options = render.prepare(scene);
     requirePixel(options.size, pixel);
     const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
-    if (arguments.json) print(explanationJson(tree, scene));
-    else print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
+    printRays(tree, scene, arguments);
     return 0;
 }
 
