@@ -84,9 +84,8 @@ struct Suspect {
 Suspect examine(ByteImage image, const std::string& name, const SceneDescription& whole,
                 const RenderOptions& options, const Terms& terms) {
     if (image.width != options.size.width || image.height != options.size.height)
-        throw Error({name}, "expected a picture of the scene, " + std::to_string(options.size.width) + " x " +
-                                std::to_string(options.size.height) + ", found " +
-                                std::to_string(image.width) + " x " + std::to_string(image.height));
+        throw Error({name}, formatted("expected a picture of the scene, %d x %d, found %d x %d",
+                                      options.size.width, options.size.height, image.width, image.height));
     const MistakeNamer namer(whole, options, terms);
     Diagnosis diagnosis = namer.diagnose(image);
     const Comparison comparison = compareImages(image, namer.right());

@@ -12,28 +12,6 @@ namespace raytracer {
 
 namespace {
 
-struct Character {
-    std::uint32_t code = 0;
-    std::size_t size = 0;  // bytes; 0: not UTF-8
-};
-
-// What the text, which is not empty, begins with (RFC 3629).
-Character firstCharacter(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text[0]);
-    if (lead < 0x80) return {lead, 1};
-    const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return {};
-    std::uint32_t code = lead & (0x7fU >> size);
-    for (const char c : text.substr(1, size - 1)) {
-        if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return {};
-        code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
-    }
-    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // less is longer than it need be
-    const bool isSurrogate = code >> 11 == 0xd800 >> 11;
-    if (code < least[size] || code > 0x10ffff || isSurrogate) return {};
-    return {code, size};
-}
-
 const UnseenRange* unseenAt(std::uint32_t code) {
     const auto has = [&](const UnseenRange& range) { return range.codes.contains(code); };
     const auto* const found = std::ranges::find_if(unseen, has);
@@ -79,7 +57,21 @@ std::string quoted(std::string_view text, char escaped) {
 
 }  // namespace
 
-std::size_t utf8Bytes(std::string_view text) { return firstCharacter(text).size; }
+Character firstCharacter(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    if (lead < 0x80) return {lead, 1};
+    const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return {};
+    std::uint32_t code = lead & (0x7fU >> size);
+    for (const char c : text.substr(1, size - 1)) {
+        if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return {};
+        code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
+    }
+    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // less is longer than it need be
+    const bool isSurrogate = code >> 11 == 0xd800 >> 11;
+    if (code < least[size] || code > 0x10ffff || isSurrogate) return {};
+    return {code, size};
+}
 
 std::size_t printableBytes(std::string_view text) {
     const Character character = firstCharacter(text);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,9 +23,15 @@ constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8, without
 // ASCII characters at its beginning (RFC 4627, section 3).
 std::string wideEncoding(std::string_view text);
 
-// The bytes of the character that the text, which is not empty, begins with; 0 where that is not UTF-8 (RFC
-// 3629).
-std::size_t utf8Bytes(std::string_view text);
+// What a text, which is not empty, begins with (RFC 3629).
+struct Character {
+    std::uint32_t code = 0;
+    std::size_t size = 0;  // bytes; 0: not UTF-8
+};
+Character firstCharacter(std::string_view text);
+
+// The bytes of that character; 0 where it is not UTF-8.
+inline std::size_t utf8Bytes(std::string_view text) { return firstCharacter(text).size; }
 
 // The same, and 0 where that is a control character (those of U+0080 to U+009F too), one that turns the
 // direction of text, or no character.
