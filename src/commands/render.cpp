@@ -112,26 +112,21 @@ void warnOfBlack(const RenderJob& job) {
 }
 
 template <class Sink, class Image>
-void renderTo(RenderJob& job, PictureWriter<Image>& writer) {
+void renderTo(RenderJob& job, OutputFile& file, std::unique_ptr<PictureWriter<Image>> writer) {
+    if (job.wanted.isPart()) writer = partWriter<Image>(file, job.part);
     Stopwatch watch;
-    StepProgress progress(job.arguments.quiet, writer.bands().size());
-    for (const PixelRectangle& band : writer.bands()) {
+    StepProgress progress(job.arguments.quiet, writer->bands().size());
+    for (const PixelRectangle& band : writer->bands()) {
         Sink sink(band);
         renderBand(sink, job, band, progress);
         job.timings.render += watch.lap();
         job.isBlack = job.isBlack && isAllBlack(sink.image());
-        if (&band == &writer.bands().back()) warnOfBlack(job);
-        writer.write(sink.image());
+        if (&band == &writer->bands().back()) warnOfBlack(job);
+        writer->write(sink.image());
         job.timings.write += watch.lap();
     }
-    writer.finish();
+    writer->finish();
     job.timings.write += watch.lap();
-}
-
-template <class Sink, class Image>
-void renderTo(RenderJob& job, OutputFile& file, std::unique_ptr<PictureWriter<Image>> writer) {
-    if (job.wanted.isPart()) writer = partWriter<Image>(file, job.part);
-    renderTo<Sink>(job, *writer);
 }
 
 void choose(RenderJob& job) {
@@ -280,7 +275,7 @@ void check(const CommandLine& line, const RenderArguments& arguments, const Pict
 }  // namespace
 
 int render(int argc, char** argv) {
-    CommandLine line("raytracer", "Renders a scene to a picture.");
+    CommandLine line("", "Renders a scene to a picture.");
     RenderArguments arguments;
     PictureArguments wanted;
     addTo(line, arguments, wanted);
