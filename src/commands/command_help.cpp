@@ -30,12 +30,6 @@ std::string roffLines(const std::string& text) {
     return lines;
 }
 
-// "compare" of "raytracer compare"; nothing of "raytracer".
-std::string subcommand(const std::string& command) {
-    const std::size_t blank = command.find(' ');
-    return blank == command.npos ? "" : command.substr(blank + 1);
-}
-
 // What a list of options has room for: all of a short help, or else its first phrase; of two ends the first
 // one here counts.
 std::string brief(const std::string& help) {
@@ -65,7 +59,7 @@ std::string options(const CommandLine& line) {
 
 // Cases of "COMMAND PREVIOUS-WORD", and of "COMMAND" for all options.
 std::string forBash(const CommandLine& line) {
-    const std::string name = subcommand(line.command()), command = name.empty() ? "render" : name;
+    const std::string command = line.name().empty() ? "render" : line.name();
     std::string cases;
     for (const Word& word : line.words())
         if (!word.choices.empty())
@@ -100,13 +94,13 @@ std::string forZsh(const CommandLine& line) {
             specs += std::string("            '") + (word.isMany ? "*" : "") + ":" + word.name + ":" +
                      values + "' \\\n";
     }
-    const std::string name = subcommand(line.command());
+    const std::string& name = line.name();
     return "        " + (name.empty() ? "*" : name) + ")\n        _arguments \\\n" + specs +
            "            && return ;;\n";
 }
 
 std::string forFish(const CommandLine& line) {
-    const std::string name = subcommand(line.command());
+    const std::string& name = line.name();
     const std::string when = std::string(name.empty() ? "not " : "") + "__fish_seen_subcommand_from " +
                              (name.empty() ? "$names" : name);
     std::string lines;

@@ -42,8 +42,8 @@ bool looksLikeOption(const std::string& word) {
 
 }  // namespace
 
-CommandLine::CommandLine(const std::string& command, const std::string& purpose)
-    : command_(command), purpose_(purpose) {
+CommandLine::CommandLine(const std::string& name, const std::string& purpose)
+    : name_(name), purpose_(purpose), command_(joined({"raytracer", name}, " ")) {
     // parse answers these, wherever they stand.
     words_.push_back({"--help", "Print this; or -h"});
     words_.push_back({"--version", "Print the version, the instruction sets and the precisions; or -V"});
@@ -253,7 +253,7 @@ bool CommandLine::parse(int argc, char** argv) {
         for (const auto& [word, text, at] : given_) take(*word, text);
         requireTogether();
     } catch (const UsageError&) {
-        const std::string late = command_ == "raytracer" ? lateCommand(line) : "";
+        const std::string late = name_.empty() ? lateCommand(line) : "";
         if (late.empty()) throw;
         throw usageError("the command stands first: raytracer " + late + " ...");
     }

@@ -76,8 +76,8 @@ struct Word {
 // value. Help is wrapped to 80 columns; it shows the variables' values as the defaults.
 class CommandLine {
   public:
-    // The command as its user calls it, and what it does.
-    CommandLine(const std::string& command, const std::string& purpose);
+    // The command's name, which may be empty, and what it does.
+    CommandLine(const std::string& name, const std::string& purpose);
 
     void text(const char* name, std::string& value, const std::string& help,
               ArgumentKind kind = ArgumentKind::Any);  // not blank
@@ -137,7 +137,7 @@ class CommandLine {
     std::string help() const;
     std::string manual() const;                              // a section of a man page, in roff
     std::string completion(const std::string& shell) const;  // what bash, zsh or fish is to know
-    const std::string& command() const { return command_; }
+    const std::string& name() const { return name_; }
     const std::string& purpose() const { return purpose_; }
     const std::string& footer() const { return footer_; }
     const std::vector<Word>& words() const { return words_; }
@@ -172,7 +172,8 @@ class CommandLine {
     void requireNumbers(const std::vector<std::size_t>& places,
                         const std::vector<const Word*>& expected) const;
 
-    std::string program_, command_, purpose_, footer_;
+    std::string program_, name_, purpose_, footer_;
+    std::string command_;  // as its user calls it
     std::vector<Word> words_;
     std::vector<Pair> excluded_, needed_, lacking_;
     std::string sparing_;

@@ -161,7 +161,7 @@ int comparePictures(const CompareArguments& arguments) {
 }  // namespace
 
 int compare(int argc, char** argv) {
-    CommandLine line("raytracer compare", "Says how much two pictures differ.");
+    CommandLine line("compare", "Says how much two pictures differ.");
     CompareArguments arguments;
     arguments.addTo(line);
     if (line.parse(argc, argv)) return 0;

@@ -186,7 +186,7 @@ int explainPixel(ExplainArguments& arguments) {
 }  // namespace
 
 int explain(int argc, char** argv) {
-    CommandLine line("raytracer explain", "Shows the rays behind one pixel.");
+    CommandLine line("explain", "Shows the rays behind one pixel.");
     ExplainArguments arguments;
     arguments.addTo(line);
     line.spares("--picture", {"X", "Y", "LONG_EDGE_PIXELS"});

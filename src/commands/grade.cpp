@@ -193,8 +193,7 @@ int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, Gra
 }  // namespace
 
 int grade(int argc, char** argv) {
-    CommandLine line("raytracer grade",
-                     "Renders every scene of a folder that has a reference picture, and compares.");
+    CommandLine line("grade", "Renders every scene of a folder that has a reference picture, and compares.");
     GradeArguments arguments;
     arguments.addTo(line);
     if (line.parse(argc, argv)) return 0;

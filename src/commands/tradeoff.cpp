@@ -97,7 +97,7 @@ int measure(TradeoffArguments& arguments) {
 }  // namespace
 
 int tradeoff(int argc, char** argv) {
-    CommandLine line("raytracer tradeoff", "Measures what speed costs in accuracy.");
+    CommandLine line("tradeoff", "Measures what speed costs in accuracy.");
     TradeoffArguments arguments;
     arguments.addTo(line);
     if (line.parse(argc, argv)) return 0;
