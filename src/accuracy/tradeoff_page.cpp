@@ -10,10 +10,7 @@ namespace {
 
 // Lines break between options, never in one.
 std::string optionsOf(const Setting& setting) {
-    std::string html = "<code>" + escaped(commandLine(setting)) + "</code>";
-    for (auto at = html.find(" --"); at != std::string::npos; at = html.find(" --", at + 1))
-        html.replace(at, 1, "</code> <code>");
-    return html;
+    return "<code>" + replaced(escaped(commandLine(setting)), " --", "</code> <code>--") + "</code>";
 }
 
 std::string tableRow(const Trial& trial, double plain) {

@@ -85,11 +85,11 @@ void addThresholds(CommandLine& line, Thresholds& thresholds) {
 }
 
 std::string versionText() {
-    std::string sets;
-    for (const InstructionSet set : supportedInstructionSets())
-        sets += (sets.empty() ? "" : ", ") + std::string(nameOf(set));
+    std::vector<std::string> sets;
+    for (const InstructionSet set : supportedInstructionSets()) sets.emplace_back(nameOf(set));
     return std::string("raytracer ") + build::version + " (" + build::commit +
-           ")\ninstruction sets: " + sets + "; used: " + std::string(nameOf(defaultInstructionSet())) +
+           ")\ninstruction sets: " + joined(sets, ", ") +
+           "; used: " + std::string(nameOf(defaultInstructionSet())) +
            "\nprecisions: float, double, extended\n";
 }
 

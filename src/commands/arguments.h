@@ -6,15 +6,8 @@
 
 #include "command_line.h"
 #include "raytracer/grading/compare.h"
-#include "raytracer/util/error.h"
 
 namespace raytracer::commands {
-
-// About the command line. run() names the command before the message.
-struct UsageError : Error {
-    using Error::Error;
-};
-inline UsageError usageError(const std::string& message) { return UsageError(message); }
 
 constexpr Range longEdgeRange{1, 65536};
 

@@ -66,7 +66,7 @@ int assembleParts(const std::vector<std::string>& paths, const std::string& out,
 }  // namespace
 
 int assemble(int argc, char** argv) {
-    CommandLine line("raytracer assemble", "Makes a picture of all its parts, rendered with --part.");
+    CommandLine line("assemble", "Makes a picture of all its parts, rendered with --part.");
     std::vector<std::string> paths;
     std::string out;
     int threads = 0;
@@ -77,7 +77,7 @@ int assemble(int argc, char** argv) {
     addThreads(line, threads);
     line.flag("--quiet", quiet, "Print nothing but errors");
     line.footer(assembleFooter);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     return assembleParts(paths, out, threads, quiet);
 }
 

@@ -18,12 +18,6 @@ std::string entry(const std::string& name, const std::string& help) {
     return left + wrapped(help, helpColumns, nameColumns, nameColumns) + "\n";
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
-        text.replace(at, what.size(), with);
-    return text;
-}
-
 // A line of roff: backslashes and hyphens as they are, no request.
 std::string roff(const std::string& text) {
     const std::string plain = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
@@ -32,20 +26,8 @@ std::string roff(const std::string& text) {
 
 std::string roffLines(const std::string& text) {
     std::string lines;
-    for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
-        end = std::min(text.find('\n', start), text.size());
-        lines += roff(text.substr(start, end - start)) + "\n";
-    }
+    for (const std::string& line : split(text, "\n")) lines += roff(line) + "\n";
     return lines;
-}
-
-// "N" of "N=3".
-std::string placeholder(const Word& word) { return word.placeholder.substr(0, word.placeholder.find('=')); }
-
-// "compare" of "raytracer compare"; nothing of "raytracer".
-std::string subcommand(const std::string& command) {
-    const std::size_t blank = command.find(' ');
-    return blank == command.npos ? "" : command.substr(blank + 1);
 }
 
 // What a list of options has room for: all of a short help, or else its first phrase; of two ends the first
@@ -68,27 +50,21 @@ std::string inZsh(const std::string& text) {
 // A text between single quotes of fish.
 std::string inFish(const std::string& text) { return replaced(replaced(text, "\\", "\\\\"), "'", "\\'"); }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-    return all;
-}
-
 std::string options(const CommandLine& line) {
     std::vector<std::string> names;
     for (const Word& word : line.words())
         if (word.isOption()) names.push_back(word.name);
-    return joined(names);
+    return joined(names, " ");
 }
 
 // Cases of "COMMAND PREVIOUS-WORD", and of "COMMAND" for all options.
 std::string forBash(const CommandLine& line) {
-    const std::string name = subcommand(line.command()), command = name.empty() ? "render" : name;
+    const std::string command = line.name().empty() ? "render" : line.name();
     std::string cases;
     for (const Word& word : line.words())
         if (!word.choices.empty())
-            cases +=
-                "        \"" + command + " " + word.name + "\") words=\"" + joined(word.choices) + "\" ;;\n";
+            cases += "        \"" + command + " " + word.name + "\") words=\"" + joined(word.choices, " ") +
+                     "\" ;;\n";
         else if (word.isOption() && !word.isFlag())
             cases += "        \"" + command + " " + word.name + "\") return ;;\n";
     return cases + "        \"" + command + " \"*) [[ $current == -* ]] && words=\"" + options(line) +
@@ -110,21 +86,21 @@ std::string forZsh(const CommandLine& line) {
     std::string specs;
     for (const Word& word : line.words()) {
         const std::string values =
-            word.choices.empty() ? zshFiles(word.kind) : "(" + joined(word.choices) + ")";
-        const std::string value = word.isFlag() ? "" : ":" + placeholder(word) + ":" + values;
+            word.choices.empty() ? zshFiles(word.kind) : "(" + joined(word.choices, " ") + ")";
+        const std::string value = word.isFlag() ? "" : ":" + word.placeholder + ":" + values;
         if (word.isOption())
             specs += "            '" + word.name + "[" + inZsh(brief(word.help)) + "]" + value + "' \\\n";
         else
             specs += std::string("            '") + (word.isMany ? "*" : "") + ":" + word.name + ":" +
                      values + "' \\\n";
     }
-    const std::string name = subcommand(line.command());
+    const std::string& name = line.name();
     return "        " + (name.empty() ? "*" : name) + ")\n        _arguments \\\n" + specs +
            "            && return ;;\n";
 }
 
 std::string forFish(const CommandLine& line) {
-    const std::string name = subcommand(line.command());
+    const std::string& name = line.name();
     const std::string when = std::string(name.empty() ? "not " : "") + "__fish_seen_subcommand_from " +
                              (name.empty() ? "$names" : name);
     std::string lines;
@@ -135,7 +111,7 @@ std::string forFish(const CommandLine& line) {
         if (!word.isOption()) continue;
         lines += "complete -c raytracer -n \"" + when + "\" -l " + word.name.substr(2) + " -d '" +
                  inFish(brief(word.help)) + "'";
-        if (!word.choices.empty()) lines += " -xa '" + joined(word.choices) + "'";
+        if (!word.choices.empty()) lines += " -xa '" + joined(word.choices, " ") + "'";
         else if (word.kind == ArgumentKind::Number) lines += " -x";
         else if (!word.isFlag()) lines += " -r";
         lines += "\n";
@@ -148,7 +124,7 @@ std::string forFish(const CommandLine& line) {
 std::string CommandLine::help() const {
     std::string arguments, options;
     for (const Word& word : words_) {
-        const std::string value = word.isFlag() ? "" : " " + word.placeholder;
+        const std::string value = word.isFlag() ? "" : " " + word.shown();
         if (word.isOption()) options += entry(word.name + value, word.help);
         else arguments += entry(word.name + (word.isMany ? "..." : ""), word.help);
     }
@@ -161,7 +137,7 @@ std::string CommandLine::manual() const {
                        "\n.PP\n" + roff(purpose_) + "\n";
     for (const Word& word : words_) {
         const std::string value = word.isFlag()     ? ""
-                                  : word.isOption() ? " \\fI" + roff(word.placeholder) + "\\fR"
+                                  : word.isOption() ? " \\fI" + roff(word.shown()) + "\\fR"
                                                     : "";
         text += ".TP\n\\fB" + roff(word.name) + "\\fR" + value + "\n" + roff(word.help) + "\n";
     }

@@ -1,11 +1,9 @@
 #include "command_line.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <type_traits>
 
 #include "arguments.h"
+#include "raytracer/commands/commands.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
@@ -15,11 +13,6 @@
 namespace raytracer::commands {
 
 namespace {
-
-std::string helpWithRange(const std::string& help, const Range& range) {
-    const std::string words = inWords(range);
-    return words.empty() ? help : help + " (" + words.substr(1) + ")";
-}
 
 // A list that is too long for a line is in the help.
 std::string expectedOf(const std::vector<std::string>& choices) {
@@ -42,18 +35,6 @@ std::string expectedOf(const std::vector<std::string>& choices) {
     refuse(name, isSame ? nearest.name() : expected, found);
 }
 
-template <class Number>
-constexpr const char* placeholderOf = std::is_integral_v<Number> ? "N" : "NUMBER";
-
-std::string withDefault(const std::string& placeholder, const std::string& value) {
-    return value.empty() ? placeholder : placeholder + "=" + value;
-}
-
-WrongUsage joinedWords(const std::string& option, const char* between, const std::string& other,
-                       const char* end = "") {
-    return {option + between + other + end};
-}
-
 // "-" is the name of a file, and -1 a number.
 bool looksLikeOption(const std::string& word) {
     return word.size() > 1 && word[0] == '-' && !numberOf<double>(word);
@@ -61,26 +42,24 @@ bool looksLikeOption(const std::string& word) {
 
 }  // namespace
 
-CommandLine::CommandLine(const std::string& command, const std::string& purpose)
-    : command_(command), purpose_(purpose) {
+CommandLine::CommandLine(const std::string& name, const std::string& purpose)
+    : name_(name), purpose_(purpose), command_(joined({"raytracer", name}, " ")) {
     // parse answers these, wherever they stand.
-    add({"--help", "", "", "Print this; or -h", {}});
-    add({"--version", "", "", "Print the version, the instruction sets and the precisions; or -V", {}});
+    words_.push_back({"--help", "Print this; or -h"});
+    words_.push_back({"--version", "Print the version, the instruction sets and the precisions; or -V"});
 }
-
-void CommandLine::add(Word word) { words_.push_back(std::move(word)); }
 
 void CommandLine::text(const char* name, std::string& value, const std::string& help, ArgumentKind kind) {
     const auto read = [&value](const std::string& text) { value = text; };
-    add({name,
-         withDefault(kind == ArgumentKind::Folder ? "FOLDER" : "TEXT", value),
-         kind == ArgumentKind::Folder ? "a folder" : "a text",
-         help,
-         read,
-         kind,
-         {},
-         false,
-         true});
+    const bool isFolder = kind == ArgumentKind::Folder;
+    words_.push_back({.name = name,
+                      .help = help,
+                      .read = read,
+                      .placeholder = isFolder ? "FOLDER" : "TEXT",
+                      .usual = value,
+                      .expected = isFolder ? "a folder" : "a text",
+                      .kind = kind,
+                      .isText = true});
 }
 
 void CommandLine::output(const char* name, std::string& value, const std::string& help, ArgumentKind kind) {
@@ -94,8 +73,10 @@ void CommandLine::output(const char* name, std::string& value, const std::string
 
 void CommandLine::texts(const char* name, std::vector<std::string>& values, const std::string& help,
                         ArgumentKind kind) {
-    const auto read = [&values](const std::string& text) { values.push_back(text); };
-    add({name, "TEXT", "a text", help, read, kind, {}, true, true});
+    std::string none;
+    text(name, none, help, kind);
+    words_.back().read = [&values](const std::string& text) { values.push_back(text); };
+    words_.back().isMany = true;
 }
 
 void CommandLine::choice(const char* name, std::string& value, const std::vector<std::string>& choices,
@@ -105,7 +86,13 @@ void CommandLine::choice(const char* name, std::string& value, const std::vector
             refuseChoice(command, name, text, choices, remedy ? remedy(text) : "");
         value = text;
     };
-    add({name, withDefault("NAME", value), expectedOf(choices), help, read, ArgumentKind::Any, choices});
+    words_.push_back({.name = name,
+                      .help = help,
+                      .read = read,
+                      .placeholder = "NAME",
+                      .usual = value,
+                      .expected = expectedOf(choices),
+                      .choices = choices});
 }
 
 void CommandLine::names(const char* name, std::string& list, const std::vector<std::string>& choices,
@@ -115,11 +102,15 @@ void CommandLine::names(const char* name, std::string& list, const std::vector<s
 }
 
 void CommandLine::flag(const char* name, bool& value, const std::string& help) {
-    add({name, "", "", help, [&value](const std::string&) { value = true; }});
+    words_.push_back({name, help, [&value](const std::string&) { value = true; }});
 }
 
 void CommandLine::alone(const char* name, const std::string& help, const std::vector<std::string>& values) {
-    add({name, values.empty() ? "" : "NAME", listed(values), help, {}, ArgumentKind::Any, values});
+    words_.push_back({.name = name,
+                      .help = help,
+                      .placeholder = values.empty() ? "" : "SHELL",
+                      .expected = listed(values),
+                      .choices = values});
 }
 
 void CommandLine::shown(const char* option, const char* placeholder, const char* expected) {
@@ -128,30 +119,6 @@ void CommandLine::shown(const char* option, const char* placeholder, const char*
     word.expected = expected ? expected : placeholder;
 }
 
-template <class Number>
-void CommandLine::number(const char* name, Number& value, const Range& range, const std::string& help) {
-    const std::string usual = formatted("%.6g", static_cast<double>(value));
-    add({name, withDefault(placeholderOf<Number>, usual), expectedNumber<Number>(range),
-         helpWithRange(help, range),
-         [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); },
-         ArgumentKind::Number});
-}
-
-template <class Number>
-void CommandLine::number(const char* name, std::optional<Number>& value, const Range& range,
-                         const std::string& help) {
-    add({name, placeholderOf<Number>, expectedNumber<Number>(range), helpWithRange(help, range),
-         [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); },
-         ArgumentKind::Number});
-}
-
-template void CommandLine::number(const char*, int&, const Range&, const std::string&);
-template void CommandLine::number(const char*, double&, const Range&, const std::string&);
-template void CommandLine::number(const char*, std::optional<int>&, const Range&, const std::string&);
-template void CommandLine::number(const char*, std::optional<double>&, const Range&, const std::string&);
-template void CommandLine::number(const char*, std::optional<std::uint64_t>&, const Range&,
-                                  const std::string&);
-
 void CommandLine::exclude(const char* option, std::initializer_list<const char*> others) {
     for (const char* other : others) excluded_.emplace_back(option, other);
 }
@@ -159,7 +126,8 @@ void CommandLine::exclude(const char* option, std::initializer_list<const char*>
 void CommandLine::needs(const char* option, const char* other) { needed_.emplace_back(option, other); }
 
 void CommandLine::spares(const char* option, std::initializer_list<const char*> arguments) {
-    spared_.push_back({option, {arguments.begin(), arguments.end()}});
+    sparing_ = option;
+    spared_.assign(arguments.begin(), arguments.end());
 }
 
 void CommandLine::rejoins(const char* option, Word::Rejoin rejoin) {
@@ -207,8 +175,8 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
     if (at + 1 == line.size() || find(line[at + 1])) refuse(name, option->expected, "nothing");
     const std::string& text = line[++at];
     if (text.starts_with('=') && (text.size() > 1 || at + 1 < line.size()))
-        throw WrongUsage{"unexpected \"=\"; write " + name + " " +
-                         (text.size() > 1 ? text.substr(1) : line[at + 1])};
+        throw usageError("unexpected \"=\"; write " + name + " " +
+                         (text.size() > 1 ? text.substr(1) : line[at + 1]));
     given_.push_back({option, text, rest_.size()});
 }
 
@@ -231,13 +199,13 @@ void CommandLine::giveArguments() {
 void CommandLine::requireTogether() const {
     for (const auto& [option, other] : excluded_)
         if (given(option) && given(other))
-            throw joinedWords(option, " and ", other, " exclude each other: give one of them");
+            throw usageError(option + " and " + other + " exclude each other: give one of them");
     for (const auto& [option, other] : needed_)
-        if (given(option) && !given(other)) throw joinedWords(option, " has no effect without ", other);
+        if (given(option) && !given(other)) throw usageError(option + " has no effect without " + other);
 }
 
-// Whether the line asks for help or for the version, before anything that is not known; with the exit status.
-std::optional<int> CommandLine::answered(const std::vector<std::string>& line) const {
+// Whether the line asks for help or for the version, before anything that is not known.
+bool CommandLine::answered(const std::vector<std::string>& line) const {
     for (std::size_t at = 0; at < line.size() && line[at] != "--"; ++at) {
         const std::string& word = line[at];
         const Word* const option = find(word);
@@ -246,19 +214,20 @@ std::optional<int> CommandLine::answered(const std::vector<std::string>& line) c
         const bool isHelp = option->name == "--help", isVersion = option->name == "--version";
         if (isHelp || isVersion) {
             print(isHelp ? help() : versionText());
-            return 0;
+            return true;
         }
         if (!option->isFlag() && at + 1 < line.size() && !find(line[at + 1])) ++at;  // over its value
     }
-    return std::nullopt;
+    return false;
 }
 
 // A command that is not the first word, and no option's value; empty where there is none.
 std::string CommandLine::lateCommand(const std::vector<std::string>& line) const {
+    const std::vector<std::string> commands = commandNames();
     for (std::size_t at = 0; at < line.size() && line[at] != "--"; ++at) {
         const Word* const option = find(line[at]);
         if (option && !option->isFlag()) ++at;
-        else if (std::ranges::find(commands_, line[at]) != commands_.end()) return line[at];
+        else if (std::ranges::find(commands, line[at]) != commands.end()) return line[at];
     }
     return {};
 }
@@ -270,27 +239,25 @@ static void take(const Word& word, const std::string& text) {
     word.read(text);
 }
 
-std::optional<int> CommandLine::parse(int argc, char** argv) {
+bool CommandLine::parse(int argc, char** argv) {
     program_ = argv[0];
     const std::vector<std::string> line(argv + 1, argv + argc);
     try {
         if (const auto text = document(line)) {
             print(*text);
-            return 0;
+            return true;
         }
-        if (const auto status = answered(line)) return status;
+        if (answered(line)) return true;
         sort(line);
         giveArguments();
         for (const auto& [word, text, at] : given_) take(*word, text);
         requireTogether();
-    } catch (const WrongUsage& wrong) {
-        const std::string late = lateCommand(line);
-        tell(command_ + ": " +
-             (late.empty() ? wrong.message + (wrong.hint ? " (see --help)" : "")
-                           : "the command stands first: raytracer " + late + " ..."));
-        return 2;
+    } catch (const UsageError&) {
+        const std::string late = name_.empty() ? lateCommand(line) : "";
+        if (late.empty()) throw;
+        throw usageError("the command stands first: raytracer " + late + " ...");
     }
-    return std::nullopt;
+    return false;
 }
 
 }  // namespace raytracer::commands

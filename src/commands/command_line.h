@@ -11,15 +11,19 @@
 #include <utility>
 #include <vector>
 
+#include "raytracer/util/error.h"
+
 namespace raytracer::commands {
 
-// A line that cannot be followed. what() says what is wrong; with a hint, parse names --help too.
-struct WrongUsage {
-    std::string message;
-    bool hint = false;
+// About the command line. run() names the command before the message.
+struct UsageError : Error {
+    using Error::Error;
 };
+inline UsageError usageError(const std::string& message) { return UsageError(message); }
 
-// Throws WrongUsage: "--samples: expected a number, found nothing".
+inline constexpr const char* seeHelp = " (see --help)";
+
+// Throws UsageError: "--samples: expected a number, found nothing".
 [[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& found);
 
 // The numbers that an option takes: from `least` to `most`, but not `least` itself where `open`.
@@ -32,17 +36,6 @@ struct Range {
 };
 constexpr Range atLeast(double least) { return {.least = least}; }
 constexpr Range above(double least) { return {.least = least, .open = true}; }
-
-// " from 0 to 1"; empty for any number.
-std::string inWords(const Range& range);
-
-// "a whole number from 1 to 8".
-template <class Number>
-std::string expectedNumber(const Range& range, bool isFinite = true);
-
-// Throws WrongUsage where the text is no number of the range.
-template <class Number>
-Number numberIn(const char* name, const std::string& text, const Range& range);
 
 constexpr std::string_view shells[] = {"bash", "zsh", "fish"};  // that --print-completion knows
 
@@ -62,10 +55,11 @@ struct Word {
     using Rejoin = std::function<Whole(const std::string& text, std::span<const std::string> behind)>;
 
     std::string name;                       // "--samples", or an argument: "SCENE"
-    std::string placeholder;                // of the value: "N=3"; empty: a flag
-    std::string expected;                   // the value in words: "a whole number from 1 to 65536"
     std::string help;                       // one paragraph
-    Read read;                              // takes a text, or throws WrongUsage
+    Read read{};                            // takes a text, or throws UsageError
+    std::string placeholder{};              // of the value: "N"; empty: a flag
+    std::string usual{};                    // the value, where none is given
+    std::string expected{};                 // the value in words: "a whole number from 1 to 65536"
     ArgumentKind kind = ArgumentKind::Any;  // of the text
     std::vector<std::string> choices{};     // all that the text may be, where it is one of few
     bool isMany = false;                    // may be repeated
@@ -74,6 +68,7 @@ struct Word {
 
     bool isOption() const { return name.starts_with("--"); }
     bool isFlag() const { return placeholder.empty(); }
+    std::string shown() const { return placeholder + (usual.empty() ? "" : "=" + usual); }  // "N=3"
 };
 
 // A name with dashes is an option. Any other is an argument: it must be given, in the order of the
@@ -81,8 +76,8 @@ struct Word {
 // value. Help is wrapped to 80 columns; it shows the variables' values as the defaults.
 class CommandLine {
   public:
-    // The command as its user calls it, and what it does.
-    CommandLine(const std::string& command, const std::string& purpose);
+    // The command's name, which may be empty, and what it does.
+    CommandLine(const std::string& name, const std::string& purpose);
 
     void text(const char* name, std::string& value, const std::string& help,
               ArgumentKind kind = ArgumentKind::Any);  // not blank
@@ -103,11 +98,9 @@ class CommandLine {
     // How the help shows the option's value, and what is said where it is not there: "K/N".
     void shown(const char* option, const char* placeholder, const char* expected = nullptr);
 
-    // A decimal, finite number in the range; whole where Number is: int, std::uint64_t or double.
-    template <class Number>
-    void number(const char* name, Number& value, const Range& range, const std::string& help);
-    template <class Number>
-    void number(const char* name, std::optional<Number>& value, const Range& range, const std::string& help);
+    // A decimal, finite number in the range; whole where Value is: int, std::uint64_t or double, or optional.
+    template <class Value>
+    void number(const char* name, Value& value, const Range& range, const std::string& help);
 
     // The option and any of the others can't be given together.
     void exclude(const char* option, std::initializer_list<const char*> others);
@@ -125,18 +118,15 @@ class CommandLine {
     using Answer = std::function<std::string(std::span<const std::string> arguments)>;
     void answers(Answer answer) { answer_ = std::move(answer); }
 
-    // The commands of which one may stand too late in this line.
-    void knowsCommands(std::vector<std::string> names) { commands_ = std::move(names); }
-
     // Options that other commands have and this one has not, for a reason.
     void lacks(std::initializer_list<const char*> options, const char* reason);
 
     // What the help ends with: lines of at most 80 columns.
     void footer(const char* text) { footer_ = text; }
 
-    // Where the process is to end with the command line, its exit status: 0 for --help and --version, 2 for
-    // wrong usage, of which a line on stderr says what was expected and what was found.
-    std::optional<int> parse(int argc, char** argv);
+    // True where the line asks for --help or --version, which is printed. Throws UsageError, which says what
+    // was expected and what was found.
+    bool parse(int argc, char** argv);
 
     // Whether the option was given.
     bool given(std::string_view option) const;
@@ -147,7 +137,7 @@ class CommandLine {
     std::string help() const;
     std::string manual() const;                              // a section of a man page, in roff
     std::string completion(const std::string& shell) const;  // what bash, zsh or fish is to know
-    const std::string& command() const { return command_; }
+    const std::string& name() const { return name_; }
     const std::string& purpose() const { return purpose_; }
     const std::string& footer() const { return footer_; }
     const std::vector<Word>& words() const { return words_; }
@@ -161,18 +151,13 @@ class CommandLine {
         std::size_t at = 0;  // how many words of `rest_` are before it
     };
     using Pair = std::pair<std::string, std::string>;
-    struct Spared {
-        std::string option;
-        std::vector<std::string> arguments;
-    };
 
     std::optional<std::string> document(const std::vector<std::string>& line) const;
-    void add(Word word);
     void sort(const std::vector<std::string>& line);
     void takeOption(const std::vector<std::string>& line, std::size_t& at);
     void giveArguments();
     void requireTogether() const;
-    std::optional<int> answered(const std::vector<std::string>& line) const;
+    bool answered(const std::vector<std::string>& line) const;
     std::string lateCommand(const std::vector<std::string>& line) const;
 
     const Word* find(std::string_view option) const;
@@ -187,12 +172,13 @@ class CommandLine {
     void requireNumbers(const std::vector<std::size_t>& places,
                         const std::vector<const Word*>& expected) const;
 
-    std::string program_, command_, purpose_, footer_;
+    std::string program_, name_, purpose_, footer_;
+    std::string command_;  // as its user calls it
     std::vector<Word> words_;
     std::vector<Pair> excluded_, needed_, lacking_;
-    std::vector<Spared> spared_;
+    std::string sparing_;
+    std::vector<std::string> spared_;
     Answer answer_;
-    std::vector<std::string> commands_;
 
     std::vector<Given> given_;
     std::vector<std::string> rest_;  // the line's words that are no options

@@ -4,8 +4,7 @@
 #include <span>
 #include <system_error>
 
-#include "command_line.h"
-#include "raytracer/json/json_document.h"
+#include "arguments.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 
@@ -23,30 +22,20 @@ std::string fileWithBlank(const std::vector<std::string>& words) {
     return {};
 }
 
-bool isOfKind(const std::string& text, ArgumentKind kind) {
-    switch (kind) {
-        case ArgumentKind::Scene: return endsIn(text, ".json");
-        case ArgumentKind::Picture: return text == "-" || endsIn(text, ".png") || endsIn(text, ".pfm");
-        case ArgumentKind::Number: return numberOf<double>(text).has_value();
-        case ArgumentKind::Any:
-        case ArgumentKind::Folder: break;
-    }
-    return false;
+ArgumentKind kindOf(const std::string& text) {
+    if (endsIn(text, ".json")) return ArgumentKind::Scene;
+    if (text == "-" || isPictureName(text)) return ArgumentKind::Picture;
+    return numberOf<double>(text) ? ArgumentKind::Number : ArgumentKind::Any;
 }
 
-const char* nounOf(ArgumentKind kind) {
-    switch (kind) {
-        case ArgumentKind::Scene: return "the scene";
-        case ArgumentKind::Picture: return "the picture";
-        case ArgumentKind::Any:
-        case ArgumentKind::Number:
-        case ArgumentKind::Folder: break;
-    }
-    return "";
+std::string nounOf(ArgumentKind kind) {
+    if (kind == ArgumentKind::Scene) return "the scene";
+    return kind == ArgumentKind::Picture ? "the picture" : "";
 }
 
-bool isAnywhere(const std::string& text, const std::vector<const Word*>& expected) {
-    return std::ranges::any_of(expected, [&](const Word* word) { return isOfKind(text, word->kind); });
+// Whether an argument is of this kind, which is not any.
+bool has(const std::vector<const Word*>& expected, ArgumentKind kind) {
+    return kind != ArgumentKind::Any && std::ranges::count(expected, kind, &Word::kind) > 0;
 }
 
 // For each text the place of an argument of its kind, behind those of the texts before it; or of any kind,
@@ -58,9 +47,9 @@ std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
     for (const std::string& text : texts) {
         const bool hasAll = texts.size() - places.size() >= expected.size() - next;
         const auto fits = [&](ArgumentKind kind) {
-            return isOfKind(text, kind) || (kind == ArgumentKind::Any && hasAll);
+            return kind == ArgumentKind::Any ? hasAll : kind == kindOf(text);
         };
-        if (isAnywhere(text, expected))
+        if (has(expected, kindOf(text)))
             while (next < expected.size() && !fits(expected[next]->kind)) ++next;
         if (next >= expected.size()) break;
         places.push_back(next);
@@ -76,7 +65,7 @@ const std::string* surplusIn(const std::vector<std::string>& texts,
         auto places = std::ranges::count(expected, kind, &Word::kind);
         if (places == 0) continue;
         for (const std::string& text : texts)
-            if (isOfKind(text, kind) && places-- == 0) return &text;
+            if (kindOf(text) == kind && places-- == 0) return &text;
     }
     return nullptr;
 }
@@ -85,51 +74,32 @@ const std::string* surplusIn(const std::vector<std::string>& texts,
 bool isOddlyNamedScene(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
     std::error_code error;
     return texts.size() == expected.size() && expected[0]->kind == ArgumentKind::Scene &&
-           isOfKind(texts[0], ArgumentKind::Number) && std::filesystem::exists(texts[0], error);
+           kindOf(texts[0]) == ArgumentKind::Number && std::filesystem::exists(texts[0], error);
 }
 
 // The scene or the picture that no text is, where each text is of some kind and none is too many.
 const Word* absentKind(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
-    if (texts.size() > expected.size()) return nullptr;
-    for (const std::string& text : texts)
-        if (!isAnywhere(text, expected)) return nullptr;
-    const auto isAbsent = [&](const Word* word) {
-        return *nounOf(word->kind) && std::ranges::none_of(texts, [&](const std::string& text) {
-            return isOfKind(text, word->kind);
-        });
-    };
-    const auto absent = std::ranges::find_if(expected, isAbsent);
-    return absent == expected.end() ? nullptr : *absent;
+    const auto isKnown = [&](const std::string& text) { return has(expected, kindOf(text)); };
+    if (texts.size() > expected.size() || !std::ranges::all_of(texts, isKnown)) return nullptr;
+    for (const Word* word : expected)
+        if (!nounOf(word->kind).empty() && std::ranges::count(texts, word->kind, kindOf) == 0) return word;
+    return nullptr;
 }
 
 // "3 3" of "3,3"; empty where the text is no list of numbers.
 std::string numbersApart(const std::string& text) {
-    std::string apart;
-    for (std::size_t start = 0, end = 0; end != text.npos; start = end + 1) {
-        end = text.find(',', start);
-        const std::string part = text.substr(start, end - start);
-        if (!isWholeNumber(part)) return {};
-        apart += (start > 0 ? " " : "") + part;
-    }
-    return apart == text ? "" : apart;
-}
-
-// The argument that the text is the picture or the scene of, if it is another one than `here`.
-const Word* meantInstead(const std::string& text, const Word* here,
-                         const std::vector<const Word*>& expected) {
-    const auto isMeant = [&](const Word* word) {
-        return word->kind != ArgumentKind::Number && isOfKind(text, word->kind);
-    };
-    const auto meant = std::ranges::find_if(expected, isMeant);
-    return meant == expected.end() || (here && isMeant(here)) ? nullptr : *meant;
+    const std::vector<std::string> numbers = split(text, ",");
+    const bool isList = numbers.size() > 1 && std::ranges::all_of(numbers, isWholeNumber);
+    return isList ? joined(numbers, " ") : "";
 }
 
 // "is out.png the picture", of the first text that has another's place; empty where none has.
 std::string swappedIn(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        const Word* const here = i < expected.size() ? expected[i] : nullptr;
-        if (const Word* const meant = meantInstead(texts[i], here, expected))
-            return "is " + texts[i] + " " + nounOf(meant->kind);
+        const ArgumentKind kind = kindOf(texts[i]);
+        const bool isHere = i < expected.size() && expected[i]->kind == kind;
+        if (!isHere && has(expected, kind) && !nounOf(kind).empty())
+            return "is " + texts[i] + " " + nounOf(kind);
     }
     return {};
 }
@@ -144,10 +114,10 @@ std::vector<const Word*> CommandLine::arguments() const {
 }
 
 std::string CommandLine::order() const {
-    std::string names;
+    std::vector<std::string> names;
     for (const Word* argument : arguments())
-        names += (names.empty() ? "" : " ") + argument->name + (argument->isMany ? "..." : "");
-    return names;
+        names.push_back(argument->name + (argument->isMany ? "..." : ""));
+    return joined(names, " ");
 }
 
 // One for each that is given: the one that may be repeated, as often as leaves the others one each.
@@ -156,11 +126,10 @@ std::vector<const Word*> CommandLine::expectedArguments() const {
     const auto many = std::ranges::find_if(expected, &Word::isMany);
     if (many != expected.end() && rest_.size() > expected.size())
         expected.insert(many, rest_.size() - expected.size(), *many);
-    for (const Spared& spared : spared_)
-        if (given(spared.option) && rest_.size() + spared.arguments.size() <= expected.size())
-            std::erase_if(expected, [&](const Word* word) {
-                return std::ranges::find(spared.arguments, word->name) != spared.arguments.end();
-            });
+    if (given(sparing_) && rest_.size() + spared_.size() <= expected.size())
+        std::erase_if(expected, [&](const Word* word) {
+            return std::ranges::find(spared_, word->name) != spared_.end();
+        });
     return expected;
 }
 
@@ -170,7 +139,7 @@ void CommandLine::requireWholeValues() const {
         if (!word->rejoin) continue;
         const Word::Whole whole = word->rejoin(text, std::span(rest_).subspan(at));
         if (!whole.value.empty())
-            throw WrongUsage{word->name + " " + whole.form + ": write " + word->name + " " + whole.value};
+            throw usageError(word->name + " " + whole.form + ": write " + word->name + " " + whole.value);
     }
 }
 
@@ -178,11 +147,11 @@ void CommandLine::requireWholeValues() const {
 void CommandLine::requireKinds() const {
     const std::vector<const Word*> expected = arguments();
     if (!rest_.empty() && rest_[0] == "-" && expected[0]->kind == ArgumentKind::Scene)
-        throw WrongUsage{"a scene is not read from standard input: name its file"};
-    const auto picture = std::ranges::find_if(
-        rest_, [](const std::string& text) { return text != "-" && isOfKind(text, ArgumentKind::Picture); });
+        throw usageError("a scene is not read from standard input: name its file");
+    const auto picture =
+        std::ranges::find_if(rest_, [](const std::string& text) { return isPictureName(text); });
     if (find("--picture") && picture != rest_.end())
-        throw WrongUsage{"is " + *picture + " the picture? Give it with --picture; the order is " + order()};
+        throw usageError("is " + *picture + " the picture? Give it with --picture; the order is " + order());
 }
 
 // Throws where a word is an option without its dashes: "/max-recursion 3", "max-recursion=3".
@@ -193,8 +162,8 @@ void CommandLine::requireDashes() const {
         if (!option) continue;
         std::string value = equals == std::string::npos ? "" : rest_[i].substr(equals + 1);
         if (value.empty() && !option->isFlag() && i + 1 < rest_.size()) value = rest_[i + 1];
-        throw WrongUsage{"unexpected argument " + inQuotes(rest_[i]) + "; write " + option->name +
-                         (value.empty() ? "" : " " + value)};
+        throw usageError("unexpected argument " + inQuotes(rest_[i]) + "; write " + option->name +
+                         (value.empty() ? "" : " " + value));
     }
 }
 
@@ -203,7 +172,7 @@ void CommandLine::requireNumbers(const std::vector<std::size_t>& places,
                                  const std::vector<const Word*>& expected) const {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Word& word = *expected[places[i]];
-        if (word.kind != ArgumentKind::Number || isOfKind(rest_[i], word.kind)) continue;
+        if (word.kind != ArgumentKind::Number || kindOf(rest_[i]) == word.kind) continue;
         if (const std::string apart = numbersApart(rest_[i]); !apart.empty())
             refuse(word.name, word.expected, inQuotes(rest_[i]) + "; write " + apart);
         word.read(rest_[i]);  // says what it expects
@@ -220,21 +189,21 @@ void CommandLine::requireOrder() const {
     if (!hasMore && places.size() == expected.size()) return;
     const std::string theOrder = "the order is " + order();
     const std::string blank = hasMore ? fileWithBlank(rest_) : "";
-    if (!blank.empty()) throw WrongUsage{"there is a file " + inQuotes(blank) + ": write its name in quotes"};
-    if (const std::string said = answer_ ? answer_(rest_) : ""; !said.empty()) throw WrongUsage{said};
+    if (!blank.empty()) throw usageError("there is a file " + inQuotes(blank) + ": write its name in quotes");
+    if (const std::string said = answer_ ? answer_(rest_) : ""; !said.empty()) throw usageError(said);
     requireWholeValues();
     requireDashes();
     const Word* const absent = hasMore ? absentKind(rest_, expected) : nullptr;
-    if (absent) throw WrongUsage{absent->name + " is missing; " + theOrder, true};
+    if (absent) throw usageError(absent->name + " is missing; " + theOrder + seeHelp);
     const std::string* const surplus = hasMore ? surplusIn(rest_, expected) : nullptr;
-    if (surplus) throw WrongUsage{"unexpected argument " + inQuotes(*surplus) + "; " + theOrder};
+    if (surplus) throw usageError("unexpected argument " + inQuotes(*surplus) + "; " + theOrder);
     const std::string swapped = hasMore ? swappedIn(rest_, expected) : "";
-    if (!swapped.empty()) throw WrongUsage{swapped + "? T" + theOrder.substr(1)};
+    if (!swapped.empty()) throw usageError(swapped + "? T" + theOrder.substr(1));
     if (places.size() < expected.size()) requireNumbers(places, expected);
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())
-            throw WrongUsage{expected[i]->name + " is missing; " + theOrder, true};
-    throw WrongUsage{"unexpected argument " + inQuotes(rest_[places.size()]) + "; " + theOrder};
+            throw usageError(expected[i]->name + " is missing; " + theOrder + seeHelp);
+    throw usageError("unexpected argument " + inQuotes(rest_[places.size()]) + "; " + theOrder);
 }
 
 }  // namespace raytracer::commands

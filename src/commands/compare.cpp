@@ -106,14 +106,12 @@ void printText(const Comparison& c) {
 }
 
 std::string colorAt(const Picture& picture, const Comparison& c) {
-    const auto at = 3 * (static_cast<std::size_t>(c.worstY) * static_cast<std::size_t>(c.width) +
-                         static_cast<std::size_t>(c.worstX));
     if (const auto* floats = std::get_if<FloatImage>(&picture)) {
-        const float* p = &floats->pixels[at];
+        const float* const p = floats->at(c.worstX, c.worstY);
         return formatted("(%.6g, %.6g, %.6g)", static_cast<double>(p[0]), static_cast<double>(p[1]),
                          static_cast<double>(p[2]));
     }
-    const std::uint8_t* p = &std::get<ByteImage>(picture).pixels[at];
+    const std::uint8_t* const p = std::get<ByteImage>(picture).at(c.worstX, c.worstY);
     return formatted("(%d, %d, %d)", p[0], p[1], p[2]);
 }
 
@@ -136,12 +134,6 @@ std::string sizeInWords(const Picture& picture) {
     return std::visit(words, picture);
 }
 
-void requireSize(const std::string& name, const std::string& size, const std::string& other,
-                 const std::string& expected) {
-    if (size != expected)
-        throw Error({name}, "expected " + expected + " pixels, as in " + other + ", found " + size);
-}
-
 int comparePictures(const CompareArguments& arguments) {
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
@@ -151,7 +143,10 @@ int comparePictures(const CompareArguments& arguments) {
         diff.emplace(arguments.diff);
     }
     const Picture a = readPicture(arguments.a), b = readPicture(arguments.b);
-    requireSize(arguments.b, sizeInWords(b), arguments.a, sizeInWords(a));
+    const std::string size = sizeInWords(b), expected = sizeInWords(a);
+    if (size != expected)
+        throw Error({arguments.b},
+                    "expected " + expected + " pixels, as in " + arguments.a + ", found " + size);
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
     if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a), toBytes(b)));
@@ -166,10 +161,10 @@ int comparePictures(const CompareArguments& arguments) {
 }  // namespace
 
 int compare(int argc, char** argv) {
-    CommandLine line("raytracer compare", "Says how much two pictures differ.");
+    CommandLine line("compare", "Says how much two pictures differ.");
     CompareArguments arguments;
     arguments.addTo(line);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     return comparePictures(arguments);
 }
 

@@ -69,15 +69,10 @@ void requirePixel(const ImageSize& size, const PixelPlace& pixel) {
                                    size.width - 1, size.height - 1, pixel.x, pixel.y));
 }
 
-using Bytes = std::uint8_t[3];
-
-const Bytes& bytesAt(const ByteImage& image, const PixelPlace& pixel) {
-    const auto number = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(image.width) +
-                        static_cast<std::size_t>(pixel.x);
-    return *reinterpret_cast<const Bytes*>(&image.pixels[3 * number]);
+std::string bytesAt(const ByteImage& image, const PixelPlace& pixel) {
+    const std::uint8_t* const bytes = image.at(pixel.x, pixel.y);
+    return formatted("(%d, %d, %d)", bytes[0], bytes[1], bytes[2]);
 }
-
-std::string inWords(const Bytes& bytes) { return formatted("(%d, %d, %d)", bytes[0], bytes[1], bytes[2]); }
 
 // Someone's picture of the scene.
 struct Suspect {
@@ -89,9 +84,8 @@ struct Suspect {
 Suspect examine(ByteImage image, const std::string& name, const SceneDescription& whole,
                 const RenderOptions& options, const Terms& terms) {
     if (image.width != options.size.width || image.height != options.size.height)
-        throw Error({name}, "expected a picture of the scene, " + std::to_string(options.size.width) + " x " +
-                                std::to_string(options.size.height) + ", found " +
-                                std::to_string(image.width) + " x " + std::to_string(image.height));
+        throw Error({name}, formatted("expected a picture of the scene, %d x %d, found %d x %d",
+                                      options.size.width, options.size.height, image.width, image.height));
     const MistakeNamer namer(whole, options, terms);
     Diagnosis diagnosis = namer.diagnose(image);
     const Comparison comparison = compareImages(image, namer.right());
@@ -121,19 +115,14 @@ void printSuspect(const Suspect& suspect, const std::string& name, const PixelPl
                   const std::vector<std::string>& missing) {
     print(inLines(name + " ", verdict(suspect)));
     for (const std::string& hint : suspect.diagnosis.hints()) print(inLines("  ", hint));
-    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + inWords(bytesAt(suspect.image, pixel)) + " in " +
-          name + ", " + inWords(bytesAt(suspect.right, pixel)) + " is right\n");
+    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + bytesAt(suspect.image, pixel) + " in " + name +
+          ", " + bytesAt(suspect.right, pixel) + " is right\n");
     const std::string asIn = " it would be as in " + name + "\n";
     for (const std::string& term : missing) print(("without " + term).append(asIn));
 }
 
 void writeSuspect(JsonWriter& json, const Suspect& suspect, const PixelPlace& pixel,
                   const std::vector<std::string>& missing) {
-    const auto writeBytes = [&](const char* key, const Bytes& bytes) {
-        json.key(key).beginArray();
-        for (const std::uint8_t byte : bytes) json.value(static_cast<int>(byte));
-        json.endArray();
-    };
     json.key("verdict").value(verdict(suspect));
     json.key("mistakes").beginArray();
     for (const NamedMistake& mistake : suspect.diagnosis.mistakes) {
@@ -143,10 +132,19 @@ void writeSuspect(JsonWriter& json, const Suspect& suspect, const PixelPlace& pi
     }
     json.endArray();
     json.key("pixel").beginArray().value(pixel.x).value(pixel.y).endArray();
-    writeBytes("theirs", bytesAt(suspect.image, pixel));
+    const std::uint8_t* const bytes = suspect.image.at(pixel.x, pixel.y);
+    json.key("theirs").beginArray();
+    for (int c = 0; c < 3; ++c) json.value(static_cast<int>(bytes[c]));
+    json.endArray();
     json.key("without").beginArray();
     for (const std::string& term : missing) json.value(term);
     json.endArray();
+}
+
+void printRays(const RayExplanation& tree, const SceneDescription& scene, const ExplainArguments& arguments,
+               const std::function<void(JsonWriter&)>& before = {}) {
+    if (arguments.json) print(explanationJson(tree, scene, before));
+    else print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
 }
 
 int explainSuspect(ExplainArguments& arguments) {
@@ -163,14 +161,10 @@ int explainSuspect(ExplainArguments& arguments) {
                                          : PixelPlace{suspect.comparison.worstX, suspect.comparison.worstY};
     requirePixel(options.size, pixel);
     const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
-    const auto missing = missingTerms(tree, scene, bytesAt(suspect.image, pixel));
-    if (arguments.json) {
-        print(explanationJson(tree, scene,
-                              [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); }));
-        return isRight(suspect.diagnosis) ? 0 : 1;
-    }
-    printSuspect(suspect, printable(name), pixel, missing);
-    print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
+    const auto missing = missingTerms(tree, scene, suspect.image.at(pixel.x, pixel.y));
+    const auto addSuspect = [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); };
+    if (!arguments.json) printSuspect(suspect, printable(name), pixel, missing);
+    printRays(tree, scene, arguments, addSuspect);
     return isRight(suspect.diagnosis) ? 0 : 1;
 }
 
@@ -185,21 +179,20 @@ int explainPixel(ExplainArguments& arguments) {
     const RenderOptions options = render.prepare(scene);
     requirePixel(options.size, pixel);
     const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
-    if (arguments.json) print(explanationJson(tree, scene));
-    else print(inLines("", explanationSentence(tree, scene)) + explanationText(tree, scene, arguments.depth));
+    printRays(tree, scene, arguments);
     return 0;
 }
 
 }  // namespace
 
 int explain(int argc, char** argv) {
-    CommandLine line("raytracer explain", "Shows the rays behind one pixel.");
+    CommandLine line("explain", "Shows the rays behind one pixel.");
     ExplainArguments arguments;
     arguments.addTo(line);
     line.spares("--picture", {"X", "Y", "LONG_EDGE_PIXELS"});
     line.lacks({"--pass", "--samples", "--adaptive", "--crop"},
                "explain follows the one ray through the pixel's centre");
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     arguments.render.check(line);
     return arguments.picture.empty() ? explainPixel(arguments) : explainSuspect(arguments);
 }

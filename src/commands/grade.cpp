@@ -146,11 +146,8 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
 }
 
 bool hasFile(const Submission& submission, const std::string& name) {
-    std::string path = name;
-    for (std::size_t at = 0; (at = path.find("{}", at)) != path.npos; at += submission.folder.size())
-        path.replace(at, 2, submission.folder);
     std::error_code error;
-    return std::filesystem::exists(path, error);
+    return std::filesystem::exists(replaced(name, "{}", submission.folder), error);
 }
 
 std::string missingInAll(const std::string& name) {
@@ -196,11 +193,10 @@ int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, Gra
 }  // namespace
 
 int grade(int argc, char** argv) {
-    CommandLine line("raytracer grade",
-                     "Renders every scene of a folder that has a reference picture, and compares.");
+    CommandLine line("grade", "Renders every scene of a folder that has a reference picture, and compares.");
     GradeArguments arguments;
     arguments.addTo(line);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     arguments.check();
     const GradePlan plan = planFor(arguments);
     GradeFiles output(arguments, plan);

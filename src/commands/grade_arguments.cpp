@@ -1,5 +1,7 @@
 #include "grade_arguments.h"
 
+#include <algorithm>
+
 #include "raytracer/grading/submissions.h"
 #include "raytracer/util/shell_words.h"
 #include "raytracer/util/standard_streams.h"
@@ -65,7 +67,7 @@ std::string otherCommandMeant(std::span<const std::string> words) {
 void requireFolderIn(const std::string& program) {
     if (program.find("{}") == program.npos)
         throw usageError("--program: expected {} for the submission's folder, found " + inQuotes(program));
-    if (hasQuotedBraces(program))
+    if (std::ranges::any_of(shellWords(program), &ShellWord::quotesBraces))
         throw usageError("--program: write {} without quotes: it is quoted already");
 }
 
@@ -89,10 +91,12 @@ void GradeArguments::addTo(CommandLine& line) {
 void GradeArguments::addProgramTo(CommandLine& line) {
     line.text("--program", program, "Grade another program: runs PROGRAM scene.json out.png SIZE");
     line.shown("--program", "PROGRAM", "a command");
-    line.number("--timeout", timeout, above(0), "Seconds of processor time after which it is stopped");
-    line.number("--wall", wall, above(0), "Seconds on the clock after which it is stopped");
+    line.number("--timeout", options.limits.processorSeconds, above(0),
+                "Seconds of processor time after which it is stopped");
+    line.number("--wall", options.limits.wallSeconds, above(0),
+                "Seconds on the clock after which it is stopped");
     line.number("--memory", memory, {1, 500000}, "MiB of memory for each of its processes");
-    line.text("--user", user, "As root: run it as this user");
+    line.text("--user", options.user, "As root: run it as this user");
     line.shown("--user", "NAME", "a name");
     line.number("--jobs", jobs, {1, 1024}, "Programs to run side by side");
     for (const char* option : {"--timeout", "--wall", "--memory", "--user", "--jobs"})
@@ -117,12 +121,9 @@ void GradeArguments::show(const std::string& text) const {
 }
 
 ProgramOptions GradeArguments::programOptions() const {
-    ProgramOptions options;
-    options.limits.processorSeconds = timeout;
-    options.limits.wallSeconds = wall;
-    options.limits.memory = static_cast<std::uint64_t>(memory) << 20;
-    options.user = user;
-    return options;
+    ProgramOptions all = options;
+    all.limits.memory = static_cast<std::uint64_t>(memory) << 20;
+    return all;
 }
 
 void GradeArguments::check() const {
@@ -139,7 +140,7 @@ void GradeArguments::check() const {
             throw Error({csv}, "what is written is CSV, not a workbook: name it " +
                                    csv.substr(0, csv.rfind('.')) + ".csv");
     try {
-        requireUser(user);
+        requireUser(options.user);
     } catch (const Error& error) {
         throw usageError("--user: " + std::string(error.what()));
     }

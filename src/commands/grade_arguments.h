@@ -11,9 +11,9 @@ namespace raytracer::commands {
 struct GradeArguments {
     std::string scenes, references, report, program, stage, submissions;
     std::string csv, json, junit, gradescope;
-    double timeout = 60, wall = 600, points = 10;
+    double points = 10;
     int memory = 8192, jobs = 1;
-    std::string user;
+    ProgramOptions options;  // but for the memory
     bool quiet = false;
     Thresholds thresholds;
 

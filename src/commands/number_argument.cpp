@@ -39,12 +39,7 @@ std::string meantNumber(const std::string& text, const Range& range) {
     return number && range.has(static_cast<double>(*number)) ? "; write " + write : "";
 }
 
-}  // namespace
-
-[[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& found) {
-    throw WrongUsage{name + ": expected " + expected + ", found " + found};
-}
-
+// " from 0 to 1"; empty for any number.
 std::string inWords(const Range& range) {
     if (range.most < Range().most)
         return " from " + formatted("%.6g", range.least) + " to " + formatted("%.6g", range.most);
@@ -52,14 +47,16 @@ std::string inWords(const Range& range) {
     return (range.open ? " above " : " not below ") + formatted("%.6g", range.least);
 }
 
+// "a whole number from 1 to 8".
 template <class Number>
-std::string expectedNumber(const Range& range, bool isFinite) {
+std::string expectedNumber(const Range& range, bool isFinite = true) {
     const char* const kind = std::is_integral_v<Number> ? "a whole number"
                              : isFinite                 ? "a number"
                                                         : "a finite number";
     return kind + inWords(range);
 }
 
+// Throws UsageError where the text is no number of the range.
 template <class Number>
 Number numberIn(const char* name, const std::string& text, const Range& range) {
     const std::optional<Number> number = numberOf<Number>(text);
@@ -71,11 +68,43 @@ Number numberIn(const char* name, const std::string& text, const Range& range) {
     return *number;
 }
 
-template std::string expectedNumber<int>(const Range&, bool);
-template std::string expectedNumber<double>(const Range&, bool);
-template std::string expectedNumber<std::uint64_t>(const Range&, bool);
-template int numberIn(const char*, const std::string&, const Range&);
-template double numberIn(const char*, const std::string&, const Range&);
-template std::uint64_t numberIn(const char*, const std::string&, const Range&);
+// What an option's value is, in the variable's type.
+template <class Number>
+struct Variable {
+    using Type = Number;
+    static std::string usual(Number number) { return formatted("%.6g", static_cast<double>(number)); }
+};
+template <class Number>
+struct Variable<std::optional<Number>> {
+    using Type = Number;
+    static std::string usual(const std::optional<Number>&) { return {}; }
+};
+
+}  // namespace
+
+void refuse(const std::string& name, const std::string& expected, const std::string& found) {
+    throw usageError(name + ": expected " + expected + ", found " + found);
+}
+
+template <class Value>
+void CommandLine::number(const char* name, Value& value, const Range& range, const std::string& help) {
+    using Number = typename Variable<Value>::Type;
+    const std::string words = inWords(range);
+    words_.push_back(
+        {.name = name,
+         .help = help + (words.empty() ? "" : " (" + words.substr(1) + ")"),
+         .read = [=, &value](const std::string& text) { value = numberIn<Number>(name, text, range); },
+         .placeholder = std::is_integral_v<Number> ? "N" : "NUMBER",
+         .usual = Variable<Value>::usual(value),
+         .expected = expectedNumber<Number>(range),
+         .kind = ArgumentKind::Number});
+}
+
+template void CommandLine::number(const char*, int&, const Range&, const std::string&);
+template void CommandLine::number(const char*, double&, const Range&, const std::string&);
+template void CommandLine::number(const char*, std::optional<int>&, const Range&, const std::string&);
+template void CommandLine::number(const char*, std::optional<double>&, const Range&, const std::string&);
+template void CommandLine::number(const char*, std::optional<std::uint64_t>&, const Range&,
+                                  const std::string&);
 
 }  // namespace raytracer::commands

@@ -112,26 +112,21 @@ void warnOfBlack(const RenderJob& job) {
 }
 
 template <class Sink, class Image>
-void renderTo(RenderJob& job, PictureWriter<Image>& writer) {
+void renderTo(RenderJob& job, OutputFile& file, std::unique_ptr<PictureWriter<Image>> writer) {
+    if (job.wanted.isPart()) writer = partWriter<Image>(file, job.part);
     Stopwatch watch;
-    StepProgress progress(job.arguments.quiet, writer.bands().size());
-    for (const PixelRectangle& band : writer.bands()) {
+    StepProgress progress(job.arguments.quiet, writer->bands().size());
+    for (const PixelRectangle& band : writer->bands()) {
         Sink sink(band);
         renderBand(sink, job, band, progress);
         job.timings.render += watch.lap();
         job.isBlack = job.isBlack && isAllBlack(sink.image());
-        if (&band == &writer.bands().back()) warnOfBlack(job);
-        writer.write(sink.image());
+        if (&band == &writer->bands().back()) warnOfBlack(job);
+        writer->write(sink.image());
         job.timings.write += watch.lap();
     }
-    writer.finish();
+    writer->finish();
     job.timings.write += watch.lap();
-}
-
-template <class Sink, class Image>
-void renderTo(RenderJob& job, OutputFile& file, std::unique_ptr<PictureWriter<Image>> writer) {
-    if (job.wanted.isPart()) writer = partWriter<Image>(file, job.part);
-    renderTo<Sink>(job, *writer);
 }
 
 void choose(RenderJob& job) {
@@ -180,7 +175,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     options.part = job.part.part;
     if (!wanted.targetTime) remarkOnTime(arguments, *renderer, options);
     if (wanted.isPfm()) renderTo<FloatSink>(job, out, pfmWriter(out, options.crop));
-    else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, arguments.threads));
+    else renderTo<ByteSink>(job, out, pngWriter(out, options.crop, options.threads));
     tellLimited(job.counts, options, options.crop.area() / options.part.count, arguments.quiet || job.choice);
     if (wanted.stats) printStats(job.counts, timings, options);
     tellDone(wanted.file(), options.crop, timings.wall(), arguments.quiet);
@@ -259,8 +254,6 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
     line.alone("--print-manual", "Print the man page");
     line.alone("--print-completion", "Print what bash, zsh or fish is to know, to complete command lines",
                {std::begin(shells), std::end(shells)});
-    line.shown("--print-completion", "SHELL");
-    line.knowsCommands(commandNames());
     line.answers(comparisonMeant);
     line.exclude("--watch", {"--frames", "--part", "--skip-existing"});
     line.exclude("--frames", {"--target-time"});
@@ -282,11 +275,11 @@ void check(const CommandLine& line, const RenderArguments& arguments, const Pict
 }  // namespace
 
 int render(int argc, char** argv) {
-    CommandLine line("raytracer", "Renders a scene to a picture.");
+    CommandLine line("", "Renders a scene to a picture.");
     RenderArguments arguments;
     PictureArguments wanted;
     addTo(line, arguments, wanted);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     check(line, arguments, wanted);
     wanted.again = line.again({"--target-time", "--skip-existing", "--watch", "--stats"});
     if (!wanted.frames.empty()) return renderFrames(arguments, wanted);

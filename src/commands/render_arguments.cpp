@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "arguments.h"
@@ -24,13 +23,11 @@ namespace raytracer::commands {
 namespace {
 
 // The parts of a comma-separated list, without the blanks around them.
-std::vector<std::string> split(const std::string& list) {
-    std::vector<std::string> parts;
-    for (std::size_t start = 0, end = 0; end != list.npos; start = end + 1) {
-        end = list.find(',', start);
-        const std::string part = list.substr(start, end - start);
-        const std::size_t first = std::min(part.find_first_not_of(' '), part.size());
-        parts.push_back(part.substr(first, part.find_last_not_of(' ') + 1 - first));
+std::vector<std::string> listParts(const std::string& list) {
+    std::vector<std::string> parts = split(list, ",");
+    for (std::string& part : parts) {
+        part.erase(part.find_last_not_of(' ') + 1);
+        part.erase(0, part.find_first_not_of(' '));
     }
     return parts;
 }
@@ -50,7 +47,7 @@ std::string visibly(const std::string& term) { return isDark(termsNamed(term)) ?
 std::string termsOfStage(const std::string& name) {
     std::string terms = name;
     std::ranges::replace(terms, '_', ',');
-    return terms != name && std::ranges::all_of(split(terms), isTerm) ? terms : "";
+    return terms != name && std::ranges::all_of(listParts(terms), isTerm) ? terms : "";
 }
 
 bool Terms::*termNamed(const std::string& name) {
@@ -80,7 +77,7 @@ std::optional<int> edgeIn(const std::string& text) {
 
 PixelRectangle parseCrop(const std::string& text) {
     std::vector<std::optional<int>> numbers;
-    for (const std::string& part : split(text)) numbers.push_back(edgeIn(part));
+    for (const std::string& part : listParts(text)) numbers.push_back(edgeIn(part));
     if (numbers.size() != 4 || std::ranges::count(numbers, std::optional<int>()) > 0)
         throw usageError("--crop: expected four whole numbers x0,y0,x1,y1, found " + inQuotes(text));
     const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
@@ -107,7 +104,7 @@ void RenderArguments::addTo(CommandLine& line) {
         "JSON; '/lights/-={...}', in quotes, adds a light; may be repeated");
     line.shown("--set", "/pointer=value");
     line.rejoins("--set", joinedEdit);
-    line.number("--max-recursion", max_recursion, {0, mostRecursion},
+    line.number("--max-recursion", options.max_recursion, {0, mostRecursion},
                 "How many times a ray is reflected or refracted");
     std::vector<std::string> terms;
     for (const TermName& known : termNames) terms.emplace_back(known.name);
@@ -115,17 +112,15 @@ void RenderArguments::addTo(CommandLine& line) {
                "Render only these terms, comma-separated: ambient, diffuse, specular, shadows, reflections, "
                "refraction, textures");
     line.shown("--only", "LIST", "terms, as ambient,diffuse");
-    line.rejoins("--only", [terms](const std::string& text, std::span<const std::string> behind) {
-        return joinedTerms(text, behind, terms);
-    });
+    line.rejoins("--only", rejoinedList({"has commas, no blanks", ", ", ",", 2, terms.size(), isTerm}));
     line.flag("--opaque", opaque, "Read every material as not refractive");
     line.choice("--precision", precision, {std::begin(precisionNames), std::end(precisionNames)},
                 "Arithmetic: float, double or extended (long double)");
-    line.number("--cutoff", cutoff, atLeast(0),
+    line.number("--cutoff", options.cutoff, atLeast(0),
                 "Do not cast a ray that changes its pixel by less than this, of 1");
     line.choice("--texture-filter", textureFilter, {"nearest", "bilinear"},
                 "Texture look-up: nearest or bilinear");
-    addThreads(line, threads);
+    addThreads(line, options.threads);
     line.choice("--accelerator", accelerator, {"bvh", "none"},
                 "How rays find shapes: bvh, or none to test them all (the picture is the same)");
     line.flag("--strict", strict, "Warnings about the scene are errors");
@@ -141,12 +136,12 @@ void RenderArguments::addPictureTo(CommandLine& line) {
     line.text("--crop", crop,
               "Render only the pixels x0 <= x < x1, y0 <= y < y1, from the top left: x0,y0,x1,y1");
     line.shown("--crop", "x0,y0,x1,y1");
-    line.rejoins("--crop", joinedCrop);
+    line.rejoins("--crop", rejoinedList({"has commas, no blanks", ", ", ",", 4, 4, isWholeNumber}));
     line.number(
         "--samples", samples, {1, mostSamples},
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");
     line.number(
-        "--adaptive", adaptive, {0, 1},
+        "--adaptive", options.adaptive, {0, 1},
         "Take more samples in a pixel until its error is estimated to be about this, of 1, or there are "
         "--samples; the picture's error is less; 0.02 makes a nice picture");
 }
@@ -157,8 +152,8 @@ void RenderArguments::check(const CommandLine& line) const {
         throw usageError("--only " + only + ": there is no light without ambient, diffuse or specular");
     for (const std::string& set : sets) JsonEdit{set};
     if (!crop.empty()) parseCrop(crop);
-    const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> options) {
-        for (const char* option : options)
+    const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> useless) {
+        for (const char* option : useless)
             if (line.given(option)) throw usageError(option + (" has no effect with " + cause));
     };
     if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff"});
@@ -166,8 +161,8 @@ void RenderArguments::check(const CommandLine& line) const {
     if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff", "--max-recursion"});
     if (!chosen.refraction && !chosen.shadows) refuse("--only " + only, {"--opaque"});
     if (!chosen.textures) refuse("--only " + only, {"--texture-filter"});
-    if (max_recursion == 0 && cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});
-    if (samples == 1 && adaptive > 0) refuse("--samples 1", {"--adaptive"});
+    if (options.max_recursion == 0 && options.cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});
+    if (samples == 1 && options.adaptive > 0) refuse("--samples 1", {"--adaptive"});
 }
 
 void RenderArguments::addLongEdgeTo(CommandLine& line) {
@@ -177,7 +172,7 @@ void RenderArguments::addLongEdgeTo(CommandLine& line) {
 Terms RenderArguments::terms() const {
     if (only.empty()) return {};
     Terms terms = noTerms;
-    for (const std::string& name : split(only)) {
+    for (const std::string& name : listParts(only)) {
         if (name.empty()) throw usageError("--only: a comma too many in " + inQuotes(only));
         terms.*termNamed(name) = true;
     }
@@ -186,8 +181,8 @@ Terms RenderArguments::terms() const {
 
 std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& description) const {
     const auto chosen = static_cast<Precision>(std::ranges::find(precisionNames, precision) - precisionNames);
-    const BuildOptions options{accelerator == "none" ? Accelerator::None : Accelerator::Bvh, threads};
-    auto renderer = raytracer::makeRenderer(description, chosen, options);
+    const BuildOptions build{accelerator == "none" ? Accelerator::None : Accelerator::Bvh, options.threads};
+    auto renderer = raytracer::makeRenderer(description, chosen, build);
     if (warns() && renderer->precision() != chosen)
         warn("the scene's numbers lie too far apart for --precision " + precision + ": computed in " +
              precisionName(renderer->precision()));
@@ -223,20 +218,16 @@ RenderOptions RenderArguments::prepare(SceneDescription& description) const {
     const Terms chosen = terms();
     if (pass == "color") keepTerms(description, chosen);
     if (opaque) makeOpaque(description);
-    RenderOptions options;
-    options.size = imageSize(description.camera, longEdge);
-    options.crop = crop.empty() ? PixelRectangle{0, 0, options.size.width, options.size.height}
-                                : cropOf(crop, options.size);
-    options.max_recursion = max_recursion;
-    options.pass = passNamed(pass);
-    options.shadows = chosen.shadows;
-    options.refraction = chosen.refraction;
-    options.threads = threads;
-    options.samples = samples.value_or(usualSamples(adaptive));
-    options.adaptive = adaptive;
-    options.cutoff = cutoff;
-    options.bilinear = textureFilter == "bilinear";
-    return options;
+    RenderOptions prepared = options;
+    prepared.size = imageSize(description.camera, longEdge);
+    prepared.crop = crop.empty() ? PixelRectangle{0, 0, prepared.size.width, prepared.size.height}
+                                 : cropOf(crop, prepared.size);
+    prepared.pass = passNamed(pass);
+    prepared.shadows = chosen.shadows;
+    prepared.refraction = chosen.refraction;
+    prepared.samples = samples.value_or(usualSamples(options.adaptive));
+    prepared.bilinear = textureFilter == "bilinear";
+    return prepared;
 }
 
 }  // namespace raytracer::commands

@@ -16,17 +16,14 @@ struct RenderArguments {
     std::string scene;
     std::vector<std::string> sets;  // edits of the scene, "/pointer=value"
     int longEdge = 0;
-    int max_recursion = 3;
-    std::string only;  // comma-separated terms; empty: all
+    RenderOptions options;  // as far as they are given as they are
+    std::string only;       // comma-separated terms; empty: all
     bool opaque = false;
     std::string pass = "color";
     std::string precision = "double";
     std::string crop;  // x0,y0,x1,y1; empty: the whole picture
-    int threads = 0;
     std::string accelerator = "bvh";
     std::optional<int> samples;
-    double adaptive = 0;
-    double cutoff = 0;
     std::string textureFilter = "nearest";
     bool strict = false;
     bool quiet = false;
@@ -61,7 +58,7 @@ struct RenderArguments {
     // scene be blamed.
     bool isWhole() const { return pass == "color" && only.empty() && crop.empty(); }
 
-    // Applies `only` and `opaque` to the scene and fills in the options for it. Throws Error.
+    // Applies `only` and `opaque` to the scene. All options for it. Throws Error.
     RenderOptions prepare(SceneDescription& scene) const;
 
     // Throws Error for terms that are not there, and for an option that was given and can change nothing.

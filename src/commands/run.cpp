@@ -14,6 +14,7 @@
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/standard_streams.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer::commands {
 
@@ -62,12 +63,6 @@ std::string_view commandBegunBy(std::string_view word) {
     return std::ranges::find_if(commandTable, begins)->name;
 }
 
-std::string joinedNames(const char* between) {
-    std::string all;
-    for (const std::string& name : commandNames()) all += (all.empty() ? "" : between) + name;
-    return all;
-}
-
 // Empty where a scene is meant.
 std::string unknownCommand(const std::string& word) {
     const std::string unknown = "raytracer: unknown command " + inQuotes(word);
@@ -78,7 +73,8 @@ std::string unknownCommand(const std::string& word) {
     if (const auto begun = commandBegunBy(word); !begun.empty()) return unknown + didYouMean(begun);
     if (nearest.found()) return unknown + nearest.question();
     if (!nearbyFile(word).empty()) return {};
-    return "raytracer: " + inQuotes(word) + " is no scene and no command (" + joinedNames(", ") + ")";
+    return "raytracer: " + inQuotes(word) + " is no scene and no command (" + joined(commandNames(), ", ") +
+           ")";
 }
 
 // Of a command.
@@ -118,10 +114,10 @@ void printCompletion(const std::string& shell) {
         print(
             "_raytracer() {\n    local current=${COMP_WORDS[COMP_CWORD]} words=\"\" command=render\n"
             "    [[ \" " +
-            joinedNames(" ") +
+            joined(commandNames(), " ") +
             " \" == *\" ${COMP_WORDS[1]} \"* ]] && command=${COMP_WORDS[1]}\n"
             "    ((COMP_CWORD == 1)) && words=\"" +
-            joinedNames(" ") +
+            joined(commandNames(), " ") +
             "\"\n"
             "    case \"$command ${COMP_WORDS[COMP_CWORD - 1]}\" in\n");
         printCompletions(shell);
@@ -130,12 +126,13 @@ void printCompletion(const std::string& shell) {
             "complete -o default -F _raytracer raytracer\n");
     } else if (shell == "zsh") {
         print("#compdef raytracer\n_raytracer() {\n    if ((CURRENT == 2)); then compadd " +
-              joinedNames(" ") + "; fi\n    case $words[2] in\n    " + joinedNames("|") +
+              joined(commandNames(), " ") + "; fi\n    case $words[2] in\n    " +
+              joined(commandNames(), "|") +
               ") shift words; ((CURRENT--)) ;;\n    esac\n    case $words[1] in\n");
         printCompletions(shell);
         print("    esac\n}\n_raytracer \"$@\"\n");
     } else {
-        print("set -l names " + joinedNames(" ") + "\n");
+        print("set -l names " + joined(commandNames(), " ") + "\n");
         printCompletions(shell);
     }
 }

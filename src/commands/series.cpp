@@ -6,7 +6,6 @@
 
 #include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_writer.h"
-#include "raytracer/util/file_hash.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 #include "split_values.h"
@@ -62,18 +61,9 @@ bool isOfText(std::string_view pointer) {
 bool isNearRange(const std::string& inside, bool hasFrames) {
     if (inside.find_first_not_of("0123456789.,:;- ") != inside.npos) return false;
     if (inside.find_first_of("0123456789") == inside.npos) return false;
-    std::size_t parts = 0;
-    for (std::size_t end = 0, at = 0; (at = inside.find_first_not_of(",:; ", end)) != inside.npos; ++parts)
-        end = std::min(inside.find_first_of(",:; ", at), inside.size());
-    if (parts == 1) return inside.find("..") != inside.npos || inside.find('-', 1) != inside.npos;
-    return parts == 2 && (hasFrames || inside.find(',') == inside.npos);
-}
-
-// Whether a brace stands where a number of its own may: not in a word, as "mat{1-2}".
-bool isValueAt(const std::string& value, std::size_t brace) {
-    const std::size_t before = value.find_last_not_of(' ', brace - 1);
-    return brace == 0 || before == value.npos ||
-           std::string_view("[{(,:").find(value[before]) != std::string_view::npos;
+    const auto commas = std::ranges::count(inside, ',');
+    if (commas > 0) return commas == 1 && hasFrames;
+    return inside.find("..") != inside.npos || inside.find_first_of(":;- ", 1) != inside.npos;
 }
 
 // Numbers between braces, or dots between numbers, that are no range, where the value is meant as numbers.
@@ -87,8 +77,7 @@ bool hasNearRange(const std::string& set, bool hasFrames) {
     if (value.empty() || readingOf(value).why.empty()) return false;
     for (std::size_t open = 0; (open = value.find('{', open)) != value.npos; ++open) {
         const std::size_t end = std::min(value.find_first_of("}]", open), value.size());
-        if (isValueAt(value, open) && isNearRange(value.substr(open + 1, end - open - 1), hasFrames))
-            return true;
+        if (isNearRange(value.substr(open + 1, end - open - 1), hasFrames)) return true;
     }
     return value.find("..") != value.npos && value.find_first_not_of("0123456789.-+") == value.npos;
 }
@@ -115,14 +104,14 @@ void addPartsAndFramesTo(CommandLine& line, std::string& part, std::string& fram
               "Render the K-th of N parts of the picture, K/N, into the file IMAGE_OUT.part-K-of-N, for "
               "raytracer assemble; all parts take about the same time");
     line.shown("--part", "K/N");
-    line.rejoins("--part", joinedPart);
+    line.rejoins("--part", rejoinedList({"is K/N, no blanks", "/of", "/", 2, 2, isWholeNumber}));
     line.exclude("--part", {"--target-time"});
     line.text(
         "--frames", frames,
         "Render frames A..B; IMAGE_OUT has one %04d, for their number. In a --set, {a..b} is a number that "
         "runs from a at frame A to b at the one after B; write it in quotes: '/camera/eye/0={0..1}'");
     line.shown("--frames", "A..B");
-    line.rejoins("--frames", joinedFrames);
+    line.rejoins("--frames", rejoinedList({"is A..B, no blanks", ".to", "..", 2, 2, isWholeNumber}));
 }
 
 std::string pictureOptions(const RenderArguments& arguments, const RenderOptions& options) {
@@ -159,7 +148,7 @@ PartHead partHead(const RenderArguments& arguments, const RenderOptions& options
                   const std::vector<std::string>& sceneFiles) {
     PartHead head;
     head.version = programVersion();
-    head.scene = hashOfFiles(sceneFiles);
+    head.scene = sceneChecksum(sceneFiles);
     head.options = pictureOptions(arguments, options);
     head.size = options.size;
     head.crop = options.crop;

@@ -1,8 +1,7 @@
 #include "split_values.h"
 
 #include <algorithm>
-#include <functional>
-#include <string_view>
+#include <vector>
 
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
@@ -11,26 +10,15 @@ namespace raytracer::commands {
 
 namespace {
 
-// How an option's list is written.
-struct ListForm {
-    std::string_view separators;  // characters
-    const char* between;          // its parts, as the list is written
-    std::size_t least, most;      // parts
-    std::function<bool(const std::string&)> isPart;
-};
-
 // Without the empty ones.
 std::vector<std::string> partsOf(const std::string& text, const ListForm& form) {
-    std::vector<std::string> parts;
-    for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
-        end = std::min(text.find_first_of(form.separators, start), text.size());
-        if (end > start) parts.push_back(text.substr(start, end - start));
-    }
+    std::vector<std::string> parts = split(text, form.separators);
+    std::erase(parts, "");
     return parts;
 }
 
 // Empty where the text is whole, or what is behind is no part.
-std::string joinedList(const std::string& text, std::span<const std::string> behind, const ListForm& form) {
+std::string joinedList(const std::string& text, Behind behind, const ListForm& form) {
     std::vector<std::string> parts = partsOf(text, form);
     const std::size_t own = parts.size();
     if (!std::ranges::all_of(parts, form.isPart)) return {};
@@ -40,13 +28,7 @@ std::string joinedList(const std::string& text, std::span<const std::string> beh
         parts.insert(parts.end(), more.begin(), more.end());
     }
     if (parts.size() == own || parts.size() < form.least) return {};
-    std::string list;
-    for (const std::string& part : parts) list += (list.empty() ? "" : form.between) + part;
-    return list;
-}
-
-Word::Whole withCommas(const std::string& text, Behind behind, const ListForm& form) {
-    return {"has commas, no blanks", joinedList(text, behind, form)};
+    return joined(parts, form.between);
 }
 
 // An object's text whose quotes a shell has taken away: {"type":"sphere"} of type:sphere.
@@ -85,8 +67,7 @@ std::string joinedBraces(const std::string& text, Behind behind) {
     }
     if (values.size() == 1) return {};
     if (isCount(values)) return pointer + "{" + values.front() + ".." + values.back() + "}";
-    std::string list;
-    for (const std::string& value : values) list += (list.empty() ? "" : ",") + value;
+    const std::string list = joined(values, ",");
     const std::string whole = list.find(':') == list.npos ? "[" + list + "]" : objectOf(list);
     return pointer + (whole.size() > longest ? "{...}" : whole);
 }
@@ -112,24 +93,10 @@ std::string inAnyShell(const std::string& text) {
 
 }  // namespace
 
-Word::Whole joinedTerms(const std::string& text, Behind behind, const std::vector<std::string>& terms) {
-    return withCommas(text, behind, {", ", ",", 2, terms.size(), [&](const std::string& part) {
-                                         return std::ranges::find(terms, part) != terms.end();
-                                     }});
-}
-
-Word::Whole joinedCrop(const std::string& text, Behind behind) {
-    return withCommas(text, behind, {", ", ",", 4, 4, [](const std::string& part) {
-                                         return part.find_first_not_of("0123456789-") == part.npos;
-                                     }});
-}
-
-Word::Whole joinedPart(const std::string& text, std::span<const std::string> behind) {
-    return {"is K/N, no blanks", joinedList(text, behind, {"/of", "/", 2, 2, isWholeNumber})};
-}
-
-Word::Whole joinedFrames(const std::string& text, std::span<const std::string> behind) {
-    return {"is A..B, no blanks", joinedList(text, behind, {".to", "..", 2, 2, isWholeNumber})};
+Word::Rejoin rejoinedList(const ListForm& form) {
+    return [form](const std::string& text, Behind behind) -> Word::Whole {
+        return {form.inWords, joinedList(text, behind, form)};
+    };
 }
 
 Word::Whole joinedEdit(const std::string& text, Behind behind) {

@@ -99,10 +99,10 @@ int measure(TradeoffArguments& arguments) {
 }  // namespace
 
 int tradeoff(int argc, char** argv) {
-    CommandLine line("raytracer tradeoff", "Measures what speed costs in accuracy.");
+    CommandLine line("tradeoff", "Measures what speed costs in accuracy.");
     TradeoffArguments arguments;
     arguments.addTo(line);
-    if (const auto status = line.parse(argc, argv)) return *status;
+    if (line.parse(argc, argv)) return 0;
     requireScenes(arguments.scenes);
     return measure(arguments);
 }

@@ -124,7 +124,7 @@ std::string explanationSentence(const RayExplanation& explanation, const SceneDe
 }
 
 std::vector<std::string> missingTerms(const RayExplanation& explanation, const SceneDescription& scene,
-                                      const std::uint8_t (&bytes)[3]) {
+                                      const std::uint8_t* bytes) {
     std::vector<std::string> terms;
     const auto isThere = [&](const glm::dvec3& color) {
         return toByte(color.x) == bytes[0] && toByte(color.y) == bytes[1] && toByte(color.z) == bytes[2];

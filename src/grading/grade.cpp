@@ -72,9 +72,7 @@ bool renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, c
 }
 
 std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c) {
-    const std::uint8_t* pixel =
-        &image.pixels[3 * (static_cast<std::size_t>(c.worstY) * static_cast<std::size_t>(c.width) +
-                           static_cast<std::size_t>(c.worstX))];
+    const std::uint8_t* pixel = image.at(c.worstX, c.worstY);
     return {pixel[0], pixel[1], pixel[2]};
 }
 

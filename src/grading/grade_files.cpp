@@ -152,10 +152,7 @@ std::string classTable(std::span<const GradedSubmission> graded, const Threshold
 }
 
 std::string remark(const GradeResult& result) {
-    std::string text;
-    for (const std::string& part : {result.message, result.note, result.sentence})
-        if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
-    return text;
+    return joined({result.message, result.note, result.sentence}, "; ");
 }
 
 std::string gradesAsCsv(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {

@@ -1,12 +1,13 @@
 #include "programs.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
+#include <utility>
 
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
@@ -70,48 +71,73 @@ std::string copyScene(const std::string& scene, const std::string& folder) {
     return (to / files::path(scene).filename()).string();
 }
 
+using WordSet = std::set<std::string_view>;
+
+bool hasSlash(std::string_view word) { return word.find('/') != word.npos; }
+
+// Whether a command runs the script that it is given, by its name: python for /usr/bin/python3.12.
+bool isInterpreter(std::string_view command) {
+    static const WordSet interpreters{"sh",   "bash", "dash", "zsh",    "ksh", "python", "pypy",  "node",
+                                      "ruby", "perl", "lua",  "luajit", "php", "java",   "julia", "Rscript"};
+    const std::string_view name = command.substr(command.rfind('/') + 1);
+    return interpreters.contains(name.substr(0, name.find_last_not_of("0123456789.") + 1));
+}
+
 // Follows a command, in which a path of ours is found, though it runs in another folder. A word that means
 // a file which the command itself makes is left as it is.
 class PathsFromHere {
   public:
     bool isOurs(const ShellWord& word) {
-        if (word.role == ShellRole::Operator) endCommand(word.text == "(");
-        if (word.role == ShellRole::Target) makes_ = makes_ || !word.text.starts_with("/dev/");
-        if (word.role == ShellRole::Command) {
-            makes_ = makes_ || std::ranges::find(harmless, word.text) == harmless.end();
-            moves_ = word.text == "cd" || word.text == "pushd";
-        }
-        const bool hasSlash = word.text.find('/') != word.text.npos;
-        const bool isStarted = word.role == ShellRole::Command || word.role == ShellRole::Wrapped;
-        startsFile_ = startsFile_ || (isStarted && hasSlash) || word.role == ShellRole::Script;
+        if (word.kind == ShellWord::Operator) endCommand(word.text == "(");
+        if (word.kind == ShellWord::Redirection) isTarget_ = true;
+        if (word.kind != ShellWord::Text) return false;
         std::error_code error;
-        return isHere_ && word.isPlain && !word.text.starts_with('/') && mayBeOurs(word) &&
-               files::exists(word.text, error);
+        const bool isTarget = std::exchange(isTarget_, false);
+        const bool isThere =
+            isHere_ && word.isPlain && !word.text.starts_with('/') && files::exists(word.text, error);
+        const bool isScript = isThere && !isTarget && std::exchange(awaitsScript_, false);
+        if (isTarget) makes_ = makes_ || !word.text.starts_with("/dev/");
+        else follow(word.text);
+        if (!isThere || word.text.find_first_not_of("./") == word.text.npos) return false;
+        if (!hasSlash(word.text)) return isScript && isFresh_;
+        return !word.text.starts_with("./") || (isFresh_ && startsFile_ && !isTarget);
     }
 
   private:
+    // The shell's words before a command.
+    inline static const WordSet leading{"if", "then", "elif", "else", "do", "while", "until", "{", "!"};
     // Commands, and words of the shell, that make no file.
-    static constexpr std::array<std::string_view, 17> harmless{
-        "export", "ulimit", "umask", "set",    "unset", "trap", ":",  "true", "false",
-        "test",   "[",      "echo",  "printf", "for",   "done", "fi", "}"};
+    inline static const WordSet harmless{"export", "ulimit", "umask", "set",  "unset", "trap",
+                                         ":",      "true",   "false", "test", "[",     "echo",
+                                         "printf", "for",    "done",  "fi",   "}"};
+    // Commands that start what they are given: p in "timeout 8 p".
+    inline static const WordSet wrappers{"env",    "timeout", "nice",    "nohup", "time", "stdbuf",
+                                         "setsid", "taskset", "command", "exec",  "sudo", "xvfb-run"};
 
     // The name of a function, before (), is not run.
     void endCommand(bool isName) {
-        isFresh_ = isFresh_ && (isName || !makes_);
-        isHere_ = isHere_ && !moves_;
-        makes_ = moves_ = startsFile_ = false;
+        const bool isFresh = isFresh_ && (isName || !makes_), isHere = isHere_ && !moves_;
+        *this = {};
+        isFresh_ = isFresh;
+        isHere_ = isHere;
     }
 
-    bool mayBeOurs(const ShellWord& word) const {
-        const bool hasFolder = word.text.find('/') != word.text.npos, isDot = word.text.starts_with("./");
-        if (word.role == ShellRole::Script && !hasFolder) return isFresh_;
-        if (!hasFolder || word.text.find_first_not_of("./") == word.text.npos) return false;
-        const bool isRun = word.role != ShellRole::Target && startsFile_;
-        return !isDot || (isFresh_ && isRun);
+    void follow(std::string_view word) {
+        const bool isAssignment = word.find('=') != word.npos;
+        if (isFirst_ && (isAssignment || leading.contains(word))) return;
+        if (isFirst_) {
+            makes_ = makes_ || !harmless.contains(word);
+            moves_ = word == "cd" || word == "pushd";
+            isWrapped_ = wrappers.contains(word);
+        }
+        const bool isStarted = std::exchange(isFirst_, false) || isWrapped_;
+        awaitsScript_ = awaitsScript_ || (isStarted && isInterpreter(word));
+        startsFile_ = startsFile_ || awaitsScript_ || (isStarted && hasSlash(word));
     }
 
     bool isHere_ = true, isFresh_ = true;  // no command before has left our folder, or may have made files
-    bool makes_ = false, moves_ = false, startsFile_ = false;  // this command
+    bool makes_ = false, moves_ = false, isWrapped_ = false, startsFile_ = false;  // this command
+    bool isFirst_ = true, isTarget_ = false, awaitsScript_ = false;                // its next word
 };
 
 std::string commandFromHere(const std::string& command) {
@@ -187,11 +213,24 @@ std::string noFile(const std::string& name) { return "there is no file " + print
 // The shell that will run it is asked: it knows its own commands, and where it looks for others.
 bool isCommand(const std::string& name) { return runProcess({"command -v", {name}, "/dev/null"}).well(); }
 
-// Whether a word that an interpreter is given is its script for certain.
-bool isScript(const std::string& word) {
-    constexpr std::string_view endings[] = {".py", ".sh", ".js", ".rb", ".pl", ".lua", ".jar", ".java"};
-    return word.find('/') != word.npos ||
-           std::ranges::any_of(endings, [&](std::string_view ending) { return endsIn(word, ending); });
+// The script of which an interpreter is told for certain: a file's name, which is no option's value. Else
+// empty.
+std::string scriptAmong(std::span<const ShellWord> words) {
+    static constexpr std::string_view endings[] = {".py", ".sh",  ".js",  ".rb",
+                                                   ".pl", ".lua", ".jar", ".java"};
+    static const WordSet otherwise{"-m", "-e", "--eval", "-cp", "-classpath"};
+    bool isBehindOption = false;
+    for (const ShellWord& word : words) {
+        const bool isOption = word.text.starts_with('-');
+        const bool isFile =
+            std::ranges::any_of(endings, [&](std::string_view ending) { return endsIn(word.text, ending); });
+        if (isOption && (word.text.ends_with('c') || otherwise.contains(word.text))) return {};
+        if (!isOption && word.isPlain && (isFile || (hasSlash(word.text) && !isBehindOption)))
+            return word.text;
+        if (!isOption && !isBehindOption) return {};
+        isBehindOption = isOption;
+    }
+    return {};
 }
 
 std::string faultOfProgram(const std::string& word) {
@@ -201,7 +240,7 @@ std::string faultOfProgram(const std::string& word) {
         files::perms::owner_exec | files::perms::group_exec | files::perms::others_exec;
     const bool isThere = files::is_regular_file(status);
     if (hasFolder(word)) return {};
-    if (word.find('/') == word.npos) {
+    if (!hasSlash(word)) {
         const std::string hint = isThere ? "; write ./" + printable(word) : hintAt(word);
         return isCommand(word) ? "" : "there is no command " + printable(word) + hint;
     }
@@ -215,19 +254,16 @@ std::string faultOfProgram(const std::string& word) {
 
 std::vector<std::string> filesStarted(const std::string& command) {
     const std::vector<ShellWord> words = shellWords(command);
-    const auto end = std::ranges::find(words, ShellRole::Operator, &ShellWord::role);
+    const auto end = std::ranges::find(words, ShellWord::Operator, &ShellWord::kind);
     const bool isFunction = end != words.end() && end->text == "(";
     const bool hasOther = end != words.end() && end->text == "||";
-    if (words.empty() || isFunction || hasOther) return {};
+    if (end == words.begin() || isFunction || hasOther) return {};
     const ShellWord& first = words[0];
-    if (first.role != ShellRole::Command || !first.isPlain || first.isQuoted) return {};
+    const bool isAssignment = first.text.find('=') != first.text.npos;
+    if (first.kind != ShellWord::Text || !first.isPlain || isAssignment) return {};
     std::vector<std::string> started{first.text};
-    for (const ShellWord& word : std::span(words.begin(), end)) {
-        if (word.role == ShellRole::Wrapped) break;
-        if (word.role != ShellRole::Script || !word.isPlain || !isScript(word.text)) continue;
-        started.push_back(word.text);
-        break;
-    }
+    const std::string script = isInterpreter(first.text) ? scriptAmong({words.begin() + 1, end}) : "";
+    if (!script.empty()) started.push_back(script);
     return started;
 }
 
@@ -238,8 +274,7 @@ std::string programFault(const std::string& command) {
     const std::string& script = started[1];
     std::error_code error;
     if (hasFolder(script) || files::exists(script, error)) return {};
-    const bool isName = script.find('/') == script.npos;
-    return isName && isCommand(script) ? "" : noFile(script);
+    return !hasSlash(script) && isCommand(script) ? "" : noFile(script);
 }
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,

@@ -117,15 +117,14 @@ std::string GradedSubmission::fault(const Thresholds& thresholds) const {
     if (isArchive) return toUnpack;
     const auto isNowhere = [](const GradeResult& r) { return r.isMissing && r.instead.empty(); };
     if (!results.empty() && std::ranges::all_of(results, isNowhere)) return "nothing handed in";
-    const std::string mistake = mistakeOfMost(results, thresholds), missing = missingPictures(results);
-    return mistake + (mistake.empty() || missing.empty() ? "" : "; ") + missing;
+    return joined({mistakeOfMost(results, thresholds), missingPictures(results)}, "; ");
 }
 
 std::string GradedSubmission::remarks(const Thresholds& thresholds) const {
     std::string text = fault(thresholds);
     std::size_t notes = 0;
     for (const GradeResult& result : results)
-        if (!result.note.empty() && notes++ == 0) text += (text.empty() ? "" : "; ") + result.note;
+        if (!result.note.empty() && notes++ == 0) text = joined({text, result.note}, "; ");
     if (notes > 1) text += " (so with " + std::to_string(notes) + " pictures)";
     return text;
 }

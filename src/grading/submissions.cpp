@@ -71,13 +71,6 @@ FoundPicture findPicture(const FilesByName& files, const GradeCase& test) {
     return found;
 }
 
-std::string commandOf(std::string program, const Submission& submission) {
-    const std::string folder = inShellQuotes(submission.folder);
-    for (std::size_t at = 0; (at = program.find("{}", at)) != std::string::npos; at += folder.size())
-        program.replace(at, 2, folder);
-    return program;
-}
-
 // The whole class: results, in which a fault may be told already, and the paths of pictures.
 class ClassGrading {
   public:
@@ -106,11 +99,12 @@ class ClassGrading {
 
     void makePictures() {
         std::vector<ProgramRun> runs;
-        for (std::size_t s = 0; s < submissions_.size(); ++s)
-            for (std::size_t c = 0; c < plan_.cases.size(); ++c)
-                runs.push_back({commandOf(options_.program, submissions_[s]), &plan_.cases[c],
-                                longEdgeOf(plan_.cases[c]),
-                                made_.file(std::to_string(runs.size()) + ".png")});
+        for (const Submission& submission : submissions_) {
+            const std::string command = replaced(options_.program, "{}", inShellQuotes(submission.folder));
+            for (const GradeCase& test : plan_.cases)
+                runs.push_back(
+                    {command, &test, longEdgeOf(test), made_.file(std::to_string(runs.size()) + ".png")});
+        }
         std::size_t done = 0;
         runPrograms(runs, options_.run, options_.jobs, [&](std::size_t i, const Rendered& rendered) {
             GradeResult& result = graded_[i / plan_.cases.size()].results[i % plan_.cases.size()];

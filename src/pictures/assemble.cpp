@@ -120,12 +120,8 @@ template <class Image>
 void copyTile(const PixelRectangle& tile, const char* from, const PixelRectangle& band, Image& image) {
     constexpr std::size_t pixelSize = 3 * sizeof image.pixels[0];
     const std::size_t rowSize = pixelSize * static_cast<std::size_t>(tile.width());
-    for (int y = tile.y0; y < tile.y1; ++y, from += rowSize) {
-        const std::size_t pixel =
-            static_cast<std::size_t>(y - band.y0) * static_cast<std::size_t>(band.width()) +
-            static_cast<std::size_t>(tile.x0 - band.x0);
-        std::memcpy(&image.pixels[3 * pixel], from, rowSize);
-    }
+    for (int y = tile.y0; y < tile.y1; ++y, from += rowSize)
+        std::memcpy(image.at(tile.x0 - band.x0, y - band.y0), from, rowSize);
 }
 
 // How many pixels each part has in a rectangle, by its number.

@@ -10,6 +10,7 @@
 #include "raytracer/json/json_view.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/file_bytes.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
@@ -96,6 +97,15 @@ std::string partBeginning(const PartHead& head) {
 }
 
 std::string partChecksum(std::uint32_t crc) { return hexadecimal(crc); }
+
+std::string sceneChecksum(std::span<const std::string> paths) {
+    std::uint32_t crc = 0;
+    for (const std::string& path : paths) {
+        const FileBytes file(path, FileKind::Regular);
+        crc = libdeflate_crc32(crc, file.text().data(), file.text().size());
+    }
+    return partChecksum(crc);
+}
 
 PartFile::PartFile(const std::string& path) : reader_(path) {
     std::string magic(std::min<std::uint64_t>(magicSize, reader_.size()), '\0');

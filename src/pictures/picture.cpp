@@ -17,17 +17,12 @@ Image blank(const PixelRectangle& crop) {
     return image;
 }
 
-std::size_t offsetOf(const PixelRectangle& crop, int x, int y) {
-    return 3 * (static_cast<std::size_t>(y - crop.y0) * static_cast<std::size_t>(crop.width()) +
-                static_cast<std::size_t>(x - crop.x0));
-}
-
 }  // namespace
 
 ByteSink::ByteSink(const PixelRectangle& crop) : crop_(crop), image_(blank<ByteImage>(crop)) {}
 
 void ByteSink::write(int x, int y, std::span<const glm::dvec3> colors) {
-    std::uint8_t* out = &image_.pixels[offsetOf(crop_, x, y)];
+    std::uint8_t* out = image_.at(x - crop_.x0, y - crop_.y0);
     const double* const values = &colors.data()->x;  // one after the other, so that they share registers
     for (std::size_t i = 0; i < 3 * colors.size(); ++i) out[i] = toByte(values[i]);
 }
@@ -37,7 +32,7 @@ FloatSink::FloatSink(const PixelRectangle& crop) : crop_(crop), image_(blank<Flo
 // What is too bright for a float is as bright as one can be.
 void FloatSink::write(int x, int y, std::span<const glm::dvec3> colors) {
     constexpr double brightest = std::numeric_limits<float>::max();
-    float* out = &image_.pixels[offsetOf(crop_, x, y)];
+    float* out = image_.at(x - crop_.x0, y - crop_.y0);
     for (const glm::dvec3& color : colors)
         for (int channel = 0; channel < 3; ++channel)
             *out++ = static_cast<float>(std::clamp(color[channel], -brightest, brightest));

@@ -10,12 +10,8 @@
 namespace raytracer {
 namespace {
 
-std::string joined(const std::string& before, const char* separator, const std::string& after) {
-    return before.empty() ? after : before + separator + after;
-}
-
 std::string afterFile(const Place& place, const std::string& message) {
-    const std::string inPlace = joined(place.pointer.value_or(""), ": ", message);
+    const std::string inPlace = joined({place.pointer.value_or(""), message}, ": ");
     if (place.column > 0)
         return std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + inPlace;
     return place.line > 0 ? "line " + std::to_string(place.line) + ": " + inPlace : inPlace;
@@ -35,7 +31,7 @@ std::vector<std::string> characters(std::string_view line) {
 }  // namespace
 
 Error::Error(Place place, const std::string& message, std::string_view line)
-    : std::runtime_error(joined(place.file, place.column > 0 ? ":" : ": ", afterFile(place, message))),
+    : std::runtime_error(joined({place.file, afterFile(place, message)}, place.column > 0 ? ":" : ": ")),
       place_(std::move(place)),
       inFile_(afterFile(place_, message)),
       line_(line) {}
@@ -56,7 +52,7 @@ std::vector<std::string> Error::excerpt(std::size_t columns) const {
 }
 
 Error systemError(const std::string& file, const std::string& purpose, const std::string& more) {
-    return {{file}, joined(purpose, ": ", std::generic_category().message(errno)) + more};
+    return {{file}, joined({purpose, std::generic_category().message(errno)}, ": ") + more};
 }
 
 }  // namespace raytracer

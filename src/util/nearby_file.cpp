@@ -109,9 +109,8 @@ fs::path nearbyFolder(const fs::path& path) {
 // The file with this name in the folder above the path's, which a command line may have meant; a scene's own
 // files lie below it.
 std::string fileAbove(const std::string& path) {
-    std::string slashes = path;
-    std::ranges::replace(slashes, '\\', '/');
-    const fs::path wanted = slashes, folder = wanted.parent_path(), above = folder.parent_path();
+    const fs::path wanted = replaced(path, "\\", "/"), folder = wanted.parent_path(),
+                   above = folder.parent_path();
     const fs::path file = above / wanted.filename();
     return !folder.empty() && above != "/" && isFile(file) ? file.generic_string() : "";
 }
@@ -173,8 +172,7 @@ std::vector<fs::path> filesIn(const fs::path& folder, std::error_code& error, in
 }
 
 std::string nearbyFile(const std::string& path) {
-    std::string slashes = path;
-    std::ranges::replace(slashes, '\\', '/');
+    const std::string slashes = replaced(path, "\\", "/");
     if (slashes != path && isFile(slashes)) return slashes;
     const fs::path wanted = slashes, folder = wanted.parent_path(), name = wanted.filename();
     if (name.empty() || folder == "/") return {};  // a whole machine is not searched
@@ -194,8 +192,7 @@ std::string nearbyFile(const std::string& path) {
 }
 
 std::string nearbyName(const std::string& folder, std::string_view written) {
-    std::string slashes(written);
-    std::ranges::replace(slashes, '\\', '/');
+    const std::string slashes = replaced(std::string(written), "\\", "/");
     const fs::path file = fileBelow(folder, slashes);
     if (file.empty()) return {};
     const std::string name = relativeTo(folder, file).generic_string();
@@ -204,10 +201,8 @@ std::string nearbyName(const std::string& folder, std::string_view written) {
 }
 
 std::string hintAt(const std::string& path) {
-    const int before = errno;
     std::string nearby = nearbyFile(path);
     if (nearby.empty()) nearby = fileAbove(path);
-    errno = before;
     return nearby.empty() ? "" : "; there is " + inQuotes(nearby);
 }
 
@@ -233,8 +228,7 @@ std::string missingFolder(const std::string& path) {
 std::string whereLooked(const std::string& path) {
     const int before = errno;
     if (before != ENOENT) return {};
-    std::string hint = hintAt(path);
-    const std::string missing = missingFolder(path);
+    const std::string missing = missingFolder(path), hint = hintAt(path);
     std::error_code error;
     const fs::path wanted = path, here = fs::current_path(error), above = wanted.parent_path();
     errno = before;

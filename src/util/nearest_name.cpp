@@ -12,10 +12,8 @@ namespace {
 // Longer text is no misspelled name, and the time to compare grows with the product of the lengths.
 constexpr std::size_t longestName = 100;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool areSwapped(std::string_view a, std::string_view b, std::size_t i, std::size_t j) {
-    return i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+    return i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
 }
 
 // The distance of the first i letters of a to the first j of b, row by row (dynamic programming).
@@ -27,7 +25,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
         above.swap(row);
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = above[j - 1] + (lower(a[i - 1]) != lower(b[j - 1]));
+            const std::size_t replaced = above[j - 1] + (a[i - 1] != b[j - 1]);
             row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
             if (areSwapped(a, b, i, j)) row[j] = std::min(row[j], before[j - 2] + 1);
         }
@@ -42,28 +40,28 @@ std::size_t lengthDifference(std::string_view a, std::string_view b) {
 // Whether the name ends with `part`, whole words of it: the last word says what it names.
 bool endsInWord(std::string_view name, std::string_view part) {
     constexpr std::size_t least = 4;  // letters; fewer end many names
-    if (part.size() < least || part.size() >= name.size() || !endsIn(name, part)) return false;
+    if (part.size() < least || part.size() >= name.size() || !name.ends_with(part)) return false;
     return std::isalnum(static_cast<unsigned char>(name[name.size() - part.size() - 1])) == 0;
 }
 
 // Whether the whole begins with the part, which has at least so many letters.
 bool begins(std::string_view whole, std::string_view part, std::size_t least) {
-    return part.size() >= least && whole.size() > part.size() &&
-           std::ranges::equal(part, whole.substr(0, part.size()), {}, lower, lower);
+    return part.size() >= least && whole.size() > part.size() && whole.starts_with(part);
 }
 
 }  // namespace
 
 NearestName::NearestName(std::string_view name, std::size_t lettersForError)
-    : name_(name),
+    : name_(inLowerCase(name)),
       limit_(std::min(std::max<std::size_t>(1, name.size() / lettersForError) + 1, name.size())) {}
 
 void NearestName::consider(std::string_view candidate) {
     if (name_.size() > longestName) return;
-    if (endsInWord(candidate, name_) || endsInWord(name_, candidate)) last_.add(candidate);
-    if (begins(candidate, name_, 3) || begins(name_, candidate, 4)) first_.add(candidate);
-    if (lengthDifference(name_, candidate) >= limit_) return;
-    const std::size_t errors = distance(name_, candidate);
+    const std::string other = inLowerCase(candidate);
+    if (endsInWord(other, name_) || endsInWord(name_, other)) last_.add(candidate);
+    if (begins(other, name_, 3) || begins(name_, other, 4)) first_.add(candidate);
+    if (lengthDifference(name_, other) >= limit_) return;
+    const std::size_t errors = distance(name_, other);
     if (errors >= limit_) return;
     limit_ = errors;
     nearest_ = candidate;

@@ -1,12 +1,9 @@
-#include <sstream>
-
 #include "raytracer/util/child_process.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
 
 std::string ProcessEnd::description() const {
-    std::ostringstream text;
     switch (stop) {
         case Stop::Hung: return formatted("hung: stopped after %.3g s", seconds);
         case Stop::TooSlow: return formatted("too slow: %.2g s of processor time", processorSeconds);
@@ -14,10 +11,9 @@ std::string ProcessEnd::description() const {
         case Stop::TooMuchOutput: return "printed or wrote too much";
         case Stop::None: break;
     }
-    if (signal) text << "crashed: " << signalName(signal);
-    else if (exitStatus == 127) text << "could not be started";
-    else if (exitStatus) text << "exit status " << exitStatus;
-    return text.str();
+    if (signal) return "crashed: " + signalName(signal);
+    if (exitStatus == 127) return "could not be started";
+    return exitStatus ? "exit status " + std::to_string(exitStatus) : "";
 }
 
 ProcessEnd runProcess(const ProcessStart& start) {

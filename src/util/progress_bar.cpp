@@ -40,11 +40,7 @@ double TerminalLine::elapsedSeconds() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void ProgressBar::progress(double fraction) {
-    if (line_.isDue()) line_.show(line(fraction, line_.elapsedSeconds(), terminalColumns()));
-}
-
-std::string ProgressBar::line(double fraction, double elapsedSeconds, std::size_t columns) {
+std::string StepProgress::bar(double fraction, double elapsedSeconds, std::size_t columns) {
     const double left = fraction > 0 ? elapsedSeconds * (1 - fraction) / fraction : 0;
     const long seconds = std::lround(left);
     std::string numbers = formatted("%3.0f %%  %ld:%02ld left", 100 * fraction, seconds / 60, seconds % 60);
@@ -56,11 +52,12 @@ std::string ProgressBar::line(double fraction, double elapsedSeconds, std::size_
 }
 
 StepProgress::StepProgress(bool quiet, std::size_t steps) : steps_(static_cast<double>(steps)) {
-    if (!quiet) bar_.emplace();
+    if (!quiet) line_.emplace();
 }
 
 void StepProgress::progress(double fraction) {
-    if (bar_) bar_->progress((done_ + fraction) / steps_);
+    if (line_ && line_->isDue())
+        line_->show(bar((done_ + fraction) / steps_, line_->elapsedSeconds(), terminalColumns()));
 }
 
 void StepProgress::next() {

@@ -12,28 +12,6 @@ namespace raytracer {
 
 namespace {
 
-struct Character {
-    std::uint32_t code = 0;
-    std::size_t size = 0;  // bytes; 0: not UTF-8
-};
-
-// What the text, which is not empty, begins with (RFC 3629).
-Character firstCharacter(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text[0]);
-    if (lead < 0x80) return {lead, 1};
-    const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return {};
-    std::uint32_t code = lead & (0x7fU >> size);
-    for (const char c : text.substr(1, size - 1)) {
-        if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return {};
-        code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
-    }
-    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // less is longer than it need be
-    const bool isSurrogate = code >> 11 == 0xd800 >> 11;
-    if (code < least[size] || code > 0x10ffff || isSurrogate) return {};
-    return {code, size};
-}
-
 const UnseenRange* unseenAt(std::uint32_t code) {
     const auto has = [&](const UnseenRange& range) { return range.codes.contains(code); };
     const auto* const found = std::ranges::find_if(unseen, has);
@@ -81,7 +59,21 @@ std::string quoted(std::string_view text, bool isJson) {
 
 }  // namespace
 
-std::size_t utf8Bytes(std::string_view text) { return firstCharacter(text).size; }
+Character firstCharacter(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    if (lead < 0x80) return {lead, 1};
+    const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < size) return {};
+    std::uint32_t code = lead & (0x7fU >> size);
+    for (const char c : text.substr(1, size - 1)) {
+        if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return {};
+        code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
+    }
+    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // less is longer than it need be
+    const bool isSurrogate = code >> 11 == 0xd800 >> 11;
+    if (code < least[size] || code > 0x10ffff || isSurrogate) return {};
+    return {code, size};
+}
 
 std::size_t printableBytes(std::string_view text) {
     const Character character = firstCharacter(text);
@@ -140,10 +132,7 @@ std::string csvField(std::string_view text) {
     std::string field = printable(text);
     if (!field.empty() && std::string_view("=+-@").find(field[0]) != std::string_view::npos)
         field.insert(0, 1, '\'');
-    if (field.find_first_of(",\"") == field.npos) return field;
-    std::string quoted = "\"";
-    for (const char c : field) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
+    return field.find_first_of(",\"") == field.npos ? field : '"' + replaced(field, "\"", "\"\"") + '"';
 }
 
 std::string jsonString(std::string_view text) { return quoted(text, true); }
@@ -156,6 +145,28 @@ std::string inQuotes(std::string_view text, std::size_t longest) {
     };  // UTF-8
     while (end > 0 && isInCharacter(text[end])) --end;
     return quoted(text.substr(0, end), false) + "...";
+}
+
+std::vector<std::string> split(std::string_view text, std::string_view separators) {
+    std::vector<std::string> parts;
+    for (std::size_t start = 0, end = 0; end != text.npos; start = end + 1) {
+        end = text.find_first_of(separators, start);
+        parts.emplace_back(text.substr(start, end - start));
+    }
+    return parts;
+}
+
+std::string joined(const std::vector<std::string>& parts, std::string_view between) {
+    std::string text;
+    for (const std::string& part : parts)
+        if (!part.empty()) text.append(text.empty() ? "" : between).append(part);
+    return text;
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+        text.replace(at, what.size(), with);
+    return text;
 }
 
 std::string listed(const std::vector<std::string>& names, const std::string& last) {
@@ -181,9 +192,7 @@ std::string inShellQuotes(std::string_view word) {
     constexpr std::string_view plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,@%+-";
     if (!word.empty() && word.find_first_not_of(plain) == word.npos) return std::string(word);
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+    return "'" + replaced(std::string(word), "'", "'\\''") + "'";
 }
 
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used) {

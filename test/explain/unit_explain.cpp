@@ -1,6 +1,7 @@
 // What `explain` says of a pixel is what the render did for it, to the bit, and what it is called.
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 
 #include "../support/scene_files.h"
@@ -323,10 +324,12 @@ clamped (0.84487461, 0, 0), bytes (215, 0, 0)
               "cube \"floor\", lit through the cylinder \"pane\" by the light: 40 % of the red is diffuse "
               "light, 38 % "
               "specular light, 21 % ambient light");
-        CHECK(missingTerms(seen, scene, {233, 57, 28}) == std::vector<std::string>{"its ambient light"});
-        CHECK(missingTerms(seen, scene, {255, 113, 113}) ==
-              std::vector<std::string>{"the shadow from light 0"});
-        CHECK(missingTerms(seen, scene, {1, 2, 3}).empty());
+        const auto missing = [&](const std::array<std::uint8_t, 3>& bytes) {
+            return missingTerms(seen, scene, bytes.data());
+        };
+        CHECK(missing({233, 57, 28}) == std::vector<std::string>{"its ambient light"});
+        CHECK(missing({255, 113, 113}) == std::vector<std::string>{"the shadow from light 0"});
+        CHECK(missing({1, 2, 3}).empty());
         CHECK(explanationText(scene.explain(0, 0, 1, 1), scene) == R"(primary ray, max_recursion 1
   origin (0, -2, -2.5), direction (0, -0.5, 0)
   hits /shapes/0 (cube, transform "floor", material "mirror"), y = 1, from outside

@@ -195,6 +195,7 @@ TEST_CASE("grade: of a program's command, what it starts first") {
     CHECK(filesStarted("{}/run; true") == Words{"{}/run"});
     CHECK(filesStarted("{}/run\t-x|tee log") == Words{"{}/run"});
     CHECK(filesStarted("a{}b{}") == Words{"a{}b{}"});
+    CHECK(filesStarted("'my run' x") == Words{"my run"});
     CHECK(filesStarted("python3 \"my file.py\" a.py") == Words{"python3", "my file.py"});
     CHECK(filesStarted("python3 -W ignore a.py b.py") == Words{"python3", "a.py"});
     CHECK(filesStarted("/usr/bin/python3.12 -u b.PY c.py") == Words{"/usr/bin/python3.12", "b.PY"});
@@ -205,7 +206,7 @@ TEST_CASE("grade: of a program's command, what it starts first") {
     CHECK(filesStarted("touch x.py; ./run") == Words{"touch"});
     CHECK(filesStarted("timeout 8 python3 a.py") == Words{"timeout"});
     for (const char* unsure : {"A=1 ./run", "./r*n", "(cd x && ./run)", "run() { true; }; run",
-                               "2>/dev/null run", "run || ./run", "'run'", "~/run", "$A/run", "# run"})
+                               "2>/dev/null run", "run || ./run", "~/run", "$A/run", "# run"})
         CHECK(filesStarted(unsure) == Words{});
 }
 
@@ -216,7 +217,7 @@ TEST_CASE("grade: a program that cannot be started is a fault of its command") {
     CHECK(programFault("/no/run; true") == "there is no file /no/run");
     CHECK(programFault("sh /no/run.sh") == "there is no file /no/run.sh");
     CHECK(programFault("sh {}/run.sh").empty());
-    CHECK(programFault("\"/no/run\"").empty());
+    CHECK(programFault("\"/no/my run\"") == "there is no file /no/my run");
     for (const char* valid :
          {"java_() { :; }; java_", "2>/dev/null true", "echo -cp a.jar:b.jar", "touch x.py", "rm -f old.py",
           "test -e x.sh || true", "echo a.py", "env -C /tmp python3 inner.py", "no-such-command || true",

@@ -83,9 +83,9 @@ TEST_CASE("a long dash is no hyphen") {
 }
 
 TEST_CASE("the progress bar fits its columns") {
-    CHECK(ProgressBar::line(0.5, 10, 80) ==
+    CHECK(StepProgress::bar(0.5, 10, 80) ==
           "[" + std::string(20, '#') + std::string(20, ' ') + "]  50 %  0:10 left");
-    CHECK(ProgressBar::line(0.5, 10, 40) == "[##########          ]  50 %  0:10 left");
-    CHECK(ProgressBar::line(1, 10, 21) == "[#] 100 %  0:00 left");
-    CHECK(ProgressBar::line(1, 10, 20) == "100 %  0:00 left");
+    CHECK(StepProgress::bar(0.5, 10, 40) == "[##########          ]  50 %  0:10 left");
+    CHECK(StepProgress::bar(1, 10, 21) == "[#] 100 %  0:00 left");
+    CHECK(StepProgress::bar(1, 10, 20) == "100 %  0:00 left");
 }

@@ -29,7 +29,7 @@ std::string explanationJson(const RayExplanation& explanation, const SceneDescri
 // The terms of the first hit of which each, left out alone, gives the pixel these bytes: "the diffuse term of
 // light 1".
 std::vector<std::string> missingTerms(const RayExplanation& explanation, const SceneDescription& scene,
-                                      const std::uint8_t (&bytes)[3]);
+                                      const std::uint8_t* bytes);
 
 // The name of a shape's part: "body", "x = -1", "triangle 17" (from 0, in the file's order); empty if the
 // shape has only one.

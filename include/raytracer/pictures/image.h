@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "raytracer/pictures/pixels.h"
@@ -17,17 +18,21 @@
 
 namespace raytracer {
 
-// 8-bit RGB, row-major from the top left.
-struct ByteImage {
+// RGB, row-major from the top left.
+template <class Channel>
+struct ImageOf {
     int width = 0, height = 0;
-    LargeVector<std::uint8_t> pixels;  // width * height * 3
-};
+    LargeVector<Channel> pixels;  // width * height * 3
 
-// Linear light, unclamped RGB, row-major from the top left.
-struct FloatImage {
-    int width = 0, height = 0;
-    LargeVector<float> pixels;  // width * height * 3
+    // A pixel's red, behind which its green and its blue are.
+    const Channel* at(int x, int y) const {
+        return &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                            static_cast<std::size_t>(x))];
+    }
+    Channel* at(int x, int y) { return const_cast<Channel*>(std::as_const(*this).at(x, y)); }
 };
+using ByteImage = ImageOf<std::uint8_t>;
+using FloatImage = ImageOf<float>;  // linear light, unclamped
 
 // A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0. The result is that of lround,
 // whose call costs more than the whole function: the one number whose sum with 1/2 is rounded to the next

@@ -19,7 +19,7 @@ namespace raytracer {
 // What a part is of. Parts for which all but `part.number` is the same make a picture.
 struct PartHead {
     std::string version;  // of the program
-    std::string scene;    // a hash of the scene, its meshes and its textures
+    std::string scene;    // the CRC-32 of the scene, its meshes and its textures, one behind the other
     std::string options;  // of the command line, all that change the picture
     ImageSize size;       // of the whole picture
     PixelRectangle crop;
@@ -34,6 +34,9 @@ struct PartHead {
 std::string partBeginning(const PartHead& head);
 constexpr std::size_t partChecksumSize = 8;
 std::string partChecksum(std::uint32_t crc);
+
+// What PartHead::scene is for these files: against accidents, not against attacks. Throws Error.
+std::string sceneChecksum(std::span<const std::string> paths);
 
 // A whole part; reads all of it. Throws Error for anything else.
 class PartFile {

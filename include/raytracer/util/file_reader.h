@@ -8,20 +8,23 @@
 
 namespace raytracer {
 
+class Descriptor;
+
 class FileReader {
   public:
-    explicit FileReader(
-        const std::string& path);  // throws Error: "a.part: cannot read: No such file or directory"
+    // Throws Error: "a.part: cannot read: No such file or directory".
+    explicit FileReader(const std::string& path);
     ~FileReader();
     FileReader(const FileReader&) = delete;
     FileReader& operator=(const FileReader&) = delete;
 
-    std::uint64_t size() const;
+    std::uint64_t size() const { return size_; }
     void read(std::uint64_t offset, std::span<char> bytes) const;  // all of these; throws Error
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::string path_;
+    std::unique_ptr<Descriptor> file_;
+    std::uint64_t size_ = 0;
 };
 
 }  // namespace raytracer

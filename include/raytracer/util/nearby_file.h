@@ -34,7 +34,7 @@ std::string nearbyFile(const std::string& path);
 // where there is none.
 std::string nearbyName(const std::string& folder, std::string_view written);
 
-// `; there is "NEARBY"`, or nothing. Leaves errno as it is.
+// `; there is "NEARBY"`, or nothing.
 std::string hintAt(const std::string& path);
 
 // Where errno says that there is no file: the hint, or of a relative path `; looked in FOLDER`, or that there

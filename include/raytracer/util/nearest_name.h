@@ -42,7 +42,8 @@ class NearestName {
     };
     const Kin& kin() const { return last_.count > 0 ? last_ : first_; }
 
-    std::string name_, nearest_;
+    std::string name_;  // in small letters
+    std::string nearest_;
     std::size_t limit_;  // a candidate counts if its distance is below this, that of nearest_
     bool found_ = false;
     Kin last_, first_;  // by their last words, and by their first letters

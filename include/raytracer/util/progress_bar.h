@@ -30,28 +30,19 @@ class TerminalLine {
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-// A bar with the remaining time.
-class ProgressBar final : public ProgressListener {
-  public:
-    void progress(double fraction) override;
-
-    // One line, without the carriage return: "[#####     ]  50 %  0:07 left". The bar is as long as fits in
-    // these columns, and left out where none does.
-    static std::string line(double fraction, double elapsedSeconds, std::size_t columns);
-
-  private:
-    TerminalLine line_;
-};
-
-// A bar for equal steps, one after the other, whose own progress is told in between.
+// A bar with the remaining time, for equal steps, one after the other, whose own progress is told in between.
 class StepProgress final : public ProgressListener {
   public:
     StepProgress(bool quiet, std::size_t steps);  // quiet: without a bar
     void progress(double fraction) override;      // of the present step
     void next();                                  // the step is done
 
+    // One line, without the carriage return: "[#####     ]  50 %  0:07 left". The bar is as long as fits in
+    // these columns, and left out where none does.
+    static std::string bar(double fraction, double elapsedSeconds, std::size_t columns);
+
   private:
-    std::optional<ProgressBar> bar_;
+    std::optional<TerminalLine> line_;
     double done_ = 0, steps_;
 };
 

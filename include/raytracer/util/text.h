@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,9 +23,15 @@ constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8, without
 // ASCII characters at its beginning (RFC 4627, section 3).
 std::string wideEncoding(std::string_view text);
 
-// The bytes of the character that the text, which is not empty, begins with; 0 where that is not UTF-8 (RFC
-// 3629).
-std::size_t utf8Bytes(std::string_view text);
+// What a text, which is not empty, begins with (RFC 3629).
+struct Character {
+    std::uint32_t code = 0;
+    std::size_t size = 0;  // bytes; 0: not UTF-8
+};
+Character firstCharacter(std::string_view text);
+
+// The bytes of that character; 0 where it is not UTF-8.
+inline std::size_t utf8Bytes(std::string_view text) { return firstCharacter(text).size; }
 
 // The same, and 0 where that is a control character (those of U+0080 to U+009F too), one that turns the
 // direction of text, or no character.
@@ -60,6 +67,15 @@ std::string inShellQuotes(std::string_view word);
 // The text in lines of at most so many columns, broken at blanks; all lines but the first begin with `indent`
 // blanks. `used`: what the first line has already. A longer word has a line of its own.
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used = 0);
+
+// The parts of a text between the characters that are separators, the empty ones too.
+std::vector<std::string> split(std::string_view text, std::string_view separators);
+
+// The parts that are not empty, with a text between each two.
+std::string joined(const std::vector<std::string>& parts, std::string_view between);
+
+// The text with other words for each `what` in it.
+std::string replaced(std::string text, std::string_view what, std::string_view with);
 
 // "a, b or c".
 std::string listed(const std::vector<std::string>& names, const std::string& last = "or");

@@ -49,10 +49,7 @@ void stopSupervisor(const void* process) {
 // The exit status of a shell whose program a signal has killed is 128 + signal (POSIX says only "over 128").
 ProcessEnd endOf(const SupervisorReport& report) {
     constexpr int lastSignal = 31;
-    ProcessEnd end;
-    end.stop = report.stop;
-    end.seconds = report.seconds;
-    end.processorSeconds = report.processorSeconds;
+    ProcessEnd end = report.end;
     if (end.stop != ProcessEnd::Stop::None) return end;
     if (WIFSIGNALED(report.status)) end.signal = WTERMSIG(report.status);
     if (WIFEXITED(report.status)) end.exitStatus = WEXITSTATUS(report.status);
@@ -68,9 +65,7 @@ void killStrays() {
         std::vector<pid_t> strays = childrenOf(::getpid());
         std::erase_if(strays, [](pid_t child) { return ::getsid(child) == ::getsid(0); });
         if (strays.empty()) return;
-        std::vector<pid_t> all = strays;
-        addDescendants(all, 1 << 16);
-        killWithGroups(all);
+        killWithGroups(descendantsOf(strays, 1 << 16));
         for (const pid_t stray : strays) ::waitpid(stray, nullptr, WNOHANG);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

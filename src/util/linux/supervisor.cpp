@@ -32,13 +32,6 @@ std::size_t readInto(const char* path, char* text, std::size_t most) {
     return static_cast<std::size_t>(std::max<ssize_t>(0, size));
 }
 
-// Children, their children and so on: each, before it can end, is the child of one that is found, or ours.
-std::vector<pid_t> descendants(std::size_t most) {
-    std::vector<pid_t> found = childrenOf(::getpid());
-    addDescendants(found, most);
-    return found;
-}
-
 // Of a process and of those that it has waited for; fields 14 to 17 of proc(5)'s stat.
 double processorSecondsOf(pid_t process) {
     char path[64], text[1024];
@@ -123,15 +116,16 @@ class Supervisor {
     Supervisor(pid_t child, const ProcessLimits& limits) : child_(child), limits_(limits) {}
 
     SupervisorReport watch() {
-        while (!hasEnded() && report_.stop == ProcessEnd::Stop::None && !isTold_) {
+        while (!hasEnded() && report_.end.stop == ProcessEnd::Stop::None && !isTold_) {
             waitForSignal();
             checkLimits();
         }
-        report_.seconds = report_.stop == ProcessEnd::Stop::Hung ? limits_.wallSeconds : seconds();
+        report_.end.seconds = report_.end.stop == ProcessEnd::Stop::Hung ? limits_.wallSeconds : seconds();
         killAll();
-        report_.processorSeconds = reapedSeconds();
-        const bool isSlow = report_.processorSeconds > limits_.processorSeconds;
-        if (report_.stop == ProcessEnd::Stop::None && isSlow) report_.stop = ProcessEnd::Stop::TooSlow;
+        report_.end.processorSeconds = reapedSeconds();
+        const bool isSlow = report_.end.processorSeconds > limits_.processorSeconds;
+        if (report_.end.stop == ProcessEnd::Stop::None && isSlow)
+            report_.end.stop = ProcessEnd::Stop::TooSlow;
         return report_;
     }
 
@@ -160,19 +154,20 @@ class Supervisor {
     }
 
     void checkLimits() {
-        const auto processes = descendants(static_cast<std::size_t>(limits_.processes));
+        const auto processes =
+            descendantsOf(childrenOf(::getpid()), static_cast<std::size_t>(limits_.processes));
         double used = reapedSeconds();
         for (const pid_t process : processes) used += processorSecondsOf(process);
-        if (used > limits_.processorSeconds) report_.stop = ProcessEnd::Stop::TooSlow;
-        else if (seconds() > limits_.wallSeconds) report_.stop = ProcessEnd::Stop::Hung;
+        if (used > limits_.processorSeconds) report_.end.stop = ProcessEnd::Stop::TooSlow;
+        else if (seconds() > limits_.wallSeconds) report_.end.stop = ProcessEnd::Stop::Hung;
         else if (processes.size() > static_cast<std::size_t>(limits_.processes))
-            report_.stop = ProcessEnd::Stop::TooManyProcesses;
+            report_.end.stop = ProcessEnd::Stop::TooManyProcesses;
     }
 
     // Until there is none left to wait for.
     void killAll() {
         for (;;) {
-            killWithGroups(descendants(1 << 16));
+            killWithGroups(descendantsOf(childrenOf(::getpid()), 1 << 16));
             int status = 0;
             pid_t ended = 0;
             while ((ended = ::waitpid(-1, &status, WNOHANG)) > 0)

@@ -11,9 +11,8 @@ namespace raytracer {
 
 // What the supervisor writes to its pipe at the end.
 struct SupervisorReport {
-    int status = 0;  // of waitpid
-    ProcessEnd::Stop stop = ProcessEnd::Stop::None;
-    double seconds = 0, processorSeconds = 0;
+    int status = 0;    // of waitpid
+    ProcessEnd end{};  // but for what the status says
 };
 
 struct UserIds {

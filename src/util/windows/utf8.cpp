@@ -15,13 +15,6 @@ constexpr std::size_t wrong = static_cast<std::size_t>(-1), incomplete = static_
 
 std::size_t bytesOf(unsigned char lead) { return lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4; }
 
-char32_t codeOf(std::string_view bytes) {
-    char32_t code = static_cast<unsigned char>(bytes[0]);
-    if (bytes.size() > 1) code &= 0x7fU >> bytes.size();
-    for (const char c : bytes.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
-    return code;
-}
-
 // A character beyond U+FFFF is two wide ones: the second, kept in the state, is that of its last byte.
 std::size_t wideFromUtf8(wchar_t* to, const char* from, std::size_t size, std::mbstate_t* state) {
     if (*state != 0) {
@@ -30,13 +23,12 @@ std::size_t wideFromUtf8(wchar_t* to, const char* from, std::size_t size, std::m
     }
     const std::size_t bytes = bytesOf(static_cast<unsigned char>(*from));
     if (size < bytes) return incomplete;
-    const std::string_view character(from, bytes);
-    const bool isAscii = bytes == 1;
-    if (!isAscii && utf8Bytes(character) != bytes) {
+    const Character character = firstCharacter({from, bytes});
+    if (character.size != bytes) {
         errno = EILSEQ;
         return wrong;
     }
-    const char32_t code = codeOf(character);
+    const std::uint32_t code = character.code;
     if (bytes < 4) {
         *to = static_cast<wchar_t>(code);
         return code == 0 ? 0 : bytes;
