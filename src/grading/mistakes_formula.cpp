@@ -105,11 +105,8 @@ glm::dvec3 lightAnew(const SceneDescription& scene, const RayExplanation& ray, c
 // transpose, which the transpose takes back.
 glm::dvec3 normalByMatrix(const SceneDescription& scene, const RayExplanation& ray) {
     const Affine affine = worldFromObject(scene, scene.shapes[ray.shape]);
-    glm::dmat3 matrix;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            matrix[column][row] = static_cast<double>(affine.linear[row][column]);
-    return glm::normalize(matrix * (glm::transpose(matrix) * ray.normal));
+    const glm::dmat3 transpose(affine.linear[0], affine.linear[1], affine.linear[2]);
+    return glm::normalize(glm::transpose(transpose) * (transpose * ray.normal));
 }
 
 bool differs(const glm::dvec3& a, const glm::dvec3& b) {
