@@ -18,10 +18,6 @@
 
 namespace raytracer {
 
-inline const MaterialDescription& materialOf(const SceneDescription& scene, std::size_t shape) {
-    return scene.materials[scene.shapes[shape].material];
-}
-
 // One light's term at a hit, with what it is made of; world space.
 struct LightTerm {
     glm::dvec3 ambient{0};                // K_A I_AL
