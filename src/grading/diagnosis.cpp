@@ -20,16 +20,12 @@ constexpr std::size_t fewestWrong = 24;
 constexpr std::size_t mostNames = 3;
 
 NamedMistake nameOf(const Candidate& candidate) {
-    NamedMistake name;
+    NamedMistake name{candidate.fit};
+    name.explained = std::max(0.0, candidate.fit.net());
     for (const Mistake* mistake : candidate.variant->mistakes()) {
         name.what += (name.what.empty() ? "" : " and ") + mistake->what;
         if (!mistake->hint.empty()) name.hint += (name.hint.empty() ? "" : " ") + mistake->hint;
     }
-    name.explained = std::max(0.0, candidate.fit.net());
-    name.sampled = candidate.fit.sampled;
-    name.unknown = candidate.fit.unknown;
-    name.off = candidate.fit.off;
-    name.rounded = candidate.fit.rounded;
     return name;
 }
 
@@ -126,26 +122,23 @@ bool isOneColor(const ByteImage& picture) {
     return true;
 }
 
-std::string inDigits(std::uint64_t value) { return std::to_string(value); }
-
 // "equals the picture", or how far it is from that.
 std::string likenessInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
-    const std::string pixels = inDigits(diagnosis.pixels) + " pixels";
+    const std::string pixels = std::to_string(diagnosis.pixels) + " pixels";
     if (!mistake.off)
-        return "is, in the " + inDigits(mistake.sampled) + " pixels looked at" +
+        return "is, in the " + std::to_string(mistake.sampled) + " pixels looked at" +
                (mistake.unknown > 0 ? ", none of which shows glass" : "") + ", the picture ";
     std::vector<std::string> but;
-    if (*mistake.off > 0) but.push_back(inDigits(*mistake.off) + " of " + pixels);
+    if (*mistake.off > 0) but.push_back(std::to_string(*mistake.off) + " of " + pixels);
     if (mistake.rounded > 0)
-        but.push_back(inDigits(mistake.rounded) + " of " + pixels + " that rounding decides");
+        but.push_back(std::to_string(mistake.rounded) + " of " + pixels + " that rounding decides");
     if (but.empty()) return "equals the picture ";
     return "is, but for " + listed(but, "and") + ", the picture ";
 }
 
 std::string differenceInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
-    const std::string of = " of " + inDigits(diagnosis.pixels), wrong = inDigits(diagnosis.wrong);
-    if (mistake.off == 0U && mistake.rounded == 0)
-        return " (0" + of + " pixels differ; " + wrong + " differ from the right one)";
+    const std::string of = " of " + std::to_string(diagnosis.pixels), wrong = std::to_string(diagnosis.wrong);
+    if (mistake.isExact()) return " (0" + of + " pixels differ; " + wrong + " differ from the right one)";
     return " (" + wrong + of + " pixels differ from the right one)";
 }
 
@@ -175,7 +168,7 @@ std::string Diagnosis::sentence() const {
     constexpr double all = 0.999;
     if (first.explained >= all)
         return likenessInWords(first, *this) + names() + differenceInWords(first, *this);
-    return formatted("is wrong: %.0f %% of its ", std::floor(100 * first.explained)) + inDigits(wrong) +
+    return formatted("is wrong: %.0f %% of its ", std::floor(100 * first.explained)) + std::to_string(wrong) +
            " wrong pixels are as in the picture " + names();
 }
 

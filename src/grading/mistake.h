@@ -57,10 +57,12 @@ using Rgb = std::array<std::uint8_t, 3>;
 // How a channel's value becomes a byte.
 using ToByte = std::uint8_t (*)(double channel);
 
+using Edit = std::function<void(SceneDescription&, RenderOptions&)>;
+
 struct Mistake {
     std::string what, hint;  // as in NamedMistake
     std::string kind = {};   // no program makes two mistakes of one kind; empty: of no kind
-    std::function<void(SceneDescription&, RenderOptions&)> edit = {};
+    Edit edit = {};
     std::function<void(Formula&)> formula = {};
     std::function<glm::dvec3(const glm::dvec3&)> color = {};
     ToByte toByte = nullptr;

@@ -50,8 +50,7 @@ std::string stageInWords(const Stage& stage) {
 }
 
 // The whole scene anew: the terms that the right picture leaves out are no longer in its scene.
-std::function<void(SceneDescription&, RenderOptions&)> shownAs(
-    const std::shared_ptr<const SceneDescription>& whole, Pass pass, const Terms& terms) {
+Edit shownAs(const std::shared_ptr<const SceneDescription>& whole, Pass pass, const Terms& terms) {
     return [=](SceneDescription& scene, RenderOptions& options) {
         scene = *whole;
         if (pass == Pass::Color) keepTerms(scene, terms);

@@ -9,8 +9,6 @@ namespace raytracer {
 
 namespace {
 
-using Edit = std::function<void(SceneDescription&, RenderOptions&)>;
-
 Edit ofMaterials(const std::function<void(MaterialDescription&)>& change) {
     return [=](SceneDescription& scene, RenderOptions&) {
         std::for_each(scene.materials.begin(), scene.materials.end(), change);

@@ -34,8 +34,7 @@ void reorder(TransformDescription& transform, const std::array<char, 3>& order) 
 
 const char* wordOf(char part) { return part == 't' ? "translate" : part == 'r' ? "rotate" : "scale"; }
 
-std::function<void(SceneDescription&, RenderOptions&)> ofTransforms(
-    const std::function<void(TransformDescription&)>& change) {
+Edit ofTransforms(const std::function<void(TransformDescription&)>& change) {
     return [=](SceneDescription& scene, RenderOptions&) {
         for (TransformDescription& transform : scene.transforms) change(transform);
     };
@@ -46,7 +45,7 @@ void turnBy(TransformDescription& transform, double (*degrees)(double)) {
 }
 
 // The camera is edited so that what it sees is the picture moved over its pixels.
-using CameraEdit = void (*)(CameraDescription& camera, const ImageSize& size);
+using CameraEdit = std::function<void(CameraDescription& camera, const ImageSize& size)>;
 
 void flipLeftRight(CameraDescription& camera, const ImageSize&) {
     std::swap(camera.film_left, camera.film_right);
@@ -91,23 +90,15 @@ void transpose(CameraDescription& camera, const ImageSize& size) {
     flipLeftRight(camera, size);
 }
 
-void moveFilm(CameraDescription& camera, const ImageSize& size, double x, double y) {
-    const double right = x * (camera.film_right - camera.film_left) / size.width;
-    const double up = y * (camera.film_top - camera.film_bottom) / size.height;
-    camera.film_left += right;
-    camera.film_right += right;
-    camera.film_bottom += up;
-    camera.film_top += up;
-}
-
-void throughTopLeft(CameraDescription& camera, const ImageSize& size) { moveFilm(camera, size, -0.5, 0.5); }
-void throughTopRight(CameraDescription& camera, const ImageSize& size) { moveFilm(camera, size, 0.5, 0.5); }
-void throughBottomLeft(CameraDescription& camera, const ImageSize& size) {
-    moveFilm(camera, size, -0.5, -0.5);
-}
-void throughBottomRight(CameraDescription& camera, const ImageSize& size) {
-    moveFilm(camera, size, 0.5, -0.5);
-}
+// Of a pixel, from its centre: to the right and up.
+struct Corner {
+    const char* name;
+    double x, y;
+};
+constexpr Corner corners[] = {{"top left", -0.5, 0.5},
+                              {"top right", 0.5, 0.5},
+                              {"bottom left", -0.5, -0.5},
+                              {"bottom right", 0.5, -0.5}};
 
 // The first and the last pixel of a row look through the film's edges.
 void edgeToEdge(CameraDescription& camera, const ImageSize& size) {
@@ -165,7 +156,8 @@ void addTransformMistakes(std::vector<Mistake>& mistakes) {
 // Turned pictures before rays through corners: those are corners of the picture's pixels as it is shown.
 void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
                        const RenderOptions& options) {
-    const auto add = [&](const char* what, const char* hint, const char* kind, CameraEdit edit) {
+    const auto add = [&](const std::string& what, const char* hint, const char* kind,
+                         const CameraEdit& edit) {
         mistakes.push_back({what, hint, kind, [edit](SceneDescription& edited, RenderOptions& to) {
                                 edit(edited.camera, to.size);
                             }});
@@ -181,10 +173,16 @@ void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& s
         add("with rows and columns exchanged", turned, "film", transpose);
     }
     const char* const middle = "A pixel's ray goes through its centre: x + 0.5, y + 0.5.";
-    add("whose rays go through the pixels' top left corners", middle, "pixel", throughTopLeft);
-    add("whose rays go through the pixels' top right corners", middle, "pixel", throughTopRight);
-    add("whose rays go through the pixels' bottom left corners", middle, "pixel", throughBottomLeft);
-    add("whose rays go through the pixels' bottom right corners", middle, "pixel", throughBottomRight);
+    for (const Corner& corner : corners)
+        add("whose rays go through the pixels' " + std::string(corner.name) + " corners", middle, "pixel",
+            [&corner](CameraDescription& camera, const ImageSize& size) {
+                const double right = corner.x * (camera.film_right - camera.film_left) / size.width;
+                const double up = corner.y * (camera.film_top - camera.film_bottom) / size.height;
+                camera.film_left += right;
+                camera.film_right += right;
+                camera.film_bottom += up;
+                camera.film_top += up;
+            });
     if (options.size.width > 1 && options.size.height > 1)
         add("whose rays go from edge to edge of the film", "A pixel's width is (right - left) / width.",
             "pixel", edgeToEdge);

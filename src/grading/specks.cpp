@@ -157,8 +157,10 @@ std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& 
     }
     const auto all = static_cast<double>(known);
     const auto named = [&](const char* what, std::size_t explained) {
-        return NamedMistake{what, offset, static_cast<double>(explained) / all, known,
-                            sample.pixels.size() - known};
+        const Fit fit{.explained = static_cast<double>(explained) / all,
+                      .sampled = known,
+                      .unknown = sample.pixels.size() - known};
+        return NamedMistake{fit, what, offset};
     };
     if (all < leastKnown * static_cast<double>(sample.pixels.size()) ||
         static_cast<double>(both) < leastOfSpecks * all)
