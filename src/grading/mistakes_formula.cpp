@@ -206,7 +206,7 @@ std::optional<glm::dvec3> colorAnew(const SceneDescription& scene, const RayExpl
     return formula.clampsRays ? clamped(color) : color;
 }
 
-void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene) {
+void addFormulaMistakes(Mistakes& mistakes, const SceneDescription& scene) {
     const auto add = [&](const char* what, const char* hint, const char* kind,
                          std::function<void(Formula&)> formula) {
         mistakes.push_back({.what = what, .hint = hint, .kind = kind, .formula = std::move(formula)});
@@ -263,9 +263,8 @@ void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& 
             }));
 }
 
-std::vector<Mistake> knownMistakes(const SceneDescription& scene, const RenderOptions& options,
-                                   const Terms& terms) {
-    std::vector<Mistake> mistakes;
+Mistakes knownMistakes(const SceneDescription& scene, const RenderOptions& options, const Terms& terms) {
+    Mistakes mistakes;
     addTransformMistakes(mistakes);
     addCameraMistakes(mistakes, scene, options);
     addByteMistakes(mistakes);

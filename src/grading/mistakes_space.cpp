@@ -123,44 +123,40 @@ bool canTurn(const CameraDescription& camera) {
 
 }  // namespace
 
-void addTransformMistakes(std::vector<Mistake>& mistakes) {
+void addTransformMistakes(Mistakes& mistakes) {
     const std::size_t first = mistakes.size();
-    mistakes.push_back({"whose rotations take degrees as radians",
-                        "Is glm::radians(degrees) passed to glm::rotate?", "rotation",
-                        ofTransforms([](TransformDescription& transform) {
-                            turnBy(transform, [](double degrees) { return glm::degrees(degrees); });
-                        })});
-    mistakes.push_back({"whose rotations go in the other sense",
-                        "A positive angle is counter-clockwise around the axis.", "rotation",
-                        ofTransforms([](TransformDescription& transform) {
-                            turnBy(transform, [](double degrees) { return -degrees; });
-                        })});
-    mistakes.push_back({"without rotations", "Is rotate read?", "rotation",
-                        ofTransforms([](TransformDescription& transform) { transform.rotate = {}; })});
-    mistakes.push_back({"without scales", "Is scale read?", "scale",
-                        ofTransforms([](TransformDescription& transform) { transform.scale.reset(); })});
-    mistakes.push_back({"without translations", "Is translate read?", "translation",
-                        ofTransforms([](TransformDescription& transform) { transform.translate.reset(); })});
+    mistakes.add("whose rotations take degrees as radians", "Is glm::radians(degrees) passed to glm::rotate?",
+                 "rotation", ofTransforms([](TransformDescription& transform) {
+                     turnBy(transform, [](double degrees) { return glm::degrees(degrees); });
+                 }));
+    mistakes.add("whose rotations go in the other sense",
+                 "A positive angle is counter-clockwise around the axis.", "rotation",
+                 ofTransforms([](TransformDescription& transform) {
+                     turnBy(transform, [](double degrees) { return -degrees; });
+                 }));
+    mistakes.add("without rotations", "Is rotate read?", "rotation",
+                 ofTransforms([](TransformDescription& transform) { transform.rotate = {}; }));
+    mistakes.add("without scales", "Is scale read?", "scale",
+                 ofTransforms([](TransformDescription& transform) { transform.scale.reset(); }));
+    mistakes.add("without translations", "Is translate read?", "translation",
+                 ofTransforms([](TransformDescription& transform) { transform.translate.reset(); }));
     // Last of the edits, as it leaves a matrix alone.
     constexpr std::array<char, 3> orders[] = {
         {'t', 's', 'r'}, {'s', 'r', 't'}, {'r', 's', 't'}, {'r', 't', 's'}, {'s', 't', 'r'}};
     for (const auto& order : orders)
-        mistakes.push_back(
-            {std::string("whose transforms are ") + wordOf(order[0]) + " * " + wordOf(order[1]) + " * " +
-                 wordOf(order[2]),
-             "The transform is translate * rotate * scale: a point is scaled first.", "order",
-             ofTransforms([=](TransformDescription& transform) { reorder(transform, order); })});
+        mistakes.add(std::string("whose transforms are ") + wordOf(order[0]) + " * " + wordOf(order[1]) +
+                         " * " + wordOf(order[2]),
+                     "The transform is translate * rotate * scale: a point is scaled first.", "order",
+                     ofTransforms([=](TransformDescription& transform) { reorder(transform, order); }));
     for (std::size_t i = first; i < mistakes.size(); ++i) mistakes[i].moves = true;
 }
 
 // Turned pictures before rays through corners: those are corners of the picture's pixels as it is shown.
-void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
-                       const RenderOptions& options) {
+void addCameraMistakes(Mistakes& mistakes, const SceneDescription& scene, const RenderOptions& options) {
     const auto add = [&](const std::string& what, const char* hint, const char* kind,
                          const CameraEdit& edit) {
-        mistakes.push_back({what, hint, kind, [edit](SceneDescription& edited, RenderOptions& to) {
-                                edit(edited.camera, to.size);
-                            }});
+        mistakes.add(what, hint, kind,
+                     [edit](SceneDescription& edited, RenderOptions& to) { edit(edited.camera, to.size); });
     };
     add("that looks back", "The ray goes along u U + v V - d W, with W = -look.", "look", lookBack);
     add("flipped up and down", "Row 0 of the picture is its top: v = top there.", "film", flipUpDown);
