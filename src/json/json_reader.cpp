@@ -91,9 +91,6 @@ class JsonReader {
         if (read_ != text_.data() && read_[-1] == '\0')
             throw document_.syntaxError(static_cast<std::size_t>(read_ - 1 - text_.data()), "unexpected NUL");
     }
-    [[noreturn]] void fail(std::uint32_t node, const std::string& message) const {
-        throw document_.error(node, message);
-    }
 
     bool add(Kind kind);
     bool number(double value);
@@ -115,7 +112,8 @@ class JsonReader {
 // A node begins after the last event, behind blanks, a comma or a colon. After a number, the parser has read
 // one character more, but never the first of another value.
 bool JsonReader::add(Kind kind) {
-    if (nodes_.size() == std::numeric_limits<std::uint32_t>::max()) fail(0, "too many values");
+    if (nodes_.size() == std::numeric_limits<std::uint32_t>::max())
+        throw document_.error(0, "too many values");
     const char* begin = behindLast_;
     while (*begin == ' ' || *begin == '\n' || *begin == '\t' || *begin == '\r' || *begin == ',' ||
            *begin == ':')
@@ -142,7 +140,8 @@ bool JsonReader::number(double value) {
 bool JsonReader::text(Kind kind, std::string& value) {
     add(kind);
     Node& node = nodes_.back();
-    if (value.size() > std::numeric_limits<std::uint32_t>::max()) fail(count() - 1, "a text of over 4 GiB");
+    if (value.size() > std::numeric_limits<std::uint32_t>::max())
+        throw document_.error(count() - 1, "a text of over 4 GiB");
     node.length = static_cast<std::uint32_t>(value.size());
     node.isDecoded = read_ - node.begin != static_cast<std::ptrdiff_t>(value.size() + 2);
     if (node.isDecoded) {
