@@ -28,25 +28,20 @@ std::size_t indexIn(const ByteImage& image, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
 }
 
-// Calls visit(number) for the up to eight neighbours.
-template <class Visit>
-void forEachNeighbour(const ByteImage& image, std::size_t pixel, Visit visit) {
-    const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
-    for (int ny = std::max(0, y - 1); ny <= std::min(image.height - 1, y + 1); ++ny)
-        for (int nx = std::max(0, x - 1); nx <= std::min(image.width - 1, x + 1); ++nx)
-            if (nx != x || ny != y) visit(indexIn(image, nx, ny));
-}
-
 // A wrong pixel where the right picture is smooth, whose error is like that of three neighbours at most: at a
 // straight border between a wrong area and a right one five are alike.
 bool isSpeck(const ByteImage& picture, const ByteImage& right, std::size_t pixel) {
     constexpr int similar = 8;  // as for speckleCount (compare.h)
     const int off = offBy(picture, pixel, right, pixel);
+    const int x = static_cast<int>(pixel) % right.width, y = static_cast<int>(pixel) / right.width;
     int alike = 0, steepest = 0;
-    forEachNeighbour(right, pixel, [&](std::size_t neighbour) {
-        alike += std::abs(offBy(picture, neighbour, right, neighbour) - off) <= similar;
-        steepest = std::max(steepest, offBy(right, pixel, right, neighbour));
-    });
+    for (int ny = std::max(0, y - 1); ny <= std::min(right.height - 1, y + 1); ++ny)
+        for (int nx = std::max(0, x - 1); nx <= std::min(right.width - 1, x + 1); ++nx) {
+            const std::size_t neighbour = indexIn(right, nx, ny);
+            if (neighbour == pixel) continue;
+            alike += std::abs(offBy(picture, neighbour, right, neighbour) - off) <= similar;
+            steepest = std::max(steepest, offBy(right, pixel, right, neighbour));
+        }
     return off > similar && steepest <= similar && alike <= 3;
 }
 
