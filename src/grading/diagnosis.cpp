@@ -144,10 +144,6 @@ std::string differenceInWords(const NamedMistake& mistake, const Diagnosis& diag
 
 }  // namespace
 
-struct MistakeNamer::State : KnownVariants {
-    using KnownVariants::KnownVariants;
-};
-
 std::string Diagnosis::names() const {
     std::string text;
     for (const NamedMistake& mistake : mistakes) text += (text.empty() ? "" : ", or ") + mistake.what;
@@ -173,26 +169,25 @@ std::string Diagnosis::sentence() const {
 }
 
 MistakeNamer::MistakeNamer(const SceneDescription& scene, const RenderOptions& options, const Terms& terms)
-    : state_(std::make_unique<State>(scene, options, terms)) {}
+    : known_(std::make_unique<KnownVariants>(scene, options, terms)) {}
 
 MistakeNamer::~MistakeNamer() = default;
 
-const ByteImage& MistakeNamer::right() const { return state_->right; }
+const ByteImage& MistakeNamer::right() const { return known_->right; }
 
 Diagnosis MistakeNamer::diagnose(const ByteImage& picture) const {
-    requireSameSize({picture.width, picture.height}, {state_->right.width, state_->right.height});
-    const SplitPixels split(picture, state_->right);
+    requireSameSize({picture.width, picture.height}, {known_->right.width, known_->right.height});
+    const SplitPixels split(picture, known_->right);
     Diagnosis diagnosis;
     diagnosis.pixels = picture.pixels.size() / 3;
     diagnosis.wrong = split.differing;
     diagnosis.isRounding = split.differing > 0 && split.wrongPixels.empty();
     if (split.wrongPixels.size() < fewestWrong || isOneColor(picture)) return diagnosis;
-    nameAll(diagnosis, explanationsOf(picture, split, *state_));
+    nameAll(diagnosis, explanationsOf(picture, split, *known_));
     if (!diagnosis.mistakes.empty()) return diagnosis;
     Sample sample(split, 1000, 0, picture.width);
-    for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(state_->scene->explain(pixel));
-    const SpeckSample specks{state_->scene->scene(), sample.pixels, sample.trees};
-    if (const auto name = specksIn(picture, state_->right, split.wrongPixels, specks))
+    for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(known_->scene->explain(pixel));
+    if (const auto name = specksIn(picture, known_->right, split.wrongPixels, known_->scene->scene(), sample))
         diagnosis.mistakes.push_back(*name);
     return diagnosis;
 }

@@ -39,10 +39,6 @@ std::uint8_t of256(double channel) {
     return static_cast<std::uint8_t>(std::min(255, toInt(256 * std::min(channel, 1.0))));
 }
 
-bool areSameTerms(const Terms& a, const Terms& b) {
-    return std::ranges::all_of(termNames, [&](const TermName& term) { return a.*term.term == b.*term.term; });
-}
-
 std::string stageInWords(const Stage& stage) {
     const std::string name = "the stage -" + std::string(stage.name);
     const bool isLight = stage.only == "ambient" || stage.only == "diffuse" || stage.only == "specular";
@@ -65,7 +61,7 @@ void addStages(Mistakes& mistakes, const std::shared_ptr<const SceneDescription>
     for (const Stage& stage : stages()) {
         const Pass other = passNamed(stage.pass);
         const Terms kept = termsNamed(std::string(stage.only));
-        if (other == pass && (pass != Pass::Color || areSameTerms(kept, terms))) continue;
+        if (other == pass && (pass != Pass::Color || kept == terms)) continue;
         mistakes.push_back({.what = stageInWords(stage),
                             .hint = "Is it the picture of the stage that was asked for?",
                             .edit = shownAs(whole, other, kept),

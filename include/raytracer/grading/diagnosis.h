@@ -50,6 +50,8 @@ struct Diagnosis {
     std::string sentence() const;
 };
 
+struct KnownVariants;  // src/grading/mistake_search.h
+
 // Of one scene, with the options of its right picture. The pictures of mistakes are made when they are first
 // needed, and their scenes kept for the pictures to come.
 class MistakeNamer {
@@ -68,8 +70,7 @@ class MistakeNamer {
     Diagnosis diagnose(const ByteImage& picture) const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<KnownVariants> known_;
 };
 
 }  // namespace raytracer
