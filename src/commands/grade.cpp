@@ -135,14 +135,13 @@ struct GradeFiles {
 };
 
 int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
-    const std::vector<GradeResult> results = gradeAll(plan, arguments);
-    const GradedSubmission one{arguments.program.empty() ? "raytracer" : arguments.program, results};
+    const GradedSubmission one{arguments.program.empty() ? "raytracer" : arguments.program,
+                               gradeAll(plan, arguments)};
     if (output.report)
-        output.report->write(
-            gradeReport(results, arguments.thresholds, one.name + " on " + arguments.scenes));
+        output.report->write(gradeReport(one, arguments.thresholds, one.name + " on " + arguments.scenes));
     output.write({&one, 1}, arguments);
-    arguments.show(gradeSummary(results, plan, arguments.thresholds));
-    return one.rightCount(arguments.thresholds) == results.size() ? 0 : 1;
+    arguments.show(gradeSummary(one, plan, arguments.thresholds));
+    return one.rightCount(arguments.thresholds) == one.results.size() ? 0 : 1;
 }
 
 bool hasFile(const Submission& submission, const std::string& name) {

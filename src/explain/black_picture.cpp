@@ -1,11 +1,8 @@
 #include "raytracer/explain/black_picture.h"
 
 #include <algorithm>
-#include <array>
-#include <mutex>
 #include <optional>
 #include <set>
-#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
@@ -20,47 +17,6 @@ namespace {
 bool isBlack(const glm::dvec3& color) { return color == glm::dvec3(0); }
 
 double brightest(const glm::dvec3& color) { return std::max({color.x, color.y, color.z}); }
-
-// Takes a Pass::Normals picture and keeps, of each cell of a grid, the first pixel in reading order that hit
-// something: the same pixels with any number of threads.
-class HitFinder final : public PixelSink {
-  public:
-    explicit HitFinder(const ImageSize& size) : size_(size) {}
-
-    void write(int x, int y, std::span<const glm::dvec3> colors) override {
-        const std::lock_guard lock(mutex_);
-        for (std::size_t i = 0; i < colors.size(); ++i)
-            if (!isMiss(colors[i])) keep({x + static_cast<int>(i), y});
-    }
-
-    std::vector<PixelPlace> found() const {
-        std::vector<PixelPlace> pixels;
-        for (const auto& pixel : cells_)
-            if (pixel) pixels.push_back(*pixel);
-        return pixels;
-    }
-
-  private:
-    static constexpr int cellsAcross = 24;  // 576 explanations take milliseconds
-
-    // Pass::Normals has 54/255 for a miss, in the core's precision. The unit normal with three equal
-    // components is 4e-4 away from it.
-    static bool isMiss(const glm::dvec3& color) {
-        return glm::all(glm::lessThan(glm::abs(color - 54.0 / 255), glm::dvec3(1e-4)));
-    }
-
-    void keep(const PixelPlace& pixel) {
-        const auto cell = [](int place, int count) {
-            return static_cast<std::size_t>(std::int64_t{place} * cellsAcross / count);
-        };
-        auto& kept = cells_[cell(pixel.y, size_.height) * cellsAcross + cell(pixel.x, size_.width)];
-        if (!kept || std::pair(pixel.y, pixel.x) < std::pair(kept->y, kept->x)) kept = pixel;
-    }
-
-    ImageSize size_;
-    std::mutex mutex_;
-    std::array<std::optional<PixelPlace>, cellsAcross * cellsAcross> cells_;
-};
 
 // Why the lights do not reach the explained points: one count for each point and light.
 struct Tally {
@@ -145,11 +101,34 @@ class Reason {
     const SceneDescription& scene_;
 };
 
+// Pass::Normals has 54/255 for a miss, in the core's precision. The unit normal with three equal components
+// is 4e-4 away from it.
+bool isMiss(const glm::dvec3& color) {
+    return glm::all(glm::lessThan(glm::abs(color - 54.0 / 255), glm::dvec3(1e-4)));
+}
+
+// Of each cell of a grid, the first pixel in reading order that hits something.
 std::vector<PixelPlace> pixelsThatHit(const Renderer& renderer, RenderOptions options) {
+    constexpr int cells = 24;  // across; 576 explanations take milliseconds
+    const auto begin = [](int cell, int pixels) {
+        return static_cast<int>((std::int64_t{cell} * pixels + cells - 1) / cells);
+    };
     options.pass = Pass::Normals;
-    HitFinder hits(options.size);
-    renderer.render(options, hits);
-    return hits.found();
+    std::vector<PixelPlace> hits;
+    for (int cell = 0; cell < cells * cells; ++cell) {
+        const int row = cell / cells, column = cell % cells;
+        std::vector<glm::dvec2> centres;
+        for (int y = begin(row, options.size.height); y < begin(row + 1, options.size.height); ++y)
+            for (int x = begin(column, options.size.width); x < begin(column + 1, options.size.width); ++x)
+                centres.emplace_back(x + 0.5, y + 0.5);
+        std::vector<glm::dvec3> normals(centres.size());
+        renderer.renderPoints(options, centres, normals);
+        const auto hit = std::ranges::find_if_not(normals, isMiss);
+        if (hit == normals.end()) continue;
+        const glm::dvec2& centre = centres[static_cast<std::size_t>(hit - normals.begin())];
+        hits.push_back({static_cast<int>(centre.x), static_cast<int>(centre.y)});
+    }
+    return hits;
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::string reachOf(const LightExplanation& light, const SceneDescription& scene
     if (!(light.N_L > 0)) return "turned away from ";
     if (!light.shadowedBy) return "lit by ";
     const std::string by = nameOf(scene, *light.shadowedBy);
-    const bool isClear = scene.materials[scene.shapes[*light.shadowedBy].material].refractive;
+    const bool isClear = materialOf(scene, *light.shadowedBy).refractive;
     return isClear ? "lit through the " + by + " by " : "in the shadow of the " + by + " from ";
 }
 
@@ -53,12 +53,8 @@ struct Part {
     glm::dvec3 color{0};
 };
 
-const MaterialDescription& materialOf(const RayExplanation& ray, const SceneDescription& scene) {
-    return scene.materials[scene.shapes[ray.shape].material];
-}
-
 glm::dvec3 broughtBy(const RayExplanation& ray, RayKind kind, const SceneDescription& scene) {
-    const MaterialDescription& material = materialOf(ray, scene);
+    const MaterialDescription& material = materialOf(scene, ray.shape);
     glm::dvec3 color(0);
     for (const RayExplanation& next : ray.rays)
         if (next.kind == kind)

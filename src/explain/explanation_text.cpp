@@ -18,22 +18,16 @@ std::string bytes(const glm::dvec3& color) {
     return formatted("(%d, %d, %d)", toByte(color.x), toByte(color.y), toByte(color.z));
 }
 
-const char* reasonText(TerminationReason reason) {
-    switch (reason) {
-        case TerminationReason::MaxRecursion: return "no further ray: max_recursion is used up";
-        case TerminationReason::Black: return "no further ray: its factor is black";
-        case TerminationReason::Cutoff:
-            return "no further ray: it could change the pixel by less than the cutoff";
-        case TerminationReason::TotalInternalReflection: return "total internal reflection: adds nothing";
-        case TerminationReason::None: break;
-    }
-    return "left out";
-}
+// By TerminationReason.
+constexpr const char* reasonTexts[] = {"left out", "no further ray: max_recursion is used up",
+                                       "no further ray: its factor is black",
+                                       "no further ray: it could change the pixel by less than the cutoff",
+                                       "total internal reflection: adds nothing"};
 
 // Writes lines, indented by the depth of the ray.
 class Writer {
   public:
-    Writer(const SceneDescription& scene, int depth) : scene_(&scene), deepest_(depth) {}
+    Writer(const SceneDescription& scene, int depth) : scene_(scene), deepest_(depth) {}
 
     void ray(const RayExplanation& ray, int depth) {
         line(depth, heading(ray));
@@ -41,7 +35,7 @@ class Writer {
         if (!ray.hit) return line(depth, "  hits nothing: I = " + triple(ray.color));
         place(ray, depth);
         for (std::size_t i = 0; i < ray.lights.size(); ++i) light(ray, i, depth);
-        const MaterialDescription& material = materialOf(ray.shape);
+        const MaterialDescription& material = materialOf(scene_, ray.shape);
         std::string sum = "sum over lights";
         if (material.reflective) sum += onwards(ray, RayKind::Reflection, ray.reflection, depth);
         if (material.refractive) sum += onwards(ray, RayKind::Refraction, ray.refraction, depth);
@@ -55,15 +49,11 @@ class Writer {
     const std::string& text() const { return text_; }
 
   private:
-    const MaterialDescription& materialOf(std::size_t shape) const {
-        return scene_->materials[scene_->shapes[shape].material];
-    }
-
     std::string shapeName(std::size_t index) const {
-        const ShapeDescription& shape = scene_->shapes[index];
+        const ShapeDescription& shape = scene_.shapes[index];
         return "/shapes/" + std::to_string(index) + " (" + typeName(shape.type) + ", transform " +
-               inQuotes(scene_->transforms[shape.transform].name) + ", material " +
-               inQuotes(scene_->materials[shape.material].name) + ")";
+               inQuotes(scene_.transforms[shape.transform].name) + ", material " +
+               inQuotes(scene_.materials[shape.material].name) + ")";
     }
 
     static std::string heading(const RayExplanation& ray) {
@@ -74,7 +64,7 @@ class Writer {
     }
 
     void place(const RayExplanation& ray, int depth) {
-        const std::string face = faceName(scene_->shapes[ray.shape].type, ray.primitive);
+        const std::string face = faceName(scene_.shapes[ray.shape].type, ray.primitive);
         line(depth, "  hits " + shapeName(ray.shape) + (face.empty() ? face : ", " + face) +
                         (ray.entering ? ", from outside" : ", from inside"));
         line(depth, "  t = " + number(ray.t) + ", position " + triple(ray.position));
@@ -83,7 +73,7 @@ class Writer {
         if (ray.texCoord)
             line(depth, "  K_D = " + triple(ray.K_D) + ", the texture's at texCoord (" +
                             number(ray.texCoord->x) + ", " + number(ray.texCoord->y) +
-                            ") with color_diffuse " + triple(materialOf(ray.shape).color_diffuse));
+                            ") with color_diffuse " + triple(materialOf(scene_, ray.shape).color_diffuse));
     }
 
     // A line "name = left right ... = result", with the equals signs aligned.
@@ -95,8 +85,8 @@ class Writer {
 
     void light(const RayExplanation& ray, std::size_t index, int depth) {
         const LightExplanation& light = ray.lights[index];
-        const LightDescription& given = scene_->lights[index];
-        const MaterialDescription& material = materialOf(ray.shape);
+        const LightDescription& given = scene_.lights[index];
+        const MaterialDescription& material = materialOf(scene_, ray.shape);
         line(depth, "  light " + std::to_string(index) + ": " + verdict(light));
         term(depth, "K_A I_AL", triple(material.color_ambient) + " " + triple(given.color_ambient) + " = ",
              light.ambient);
@@ -121,7 +111,7 @@ class Writer {
             return angles + (light.diffuse + light.specular == glm::dvec3(0) ? "nothing to be shadowed"
                                                                              : "shadows are off");
         if (!light.shadowedBy) return angles + "nothing in between";
-        const bool clear = materialOf(*light.shadowedBy).refractive;
+        const bool clear = materialOf(scene_, *light.shadowedBy).refractive;
         return angles + (clear ? "coloured by " : "in the shadow of ") + shapeName(*light.shadowedBy);
     }
 
@@ -129,8 +119,8 @@ class Writer {
     std::string onwards(const RayExplanation& ray, RayKind kind, TerminationReason reason, int depth) {
         const bool mirror = kind == RayKind::Reflection;
         const std::string term = mirror ? "K_R I_R" : "K_T I_T";
-        const glm::dvec3& factor =
-            mirror ? materialOf(ray.shape).color_reflect : materialOf(ray.shape).color_refract;
+        const glm::dvec3& factor = mirror ? materialOf(scene_, ray.shape).color_reflect
+                                          : materialOf(scene_, ray.shape).color_refract;
         for (const RayExplanation& next : ray.rays) {
             if (next.kind != kind) continue;
             line(depth, "  " + term + " = " + triple(factor) + " " + triple(next.color) + " = " +
@@ -138,11 +128,11 @@ class Writer {
             if (depth < deepest_) this->ray(next, depth + 1);
             return " + " + term;
         }
-        line(depth, "  " + term + ": " + reasonText(reason));
+        line(depth, "  " + term + ": " + reasonTexts[static_cast<int>(reason)]);
         return "";
     }
 
-    const SceneDescription* scene_;
+    const SceneDescription& scene_;
     int deepest_;
     std::string text_;
 };

@@ -83,24 +83,21 @@ struct PlacedShape {
     Affine affine;
     Vec center;      // object space's origin
     Real magnitude;  // the largest coordinate that `center` was computed from
-
-    Vec row(int i) const { return {affine.linear[i][0], affine.linear[i][1], affine.linear[i][2]}; }
 };
 
 Real largest(const Vec& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 PlacedShape placed(const SceneDescription& scene, const ShapeDescription& shape) {
     const Affine affine = worldFromObject(scene, shape);
-    const Vec translation(affine.translation[0], affine.translation[1], affine.translation[2]),
-        eye = scene.camera.eye;
-    return {&shape, affine, translation - eye, std::max(largest(translation), largest(eye))};
+    const Vec eye = scene.camera.eye;
+    return {&shape, affine, affine.translation - eye, std::max(largest(affine.translation), largest(eye))};
 }
 
 const char* whereBeyond(const PlacedShape& placed, const View& view) {
     for (const Bound& bound : view.bounds) {
-        const Vec& n = bound.normal;
+        const Vec &n = bound.normal, *const rows = placed.affine.linear;
         const Real radius = support(placed.shape->type, placed.shape->mesh.get(),
-                                    n.x * placed.row(0) + n.y * placed.row(1) + n.z * placed.row(2));
+                                    n.x * rows[0] + n.y * rows[1] + n.z * rows[2]);
         const Real error =
             margin * (glm::length(n) * placed.magnitude + std::abs(radius) + std::abs(bound.least));
         if (glm::dot(n, placed.center) + radius < bound.least - error) return bound.beyond;
@@ -110,8 +107,7 @@ const char* whereBeyond(const PlacedShape& placed, const View& view) {
 
 // Whether all rays of the view start on one side of the plane and none approaches it.
 bool isBehind(const PlacedShape& plane, const View& view) {
-    const auto inverse = inverseLinear(plane.affine);
-    const Vec normal(inverse->entry[2][0], inverse->entry[2][1], inverse->entry[2][2]);
+    const Vec normal = inverseLinear(plane.affine)->entry[2];
     Real away = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         const Real height = glm::dot(normal, view.starts[i] - plane.center),
@@ -150,14 +146,12 @@ bool isDeepInside(Type type, const Vec& p) {
 bool isInside(const PlacedShape& solid, const Vec& point) {
     const Vec from = point - solid.center;
     for (int i = 0; i < 3; ++i) {
-        const Vec row = glm::abs(solid.row(i));
+        const Vec row = glm::abs(solid.affine.linear[i]);
         if (std::abs(from[i]) >= row.x + row.y + row.z) return false;
     }
     const auto inverse = inverseLinear(solid.affine);
     Vec object;
-    for (int i = 0; i < 3; ++i)
-        object[i] =
-            inverse->entry[i][0] * from.x + inverse->entry[i][1] * from.y + inverse->entry[i][2] * from.z;
+    for (int i = 0; i < 3; ++i) object[i] = glm::dot(inverse->entry[i], from);
     return isDeepInside(solid.shape->type, object);
 }
 

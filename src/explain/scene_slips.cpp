@@ -147,8 +147,7 @@ class SlipFinder {
 
     void lookAtTexturedMesh(std::size_t i) {
         const ShapeDescription& shape = scene_.shapes[i];
-        if (shape.mesh && shape.mesh->texCoordIndex.empty() &&
-            scene_.materials[shape.material].use_diffuse_texture)
+        if (shape.mesh && shape.mesh->texCoordIndex.empty() && materialOf(scene_, i).use_diffuse_texture)
             lines_.add("/shapes/" + std::to_string(i) +
                        "/path: the mesh has no vt, so shows one texel: save it with texture coordinates");
     }

@@ -31,12 +31,21 @@ struct Planes {
 
 int absoluteDifference(std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); }
 
-// Calls visit(dx, yTo, x0, x1) for each of the 3 x 3 offsets: the neighbours (x + dx, yTo) of the pixels
-// x0 <= x < x1 of row y are inside of the picture.
-template <class Visit>
-void forEachOffset(int width, int height, int y, Visit visit) {
-    for (int yTo = std::max(0, y - 1); yTo <= std::min(height - 1, y + 1); ++yTo)
-        for (int dx = -1; dx <= 1; ++dx) visit(dx, yTo, std::max(0, -dx), std::min(width, width - dx));
+// Calls take(x, dr, dg, db) with the differences of each pixel x of row y and each pixel of its neighbourhood
+// in `to`, as far as that is inside of the picture.
+template <class Take>
+void forEachNeighbour(const Planes& from, const Planes& to, int y, bool withItself, Take take) {
+    const std::uint8_t *r = from.row(0, y), *g = from.row(1, y), *b = from.row(2, y);
+    for (int yTo = std::max(0, y - 1); yTo <= std::min(from.height - 1, y + 1); ++yTo)
+        for (int dx = -1; dx <= 1; ++dx) {
+            if (!withItself && dx == 0 && yTo == y) continue;
+            const std::uint8_t *toR = to.row(0, yTo) + dx, *toG = to.row(1, yTo) + dx,
+                               *toB = to.row(2, yTo) + dx;
+            const int end = std::min(from.width, from.width - dx);
+            for (int x = std::max(0, -dx); x < end; ++x)
+                take(x, absoluteDifference(r[x], toR[x]), absoluteDifference(g[x], toG[x]),
+                     absoluteDifference(b[x], toB[x]));
+        }
 }
 
 using Distances = std::vector<std::uint16_t>;  // sums of three bytes
@@ -44,34 +53,18 @@ using Distances = std::vector<std::uint16_t>;  // sums of three bytes
 // Of each pixel of the row: the smallest sum of absolute differences to its neighbourhood in `to`.
 void nearestDistances(const Planes& from, const Planes& to, int y, Distances& nearest) {
     nearest.assign(nearest.size(), 3 * 255);
-    const std::uint8_t *r = from.row(0, y), *g = from.row(1, y), *b = from.row(2, y);
-    forEachOffset(from.width, from.height, y, [&](int dx, int yTo, int x0, int x1) {
-        const std::uint8_t *toR = to.row(0, yTo) + dx, *toG = to.row(1, yTo) + dx, *toB = to.row(2, yTo) + dx;
-        for (int x = x0; x < x1; ++x) {
-            const int distance = absoluteDifference(r[x], toR[x]) + absoluteDifference(g[x], toG[x]) +
-                                 absoluteDifference(b[x], toB[x]);
-            nearest[x] = std::min(nearest[x], static_cast<std::uint16_t>(distance));
-        }
+    forEachNeighbour(from, to, y, true, [row = nearest.data()](int x, int r, int g, int b) {
+        row[x] = std::min(row[x], static_cast<std::uint16_t>(r + g + b));
     });
 }
 
 // Of each pixel of the row: 0 if it is isolated (speckleCount), else 1.
 void findConnected(const Planes& planes, int y, std::vector<std::uint8_t>& connected) {
-    constexpr int similar =
-        8;  // of 255: well above rounding and smooth shading, well below a visible speckle
+    // Of 255: well above rounding and smooth shading, well below a visible speckle.
+    constexpr int similar = 8;
     connected.assign(connected.size(), 0);
-    const std::uint8_t *r = planes.row(0, y), *g = planes.row(1, y), *b = planes.row(2, y);
-    forEachOffset(planes.width, planes.height, y, [&](int dx, int yTo, int x0, int x1) {
-        if (dx == 0 && yTo == y) return;
-        const std::uint8_t* toR = planes.row(0, yTo) + dx;
-        const std::uint8_t* toG = planes.row(1, yTo) + dx;
-        const std::uint8_t* toB = planes.row(2, yTo) + dx;
-        for (int x = x0; x < x1; ++x) {
-            const int difference =
-                std::max({absoluteDifference(r[x], toR[x]), absoluteDifference(g[x], toG[x]),
-                          absoluteDifference(b[x], toB[x])});
-            connected[x] |= static_cast<std::uint8_t>(difference <= similar);
-        }
+    forEachNeighbour(planes, planes, y, false, [row = connected.data()](int x, int r, int g, int b) {
+        row[x] |= static_cast<std::uint8_t>(std::max({r, g, b}) <= similar);
     });
 }
 

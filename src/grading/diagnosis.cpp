@@ -20,16 +20,12 @@ constexpr std::size_t fewestWrong = 24;
 constexpr std::size_t mostNames = 3;
 
 NamedMistake nameOf(const Candidate& candidate) {
-    NamedMistake name;
+    NamedMistake name{candidate.fit};
+    name.explained = std::max(0.0, candidate.fit.net());
     for (const Mistake* mistake : candidate.variant->mistakes()) {
         name.what += (name.what.empty() ? "" : " and ") + mistake->what;
         if (!mistake->hint.empty()) name.hint += (name.hint.empty() ? "" : " ") + mistake->hint;
     }
-    name.explained = std::max(0.0, candidate.fit.net());
-    name.sampled = candidate.fit.sampled;
-    name.unknown = candidate.fit.unknown;
-    name.off = candidate.fit.off;
-    name.rounded = candidate.fit.rounded;
     return name;
 }
 
@@ -126,34 +122,27 @@ bool isOneColor(const ByteImage& picture) {
     return true;
 }
 
-std::string inDigits(std::uint64_t value) { return std::to_string(value); }
-
 // "equals the picture", or how far it is from that.
 std::string likenessInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
-    const std::string pixels = inDigits(diagnosis.pixels) + " pixels";
+    const std::string pixels = std::to_string(diagnosis.pixels) + " pixels";
     if (!mistake.off)
-        return "is, in the " + inDigits(mistake.sampled) + " pixels looked at" +
+        return "is, in the " + std::to_string(mistake.sampled) + " pixels looked at" +
                (mistake.unknown > 0 ? ", none of which shows glass" : "") + ", the picture ";
     std::vector<std::string> but;
-    if (*mistake.off > 0) but.push_back(inDigits(*mistake.off) + " of " + pixels);
+    if (*mistake.off > 0) but.push_back(std::to_string(*mistake.off) + " of " + pixels);
     if (mistake.rounded > 0)
-        but.push_back(inDigits(mistake.rounded) + " of " + pixels + " that rounding decides");
+        but.push_back(std::to_string(mistake.rounded) + " of " + pixels + " that rounding decides");
     if (but.empty()) return "equals the picture ";
     return "is, but for " + listed(but, "and") + ", the picture ";
 }
 
 std::string differenceInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
-    const std::string of = " of " + inDigits(diagnosis.pixels), wrong = inDigits(diagnosis.wrong);
-    if (mistake.off == 0U && mistake.rounded == 0)
-        return " (0" + of + " pixels differ; " + wrong + " differ from the right one)";
+    const std::string of = " of " + std::to_string(diagnosis.pixels), wrong = std::to_string(diagnosis.wrong);
+    if (mistake.isExact()) return " (0" + of + " pixels differ; " + wrong + " differ from the right one)";
     return " (" + wrong + of + " pixels differ from the right one)";
 }
 
 }  // namespace
-
-struct MistakeNamer::State : KnownVariants {
-    using KnownVariants::KnownVariants;
-};
 
 std::string Diagnosis::names() const {
     std::string text;
@@ -175,31 +164,30 @@ std::string Diagnosis::sentence() const {
     constexpr double all = 0.999;
     if (first.explained >= all)
         return likenessInWords(first, *this) + names() + differenceInWords(first, *this);
-    return formatted("is wrong: %.0f %% of its ", std::floor(100 * first.explained)) + inDigits(wrong) +
+    return formatted("is wrong: %.0f %% of its ", std::floor(100 * first.explained)) + std::to_string(wrong) +
            " wrong pixels are as in the picture " + names();
 }
 
 MistakeNamer::MistakeNamer(const SceneDescription& scene, const RenderOptions& options, const Terms& terms)
-    : state_(std::make_unique<State>(scene, options, terms)) {}
+    : known_(std::make_unique<KnownVariants>(scene, options, terms)) {}
 
 MistakeNamer::~MistakeNamer() = default;
 
-const ByteImage& MistakeNamer::right() const { return state_->right; }
+const ByteImage& MistakeNamer::right() const { return known_->right; }
 
 Diagnosis MistakeNamer::diagnose(const ByteImage& picture) const {
-    requireSameSize({picture.width, picture.height}, {state_->right.width, state_->right.height});
-    const SplitPixels split(picture, state_->right);
+    requireSameSize({picture.width, picture.height}, {known_->right.width, known_->right.height});
+    const SplitPixels split(picture, known_->right);
     Diagnosis diagnosis;
     diagnosis.pixels = picture.pixels.size() / 3;
     diagnosis.wrong = split.differing;
     diagnosis.isRounding = split.differing > 0 && split.wrongPixels.empty();
     if (split.wrongPixels.size() < fewestWrong || isOneColor(picture)) return diagnosis;
-    nameAll(diagnosis, explanationsOf(picture, split, *state_));
+    nameAll(diagnosis, explanationsOf(picture, split, *known_));
     if (!diagnosis.mistakes.empty()) return diagnosis;
     Sample sample(split, 1000, 0, picture.width);
-    for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(state_->scene->explain(pixel));
-    const SpeckSample specks{state_->scene->scene(), sample.pixels, sample.trees};
-    if (const auto name = specksIn(picture, state_->right, split.wrongPixels, specks))
+    for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(known_->scene->explain(pixel));
+    if (const auto name = specksIn(picture, known_->right, split.wrongPixels, known_->scene->scene(), sample))
         diagnosis.mistakes.push_back(*name);
     return diagnosis;
 }

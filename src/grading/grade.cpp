@@ -1,7 +1,6 @@
 #include "raytracer/grading/grade.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <set>
 #include <tuple>
@@ -11,6 +10,7 @@
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/nearby_file.h"
+#include "raytracer/util/stopwatch.h"
 #include "raytracer/util/temporary_folder.h"
 
 #include "programs.h"
@@ -59,16 +59,6 @@ void planScene(GradePlan& plan, const fs::path& scene, const fs::path& reference
     const bool isSchema = name.ends_with(".schema");
     if (plan.cases.size() == before && !isSchema)
         plan.scenesWithoutReference.push_back(scene.filename().string());
-}
-
-// False where the program has failed; the result says how.
-bool renderCase(GradeResult& result, const CaseRenderer& render, int longEdge, const std::string& out) {
-    const auto start = std::chrono::steady_clock::now();
-    Rendered rendered = render(result.test, longEdge, out);
-    if (rendered.seconds == 0)
-        rendered.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result.take(rendered);
-    return !rendered.failed;
 }
 
 std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c) {
@@ -128,13 +118,6 @@ CaseRenderer programRenderer(const std::string& command, const ProgramOptions& o
     };
 }
 
-void GradeResult::take(const Rendered& rendered) {
-    message = rendered.message;
-    output = rendered.output;
-    seconds = rendered.seconds;
-    processorSeconds = rendered.processorSeconds;
-}
-
 ReferencePicture::ReferencePicture(const std::string& path) {
     const FileBytes file(path, FileKind::Regular);
     image = readImage(file);
@@ -184,7 +167,10 @@ GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, const N
     requireRoom(folder, reference.image);
     const std::string out = folder.file("out.png");
     const int edge = std::max(reference.image.width, reference.image.height);
-    if (!renderCase(result, render, edge, out)) return result;
+    Stopwatch watch;
+    static_cast<Rendered&>(result) = render(test, edge, out);
+    if (result.seconds == 0) result.seconds = watch.lap().wall;
+    if (result.failed) return result;
     std::error_code isLocked;
     if (!fs::is_regular_file(out, isLocked)) {
         result.message += std::string(result.message.empty() ? "" : ", ") + "wrote no picture";

@@ -1,7 +1,6 @@
 #include "raytracer/grading/grade_files.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "raytracer/json/json_writer.h"
 #include "raytracer/util/html.h"
@@ -101,15 +100,10 @@ std::string gradeTableRow(const GradeResult& result) {
     return row;
 }
 
-std::string gradeSummary(std::span<const GradeResult> results, const GradePlan& plan,
+std::string gradeSummary(const GradedSubmission& graded, const GradePlan& plan,
                          const Thresholds& thresholds) {
-    const auto good =
-        std::ranges::count_if(results, [&](const GradeResult& result) { return within(result, thresholds); });
-    double sum = 0;
-    for (const GradeResult& result : results) sum += result.score();
-    std::string summary =
-        formatted("%lld of %zu pictures as the reference, mean score %.1f\n", static_cast<long long>(good),
-                  results.size(), sum / static_cast<double>(results.size()));
+    std::string summary = formatted("%zu of %zu pictures as the reference, mean score %.1f\n",
+                                    graded.rightCount(thresholds), graded.results.size(), graded.mean());
     for (const std::string& scene : plan.scenesWithoutReference)
         summary += "no reference: " + printable(scene) + "\n";
     return summary;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "page.h"
 #include "raytracer/util/html.h"
@@ -161,25 +160,20 @@ std::string sections(std::span<const GradeResult> results, const Thresholds& thr
     return html;
 }
 
-std::string summary(std::span<const GradeResult> results, const Thresholds& thresholds) {
-    const auto good = std::count_if(results.begin(), results.end(),
-                                    [&](const GradeResult& result) { return within(result, thresholds); });
-    const double sum = std::accumulate(results.begin(), results.end(), 0.0,
-                                       [](double total, const GradeResult& r) { return total + r.score(); });
-    const double mean = results.empty() ? 0 : sum / static_cast<double>(results.size());
-    return "<p class=\"summary\"><b>" + std::to_string(good) + "</b> of <b>" +
-           std::to_string(results.size()) + "</b> pictures as the reference, mean score <b>" +
-           number(mean, "%.1f") + "</b></p>\n";
+std::string summary(const GradedSubmission& graded, const Thresholds& thresholds) {
+    return "<p class=\"summary\"><b>" + std::to_string(graded.rightCount(thresholds)) + "</b> of <b>" +
+           std::to_string(graded.results.size()) + "</b> pictures as the reference, mean score <b>" +
+           fixedScore(graded.mean()) + "</b></p>\n";
 }
 
 }  // namespace
 
-std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds,
+std::string gradeReport(const GradedSubmission& graded, const Thresholds& thresholds,
                         const std::string& title) {
     std::string html = pageHead(title, grading_page::style) + "<header class=\"page\"><h1>" + escaped(title) +
-                       "</h1>\n" + summary(results, thresholds) + grading_page::controls +
+                       "</h1>\n" + summary(graded, thresholds) + grading_page::controls +
                        "</header>\n<main>\n";
-    return html + sections(results, thresholds) + "</main>\n" + grading_page::viewer + "<script>\n" +
+    return html + sections(graded.results, thresholds) + "</main>\n" + grading_page::viewer + "<script>\n" +
            grading_page::script + "</script>\n</body>\n</html>\n";
 }
 

@@ -18,10 +18,6 @@
 
 namespace raytracer {
 
-inline const MaterialDescription& materialOf(const SceneDescription& scene, std::size_t shape) {
-    return scene.materials[scene.shapes[shape].material];
-}
-
 // One light's term at a hit, with what it is made of; world space.
 struct LightTerm {
     glm::dvec3 ambient{0};                // K_A I_AL
@@ -61,10 +57,12 @@ using Rgb = std::array<std::uint8_t, 3>;
 // How a channel's value becomes a byte.
 using ToByte = std::uint8_t (*)(double channel);
 
+using Edit = std::function<void(SceneDescription&, RenderOptions&)>;
+
 struct Mistake {
     std::string what, hint;  // as in NamedMistake
     std::string kind = {};   // no program makes two mistakes of one kind; empty: of no kind
-    std::function<void(SceneDescription&, RenderOptions&)> edit = {};
+    Edit edit = {};
     std::function<void(Formula&)> formula = {};
     std::function<glm::dvec3(const glm::dvec3&)> color = {};
     ToByte toByte = nullptr;
@@ -73,18 +71,21 @@ struct Mistake {
     std::vector<glm::dvec2> samples = {};  // whose mean a pixel is: how far into it; empty: its centre
 };
 
-// Those that could be made with this scene, where the right picture shows these terms of it.
-std::vector<Mistake> knownMistakes(const SceneDescription& scene, const RenderOptions& options,
-                                   const Terms& terms);
+struct Mistakes : std::vector<Mistake> {
+    void add(const std::string& what, const std::string& hint, const std::string& kind, const Edit& edit) {
+        push_back({what, hint, kind, edit});
+    }
+};
 
-void addSceneMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
-                      const RenderOptions& options);
-void addTransformMistakes(std::vector<Mistake>& mistakes);
-void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
-                       const RenderOptions& options);
-void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene);
-void addByteMistakes(std::vector<Mistake>& mistakes);
-void addStageMistakes(std::vector<Mistake>& mistakes, const SceneDescription& whole,
-                      const RenderOptions& options, const Terms& terms);
+// Those that could be made with this scene, where the right picture shows these terms of it.
+Mistakes knownMistakes(const SceneDescription& scene, const RenderOptions& options, const Terms& terms);
+
+void addSceneMistakes(Mistakes& mistakes, const SceneDescription& scene, const RenderOptions& options);
+void addTransformMistakes(Mistakes& mistakes);
+void addCameraMistakes(Mistakes& mistakes, const SceneDescription& scene, const RenderOptions& options);
+void addFormulaMistakes(Mistakes& mistakes, const SceneDescription& scene);
+void addByteMistakes(Mistakes& mistakes);
+void addStageMistakes(Mistakes& mistakes, const SceneDescription& whole, const RenderOptions& options,
+                      const Terms& terms);
 
 }  // namespace raytracer

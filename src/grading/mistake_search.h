@@ -15,7 +15,7 @@ struct KnownVariants {
     KnownVariants(const SceneDescription& whole, RenderOptions options, const Terms& terms);
 
     std::shared_ptr<RenderedScene> scene;
-    std::vector<Mistake> mistakes;
+    Mistakes mistakes;
     std::vector<std::shared_ptr<Variant>> singles;
     ByteImage right;
     bool isSmall;  // to build such a scene takes less than a tenth of a millisecond

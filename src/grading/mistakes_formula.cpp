@@ -105,11 +105,8 @@ glm::dvec3 lightAnew(const SceneDescription& scene, const RayExplanation& ray, c
 // transpose, which the transpose takes back.
 glm::dvec3 normalByMatrix(const SceneDescription& scene, const RayExplanation& ray) {
     const Affine affine = worldFromObject(scene, scene.shapes[ray.shape]);
-    glm::dmat3 matrix;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            matrix[column][row] = static_cast<double>(affine.linear[row][column]);
-    return glm::normalize(matrix * (glm::transpose(matrix) * ray.normal));
+    const glm::dmat3 transpose(affine.linear[0], affine.linear[1], affine.linear[2]);
+    return glm::normalize(glm::transpose(transpose) * (transpose * ray.normal));
 }
 
 bool differs(const glm::dvec3& a, const glm::dvec3& b) {
@@ -209,7 +206,7 @@ std::optional<glm::dvec3> colorAnew(const SceneDescription& scene, const RayExpl
     return formula.clampsRays ? clamped(color) : color;
 }
 
-void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene) {
+void addFormulaMistakes(Mistakes& mistakes, const SceneDescription& scene) {
     const auto add = [&](const char* what, const char* hint, const char* kind,
                          std::function<void(Formula&)> formula) {
         mistakes.push_back({.what = what, .hint = hint, .kind = kind, .formula = std::move(formula)});
@@ -266,9 +263,8 @@ void addFormulaMistakes(std::vector<Mistake>& mistakes, const SceneDescription& 
             }));
 }
 
-std::vector<Mistake> knownMistakes(const SceneDescription& scene, const RenderOptions& options,
-                                   const Terms& terms) {
-    std::vector<Mistake> mistakes;
+Mistakes knownMistakes(const SceneDescription& scene, const RenderOptions& options, const Terms& terms) {
+    Mistakes mistakes;
     addTransformMistakes(mistakes);
     addCameraMistakes(mistakes, scene, options);
     addByteMistakes(mistakes);

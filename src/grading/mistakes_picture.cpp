@@ -39,10 +39,6 @@ std::uint8_t of256(double channel) {
     return static_cast<std::uint8_t>(std::min(255, toInt(256 * std::min(channel, 1.0))));
 }
 
-bool areSameTerms(const Terms& a, const Terms& b) {
-    return std::ranges::all_of(termNames, [&](const TermName& term) { return a.*term.term == b.*term.term; });
-}
-
 std::string stageInWords(const Stage& stage) {
     const std::string name = "the stage -" + std::string(stage.name);
     const bool isLight = stage.only == "ambient" || stage.only == "diffuse" || stage.only == "specular";
@@ -50,8 +46,7 @@ std::string stageInWords(const Stage& stage) {
 }
 
 // The whole scene anew: the terms that the right picture leaves out are no longer in its scene.
-std::function<void(SceneDescription&, RenderOptions&)> shownAs(
-    const std::shared_ptr<const SceneDescription>& whole, Pass pass, const Terms& terms) {
+Edit shownAs(const std::shared_ptr<const SceneDescription>& whole, Pass pass, const Terms& terms) {
     return [=](SceneDescription& scene, RenderOptions& options) {
         scene = *whole;
         if (pass == Pass::Color) keepTerms(scene, terms);
@@ -61,12 +56,12 @@ std::function<void(SceneDescription&, RenderOptions&)> shownAs(
     };
 }
 
-void addStages(std::vector<Mistake>& mistakes, const std::shared_ptr<const SceneDescription>& whole,
-               Pass pass, const Terms& terms) {
+void addStages(Mistakes& mistakes, const std::shared_ptr<const SceneDescription>& whole, Pass pass,
+               const Terms& terms) {
     for (const Stage& stage : stages()) {
         const Pass other = passNamed(stage.pass);
         const Terms kept = termsNamed(std::string(stage.only));
-        if (other == pass && (pass != Pass::Color || areSameTerms(kept, terms))) continue;
+        if (other == pass && (pass != Pass::Color || kept == terms)) continue;
         mistakes.push_back({.what = stageInWords(stage),
                             .hint = "Is it the picture of the stage that was asked for?",
                             .edit = shownAs(whole, other, kept),
@@ -74,7 +69,7 @@ void addStages(std::vector<Mistake>& mistakes, const std::shared_ptr<const Scene
     }
 }
 
-void addMoreTerms(std::vector<Mistake>& mistakes, const std::shared_ptr<const SceneDescription>& whole,
+void addMoreTerms(Mistakes& mistakes, const std::shared_ptr<const SceneDescription>& whole,
                   const Terms& terms) {
     for (const TermName& term : termNames) {
         if (terms.*term.term) continue;
@@ -94,7 +89,7 @@ glm::dvec3 turnedInwards(const glm::dvec3& color) {
     return color == miss ? color : 1.0 - color;
 }
 
-void addNormalMistakes(std::vector<Mistake>& mistakes) {
+void addNormalMistakes(Mistakes& mistakes) {
     mistakes.push_back({.what = "whose normals point inwards",
                         .hint = "The normal points to the exterior.",
                         .kind = "normals",
@@ -109,7 +104,7 @@ void addNormalMistakes(std::vector<Mistake>& mistakes) {
                         .color = [](const glm::dvec3& color) { return glm::abs(2.0 * color - 1.0); }});
 }
 
-void addSamples(std::vector<Mistake>& mistakes, const std::vector<glm::dvec2>& places) {
+void addSamples(Mistakes& mistakes, const std::vector<glm::dvec2>& places) {
     mistakes.push_back({.what = "with " + std::to_string(places.size()) + " samples a pixel",
                         .hint = "One ray goes through each pixel, at its centre: x + 0.5, y + 0.5.",
                         .alone = true,
@@ -117,7 +112,7 @@ void addSamples(std::vector<Mistake>& mistakes, const std::vector<glm::dvec2>& p
 }
 
 // On the usual grids, and where `--samples` has them.
-void addSampleMistakes(std::vector<Mistake>& mistakes) {
+void addSampleMistakes(Mistakes& mistakes) {
     for (const std::size_t across : {2, 3, 4}) {
         std::vector<glm::dvec2> grid;
         grid.reserve(across * across);
@@ -135,7 +130,7 @@ void addSampleMistakes(std::vector<Mistake>& mistakes) {
 
 }  // namespace
 
-void addByteMistakes(std::vector<Mistake>& mistakes) {
+void addByteMistakes(Mistakes& mistakes) {
     const auto tone = [&](const char* what, const char* hint, double (*f)(double)) {
         mistakes.push_back(
             {.what = what, .hint = hint, .kind = "tone", .color = [f](const glm::dvec3& color) {
@@ -161,8 +156,8 @@ void addByteMistakes(std::vector<Mistake>& mistakes) {
     bytes("whose bytes are 256 times the colour", "The byte is lround(255 c).", of256);
 }
 
-void addStageMistakes(std::vector<Mistake>& mistakes, const SceneDescription& whole,
-                      const RenderOptions& options, const Terms& terms) {
+void addStageMistakes(Mistakes& mistakes, const SceneDescription& whole, const RenderOptions& options,
+                      const Terms& terms) {
     const auto shared = std::make_shared<const SceneDescription>(whole);
     addStages(mistakes, shared, options.pass, terms);
     if (options.pass == Pass::Color) addMoreTerms(mistakes, shared, terms);

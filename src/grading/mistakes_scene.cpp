@@ -9,8 +9,6 @@ namespace raytracer {
 
 namespace {
 
-using Edit = std::function<void(SceneDescription&, RenderOptions&)>;
-
 Edit ofMaterials(const std::function<void(MaterialDescription&)>& change) {
     return [=](SceneDescription& scene, RenderOptions&) {
         std::for_each(scene.materials.begin(), scene.materials.end(), change);
@@ -40,33 +38,32 @@ Edit withRecursion(const std::function<int(int)>& change) {
     };
 }
 
-void addTerms(std::vector<Mistake>& mistakes) {
-    mistakes.push_back(
-        {"without ambient light", "Is K_A I_AL added for every light?", "ambient", without(&Terms::ambient)});
-    mistakes.push_back({"without diffuse light", "Is K_D I_L (N.L) added?", "", without(&Terms::diffuse)});
-    mistakes.push_back(
-        {"without specular light", "Is K_S I_L (V.R)^n added?", "specular", without(&Terms::specular)});
-    mistakes.push_back({"without shadows",
-                        "Is a ray cast from the surface to the light, and S_L 0 where it hits?", "shadows",
-                        without(&Terms::shadows)});
-    mistakes.push_back({"without reflections", "Is K_R I_R added where reflective is true?", "mirror",
-                        without(&Terms::reflections)});
-    mistakes.push_back({"without refraction", "Is K_T I_T added where refractive is true?", "glass",
-                        without(&Terms::refraction)});
-    mistakes.push_back({"without textures",
-                        "Does use_diffuse_texture multiply color_diffuse by the texture's colour?", "texture",
-                        without(&Terms::textures)});
+void addTerms(Mistakes& mistakes) {
+    mistakes.add("without ambient light", "Is K_A I_AL added for every light?", "ambient",
+                 without(&Terms::ambient));
+    mistakes.add("without diffuse light", "Is K_D I_L (N.L) added?", "", without(&Terms::diffuse));
+    mistakes.add("without specular light", "Is K_S I_L (V.R)^n added?", "specular",
+                 without(&Terms::specular));
+    mistakes.add("without shadows", "Is a ray cast from the surface to the light, and S_L 0 where it hits?",
+                 "shadows", without(&Terms::shadows));
+    mistakes.add("without reflections", "Is K_R I_R added where reflective is true?", "mirror",
+                 without(&Terms::reflections));
+    mistakes.add("without refraction", "Is K_T I_T added where refractive is true?", "glass",
+                 without(&Terms::refraction));
+    mistakes.add("without textures",
+                 "Does use_diffuse_texture multiply color_diffuse by the texture's colour?", "texture",
+                 without(&Terms::textures));
 }
 
-void addDepths(std::vector<Mistake>& mistakes, int depth) {
+void addDepths(Mistakes& mistakes, int depth) {
     const auto text = [](int bounces) { return " (max_recursion " + std::to_string(bounces) + ")"; };
     const char* const hint =
         "Is max_recursion > 0 checked before each bounce, and max_recursion - 1 passed on?";
     if (depth > 0)
-        mistakes.push_back({"with one bounce less" + text(depth - 1), hint, "depth",
-                            withRecursion([](int bounces) { return bounces - 1; })});
-    mistakes.push_back({"with one bounce more" + text(depth + 1), hint, "depth",
-                        withRecursion([](int bounces) { return bounces + 1; })});
+        mistakes.add("with one bounce less" + text(depth - 1), hint, "depth",
+                     withRecursion([](int bounces) { return bounces - 1; }));
+    mistakes.add("with one bounce more" + text(depth + 1), hint, "depth",
+                 withRecursion([](int bounces) { return bounces + 1; }));
     constexpr int most = 8;  // few scenes look different with more
     for (int other = 1; other <= most; ++other)
         if (other < depth - 1 || other > depth + 1)
@@ -78,11 +75,11 @@ void addDepths(std::vector<Mistake>& mistakes, int depth) {
                                 .edit = withRecursion([other](int) { return other; }),
                                 .alone = true});
     if (depth > 1)
-        mistakes.push_back({"without any reflected or refracted ray" + text(0), hint, "depth",
-                            withRecursion([](int) { return 0; })});
+        mistakes.add("without any reflected or refracted ray" + text(0), hint, "depth",
+                     withRecursion([](int) { return 0; }));
 }
 
-void addLightMistakes(std::vector<Mistake>& mistakes, std::size_t count) {
+void addLightMistakes(Mistakes& mistakes, std::size_t count) {
     const auto ordinal = [&](std::size_t i) {
         return std::to_string(i) + " (of " + std::to_string(count) + ")";
     };
@@ -93,41 +90,38 @@ void addLightMistakes(std::vector<Mistake>& mistakes, std::size_t count) {
         });
     };
     for (std::size_t i = 0; count > 1 && i < std::min<std::size_t>(count, 4); ++i) {
-        mistakes.push_back(
-            {"without light " + ordinal(i), loop, "lights", [i](SceneDescription& scene, RenderOptions&) {
-                 scene.lights.erase(scene.lights.begin() + static_cast<std::ptrdiff_t>(i));
-             }});
+        mistakes.add("without light " + ordinal(i), loop, "lights",
+                     [i](SceneDescription& scene, RenderOptions&) {
+                         scene.lights.erase(scene.lights.begin() + static_cast<std::ptrdiff_t>(i));
+                     });
         if (count > 2)
-            mistakes.push_back(
-                {"with light " + ordinal(i) + " alone", loop, "lights",
-                 [i](SceneDescription& scene, RenderOptions&) { scene.lights = {scene.lights[i]}; }});
+            mistakes.add("with light " + ordinal(i) + " alone", loop, "lights",
+                         [i](SceneDescription& scene, RenderOptions&) { scene.lights = {scene.lights[i]}; });
     }
     if (count > 1) {
         const char* const what = "whose ambient light is added once, not once for each light";
         const char* const hint = "K_A I_AL belongs into the sum over the lights.";
-        mistakes.push_back({what, hint, "ambient", ambientOf(false)});
-        mistakes.push_back({what, hint, "ambient", ambientOf(true)});
+        mistakes.add(what, hint, "ambient", ambientOf(false));
+        mistakes.add(what, hint, "ambient", ambientOf(true));
     }
-    mistakes.push_back({"whose ambient light has the light's color instead of its color_ambient", "",
-                        "ambient", ofLights([](LightDescription& light, std::size_t, std::size_t) {
-                            light.color_ambient = light.color;
-                        })});
+    mistakes.add("whose ambient light has the light's color instead of its color_ambient", "", "ambient",
+                 ofLights([](LightDescription& light, std::size_t, std::size_t) {
+                     light.color_ambient = light.color;
+                 }));
 }
 
-void addGlass(std::vector<Mistake>& mistakes) {
-    mistakes.push_back({"whose glass is opaque", "Is refractive read, and a ray sent on through the surface?",
-                        "glass", [](SceneDescription& scene, RenderOptions&) { makeOpaque(scene); }});
-    mistakes.push_back({"whose index of refraction is inverted",
-                        "Entering, the ratio is 1 / ior; leaving, it is ior.", "glass",
-                        ofMaterials([](MaterialDescription& material) {
-                            material.index_of_refraction = 1 / material.index_of_refraction;
-                        })});
-    mistakes.push_back(
-        {"whose rays go straight through glass", "Is index_of_refraction used?", "glass",
-         ofMaterials([](MaterialDescription& material) { material.index_of_refraction = 1; })});
-    mistakes.push_back(
-        {"without the factor color_refract", "K_T multiplies I_T.", "glass",
-         ofMaterials([](MaterialDescription& material) { material.color_refract = glm::dvec3(1); })});
+void addGlass(Mistakes& mistakes) {
+    mistakes.add("whose glass is opaque", "Is refractive read, and a ray sent on through the surface?",
+                 "glass", [](SceneDescription& scene, RenderOptions&) { makeOpaque(scene); });
+    mistakes.add("whose index of refraction is inverted",
+                 "Entering, the ratio is 1 / ior; leaving, it is ior.", "glass",
+                 ofMaterials([](MaterialDescription& material) {
+                     material.index_of_refraction = 1 / material.index_of_refraction;
+                 }));
+    mistakes.add("whose rays go straight through glass", "Is index_of_refraction used?", "glass",
+                 ofMaterials([](MaterialDescription& material) { material.index_of_refraction = 1; }));
+    mistakes.add("without the factor color_refract", "K_T multiplies I_T.", "glass",
+                 ofMaterials([](MaterialDescription& material) { material.color_refract = glm::dvec3(1); }));
 }
 
 std::shared_ptr<const Texture> upsideDown(const Texture& texture) {
@@ -144,29 +138,27 @@ std::shared_ptr<const Texture> upsideDown(const Texture& texture) {
     return std::make_shared<const Texture>(std::move(flipped));
 }
 
-void addTextureMistakes(std::vector<Mistake>& mistakes, bool isBilinear) {
-    mistakes.push_back(
-        {isBilinear ? "with the nearest texel alone" : "with bilinear texture look-ups",
-         isBilinear ? "Are the four nearest texels weighted?"
-                    : "A texture's colour is that of the nearest texel.",
-         "texture", [](SceneDescription&, RenderOptions& options) { options.bilinear = !options.bilinear; }});
-    mistakes.push_back({"whose textures are upside down", "Row 0 of the image is at v = 1.", "texture",
-                        [](SceneDescription& scene, RenderOptions&) {
-                            for (TextureDescription& texture : scene.textures)
-                                if (texture.texture) texture.texture = upsideDown(*texture.texture);
-                        }});
+void addTextureMistakes(Mistakes& mistakes, bool isBilinear) {
+    mistakes.add(isBilinear ? "with the nearest texel alone" : "with bilinear texture look-ups",
+                 isBilinear ? "Are the four nearest texels weighted?"
+                            : "A texture's colour is that of the nearest texel.",
+                 "texture",
+                 [](SceneDescription&, RenderOptions& options) { options.bilinear = !options.bilinear; });
+    mistakes.add("whose textures are upside down", "Row 0 of the image is at v = 1.", "texture",
+                 [](SceneDescription& scene, RenderOptions&) {
+                     for (TextureDescription& texture : scene.textures)
+                         if (texture.texture) texture.texture = upsideDown(*texture.texture);
+                 });
 }
 
-void addMaterialMistakes(std::vector<Mistake>& mistakes) {
-    mistakes.push_back(
-        {"without the factor color_reflect", "K_R multiplies I_R.", "mirror",
-         ofMaterials([](MaterialDescription& material) { material.color_reflect = glm::dvec3(1); })});
+void addMaterialMistakes(Mistakes& mistakes) {
+    mistakes.add("without the factor color_reflect", "K_R multiplies I_R.", "mirror",
+                 ofMaterials([](MaterialDescription& material) { material.color_reflect = glm::dvec3(1); }));
 }
 
 }  // namespace
 
-void addSceneMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
-                      const RenderOptions& options) {
+void addSceneMistakes(Mistakes& mistakes, const SceneDescription& scene, const RenderOptions& options) {
     addTerms(mistakes);
     addDepths(mistakes, options.max_recursion);
     addLightMistakes(mistakes, scene.lights.size());

@@ -34,8 +34,7 @@ void reorder(TransformDescription& transform, const std::array<char, 3>& order) 
 
 const char* wordOf(char part) { return part == 't' ? "translate" : part == 'r' ? "rotate" : "scale"; }
 
-std::function<void(SceneDescription&, RenderOptions&)> ofTransforms(
-    const std::function<void(TransformDescription&)>& change) {
+Edit ofTransforms(const std::function<void(TransformDescription&)>& change) {
     return [=](SceneDescription& scene, RenderOptions&) {
         for (TransformDescription& transform : scene.transforms) change(transform);
     };
@@ -46,7 +45,7 @@ void turnBy(TransformDescription& transform, double (*degrees)(double)) {
 }
 
 // The camera is edited so that what it sees is the picture moved over its pixels.
-using CameraEdit = void (*)(CameraDescription& camera, const ImageSize& size);
+using CameraEdit = std::function<void(CameraDescription& camera, const ImageSize& size)>;
 
 void flipLeftRight(CameraDescription& camera, const ImageSize&) {
     std::swap(camera.film_left, camera.film_right);
@@ -91,23 +90,15 @@ void transpose(CameraDescription& camera, const ImageSize& size) {
     flipLeftRight(camera, size);
 }
 
-void moveFilm(CameraDescription& camera, const ImageSize& size, double x, double y) {
-    const double right = x * (camera.film_right - camera.film_left) / size.width;
-    const double up = y * (camera.film_top - camera.film_bottom) / size.height;
-    camera.film_left += right;
-    camera.film_right += right;
-    camera.film_bottom += up;
-    camera.film_top += up;
-}
-
-void throughTopLeft(CameraDescription& camera, const ImageSize& size) { moveFilm(camera, size, -0.5, 0.5); }
-void throughTopRight(CameraDescription& camera, const ImageSize& size) { moveFilm(camera, size, 0.5, 0.5); }
-void throughBottomLeft(CameraDescription& camera, const ImageSize& size) {
-    moveFilm(camera, size, -0.5, -0.5);
-}
-void throughBottomRight(CameraDescription& camera, const ImageSize& size) {
-    moveFilm(camera, size, 0.5, -0.5);
-}
+// Of a pixel, from its centre: to the right and up.
+struct Corner {
+    const char* name;
+    double x, y;
+};
+constexpr Corner corners[] = {{"top left", -0.5, 0.5},
+                              {"top right", 0.5, 0.5},
+                              {"bottom left", -0.5, -0.5},
+                              {"bottom right", 0.5, -0.5}};
 
 // The first and the last pixel of a row look through the film's edges.
 void edgeToEdge(CameraDescription& camera, const ImageSize& size) {
@@ -132,43 +123,40 @@ bool canTurn(const CameraDescription& camera) {
 
 }  // namespace
 
-void addTransformMistakes(std::vector<Mistake>& mistakes) {
+void addTransformMistakes(Mistakes& mistakes) {
     const std::size_t first = mistakes.size();
-    mistakes.push_back({"whose rotations take degrees as radians",
-                        "Is glm::radians(degrees) passed to glm::rotate?", "rotation",
-                        ofTransforms([](TransformDescription& transform) {
-                            turnBy(transform, [](double degrees) { return glm::degrees(degrees); });
-                        })});
-    mistakes.push_back({"whose rotations go in the other sense",
-                        "A positive angle is counter-clockwise around the axis.", "rotation",
-                        ofTransforms([](TransformDescription& transform) {
-                            turnBy(transform, [](double degrees) { return -degrees; });
-                        })});
-    mistakes.push_back({"without rotations", "Is rotate read?", "rotation",
-                        ofTransforms([](TransformDescription& transform) { transform.rotate = {}; })});
-    mistakes.push_back({"without scales", "Is scale read?", "scale",
-                        ofTransforms([](TransformDescription& transform) { transform.scale.reset(); })});
-    mistakes.push_back({"without translations", "Is translate read?", "translation",
-                        ofTransforms([](TransformDescription& transform) { transform.translate.reset(); })});
+    mistakes.add("whose rotations take degrees as radians", "Is glm::radians(degrees) passed to glm::rotate?",
+                 "rotation", ofTransforms([](TransformDescription& transform) {
+                     turnBy(transform, [](double degrees) { return glm::degrees(degrees); });
+                 }));
+    mistakes.add("whose rotations go in the other sense",
+                 "A positive angle is counter-clockwise around the axis.", "rotation",
+                 ofTransforms([](TransformDescription& transform) {
+                     turnBy(transform, [](double degrees) { return -degrees; });
+                 }));
+    mistakes.add("without rotations", "Is rotate read?", "rotation",
+                 ofTransforms([](TransformDescription& transform) { transform.rotate = {}; }));
+    mistakes.add("without scales", "Is scale read?", "scale",
+                 ofTransforms([](TransformDescription& transform) { transform.scale.reset(); }));
+    mistakes.add("without translations", "Is translate read?", "translation",
+                 ofTransforms([](TransformDescription& transform) { transform.translate.reset(); }));
     // Last of the edits, as it leaves a matrix alone.
     constexpr std::array<char, 3> orders[] = {
         {'t', 's', 'r'}, {'s', 'r', 't'}, {'r', 's', 't'}, {'r', 't', 's'}, {'s', 't', 'r'}};
     for (const auto& order : orders)
-        mistakes.push_back(
-            {std::string("whose transforms are ") + wordOf(order[0]) + " * " + wordOf(order[1]) + " * " +
-                 wordOf(order[2]),
-             "The transform is translate * rotate * scale: a point is scaled first.", "order",
-             ofTransforms([=](TransformDescription& transform) { reorder(transform, order); })});
+        mistakes.add(std::string("whose transforms are ") + wordOf(order[0]) + " * " + wordOf(order[1]) +
+                         " * " + wordOf(order[2]),
+                     "The transform is translate * rotate * scale: a point is scaled first.", "order",
+                     ofTransforms([=](TransformDescription& transform) { reorder(transform, order); }));
     for (std::size_t i = first; i < mistakes.size(); ++i) mistakes[i].moves = true;
 }
 
 // Turned pictures before rays through corners: those are corners of the picture's pixels as it is shown.
-void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& scene,
-                       const RenderOptions& options) {
-    const auto add = [&](const char* what, const char* hint, const char* kind, CameraEdit edit) {
-        mistakes.push_back({what, hint, kind, [edit](SceneDescription& edited, RenderOptions& to) {
-                                edit(edited.camera, to.size);
-                            }});
+void addCameraMistakes(Mistakes& mistakes, const SceneDescription& scene, const RenderOptions& options) {
+    const auto add = [&](const std::string& what, const char* hint, const char* kind,
+                         const CameraEdit& edit) {
+        mistakes.add(what, hint, kind,
+                     [edit](SceneDescription& edited, RenderOptions& to) { edit(edited.camera, to.size); });
     };
     add("that looks back", "The ray goes along u U + v V - d W, with W = -look.", "look", lookBack);
     add("flipped up and down", "Row 0 of the picture is its top: v = top there.", "film", flipUpDown);
@@ -181,10 +169,16 @@ void addCameraMistakes(std::vector<Mistake>& mistakes, const SceneDescription& s
         add("with rows and columns exchanged", turned, "film", transpose);
     }
     const char* const middle = "A pixel's ray goes through its centre: x + 0.5, y + 0.5.";
-    add("whose rays go through the pixels' top left corners", middle, "pixel", throughTopLeft);
-    add("whose rays go through the pixels' top right corners", middle, "pixel", throughTopRight);
-    add("whose rays go through the pixels' bottom left corners", middle, "pixel", throughBottomLeft);
-    add("whose rays go through the pixels' bottom right corners", middle, "pixel", throughBottomRight);
+    for (const Corner& corner : corners)
+        add("whose rays go through the pixels' " + std::string(corner.name) + " corners", middle, "pixel",
+            [&corner](CameraDescription& camera, const ImageSize& size) {
+                const double right = corner.x * (camera.film_right - camera.film_left) / size.width;
+                const double up = corner.y * (camera.film_top - camera.film_bottom) / size.height;
+                camera.film_left += right;
+                camera.film_right += right;
+                camera.film_bottom += up;
+                camera.film_top += up;
+            });
     if (options.size.width > 1 && options.size.height > 1)
         add("whose rays go from edge to edge of the film", "A pixel's width is (right - left) / width.",
             "pixel", edgeToEdge);

@@ -1,11 +1,10 @@
-// How well the picture that a mistake makes explains another one.
+// Pixels of a picture, held against those that a mistake makes.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "raytracer/grading/diagnosis.h"
 #include "raytracer/pictures/image.h"
 #include "variant.h"
 
@@ -30,18 +29,6 @@ struct Sample {
     double rightsOfWrong;    // in the whole picture
     Pixels pixels;
     Trees trees;  // of the scene without a mistake; see Variant::bytes
-};
-
-// How well a variant explains a picture.
-struct Fit {
-    double explained = 0;     // of the wrong pixels
-    double contradicted = 0;  // right pixels that the variant has wrong, as a share of the wrong ones
-    std::size_t sampled = 0;  // pixels
-    std::size_t unknown = 0;  // more of them, of which the variant does not tell
-    std::optional<std::uint64_t> off = {};  // as in NamedMistake
-    std::uint64_t rounded = 0;
-    bool isExact() const { return off == 0U && rounded == 0; }
-    double net() const { return explained - contradicted; }
 };
 
 // By the pixels of the sample. With `anyRounding`, a pixel may be as one of the variant's other roundings.

@@ -24,29 +24,22 @@ int offBy(const ByteImage& a, std::size_t pixelA, const ByteImage& b, std::size_
     return largestDifference(&a.pixels[3 * pixelA], &b.pixels[3 * pixelB]);
 }
 
-std::size_t indexIn(const ByteImage& image, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-}
-
-// Calls visit(number) for the up to eight neighbours.
-template <class Visit>
-void forEachNeighbour(const ByteImage& image, std::size_t pixel, Visit visit) {
-    const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
-    for (int ny = std::max(0, y - 1); ny <= std::min(image.height - 1, y + 1); ++ny)
-        for (int nx = std::max(0, x - 1); nx <= std::min(image.width - 1, x + 1); ++nx)
-            if (nx != x || ny != y) visit(indexIn(image, nx, ny));
-}
-
 // A wrong pixel where the right picture is smooth, whose error is like that of three neighbours at most: at a
 // straight border between a wrong area and a right one five are alike.
 bool isSpeck(const ByteImage& picture, const ByteImage& right, std::size_t pixel) {
     constexpr int similar = 8;  // as for speckleCount (compare.h)
     const int off = offBy(picture, pixel, right, pixel);
+    const int x = static_cast<int>(pixel) % right.width, y = static_cast<int>(pixel) / right.width;
     int alike = 0, steepest = 0;
-    forEachNeighbour(right, pixel, [&](std::size_t neighbour) {
-        alike += std::abs(offBy(picture, neighbour, right, neighbour) - off) <= similar;
-        steepest = std::max(steepest, offBy(right, pixel, right, neighbour));
-    });
+    for (int ny = std::max(0, y - 1); ny <= std::min(right.height - 1, y + 1); ++ny)
+        for (int nx = std::max(0, x - 1); nx <= std::min(right.width - 1, x + 1); ++nx) {
+            const std::size_t neighbour =
+                static_cast<std::size_t>(ny) * static_cast<std::size_t>(right.width) +
+                static_cast<std::size_t>(nx);
+            if (neighbour == pixel) continue;
+            alike += std::abs(offBy(picture, neighbour, right, neighbour) - off) <= similar;
+            steepest = std::max(steepest, offBy(right, pixel, right, neighbour));
+        }
     return off > similar && steepest <= similar && alike <= 3;
 }
 
@@ -138,17 +131,17 @@ constexpr const char* offset =
 }  // namespace
 
 std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& right,
-                                     std::span<const std::size_t> wrong, const SpeckSample& sample) {
+                                     std::span<const std::size_t> wrong, const SceneDescription& scene,
+                                     const Sample& sample) {
     const auto specks =
         std::ranges::count_if(wrong, [&](std::size_t i) { return isSpeck(picture, right, i); });
     if (static_cast<double>(specks) < leastSpecks * static_cast<double>(picture.pixels.size()) / 3)
         return std::nullopt;
     std::size_t known = 0, shadows = 0, mirrors = 0, both = 0;
     for (std::size_t i = 0; i < sample.pixels.size(); ++i) {
-        const std::size_t number = indexIn(picture, sample.pixels[i].x, sample.pixels[i].y);
-        const AcnePixel pixel(sample.scene, sample.trees[i], &picture.pixels[3 * number]);
+        const AcnePixel pixel(scene, sample.trees[i], &picture.pixels[3 * sample.numbers[i]]);
         const bool isShadowed = pixel.hasShadows();
-        if (!isShadowed && showsGlass(sample.scene, sample.trees[i])) continue;
+        if (!isShadowed && showsGlass(scene, sample.trees[i])) continue;
         const bool isReflected = pixel.isReflectedHere(false);
         ++known;
         shadows += isShadowed;
@@ -157,8 +150,10 @@ std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& 
     }
     const auto all = static_cast<double>(known);
     const auto named = [&](const char* what, std::size_t explained) {
-        return NamedMistake{what, offset, static_cast<double>(explained) / all, known,
-                            sample.pixels.size() - known};
+        const Fit fit{.explained = static_cast<double>(explained) / all,
+                      .sampled = known,
+                      .unknown = sample.pixels.size() - known};
+        return NamedMistake{fit, what, offset};
     };
     if (all < leastKnown * static_cast<double>(sample.pixels.size()) ||
         static_cast<double>(both) < leastOfSpecks * all)

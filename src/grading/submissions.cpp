@@ -78,9 +78,13 @@ class ClassGrading {
                  const ClassOptions& options, ProgressListener& progress)
         : plan_(plan), submissions_(submissions), options_(options), progress_(progress) {
         for (const Submission& submission : submissions) {
-            graded_.push_back({submission.name, std::vector<GradeResult>(plan.cases.size())});
-            for (std::size_t c = 0; c < plan.cases.size(); ++c)
-                graded_.back().results[c].test = plan.cases[c];
+            graded_.push_back({submission.name, {}, submission.isArchive});
+            for (const GradeCase& test : plan.cases) {
+                GradeResult& result = graded_.back().results.emplace_back();
+                result.test = test;
+                result.isMissing = submission.isArchive;
+                if (submission.isArchive) result.message = toUnpack;
+            }
         }
         paths_.resize(submissions.size() * plan.cases.size());
     }
@@ -88,6 +92,7 @@ class ClassGrading {
     void findPictures() {
         for (std::size_t s = 0; s < submissions_.size(); ++s) {
             const Submission& submission = submissions_[s];
+            if (submission.isArchive) continue;
             const FilesByName files = filesBeneath(submission.folder);
             for (std::size_t c = 0; c < plan_.cases.size(); ++c) {
                 const FoundPicture found = findPicture(files, plan_.cases[c]);
@@ -98,18 +103,24 @@ class ClassGrading {
     }
 
     void makePictures() {
+        std::vector<int> edges;
+        for (const GradeCase& test : plan_.cases) edges.push_back(longEdgeOf(test));
         std::vector<ProgramRun> runs;
-        for (const Submission& submission : submissions_) {
-            const std::string command = replaced(options_.program, "{}", inShellQuotes(submission.folder));
-            for (const GradeCase& test : plan_.cases)
+        std::vector<std::pair<std::size_t, std::size_t>> places;
+        for (std::size_t s = 0; s < submissions_.size(); ++s) {
+            const std::string command =
+                replaced(options_.program, "{}", inShellQuotes(submissions_[s].folder));
+            for (std::size_t c = 0; !submissions_[s].isArchive && c < plan_.cases.size(); ++c) {
                 runs.push_back(
-                    {command, &test, longEdgeOf(test), made_.file(std::to_string(runs.size()) + ".png")});
+                    {command, &plan_.cases[c], edges[c], made_.file(std::to_string(runs.size()) + ".png")});
+                places.emplace_back(s, c);
+            }
         }
         std::size_t done = 0;
         runPrograms(runs, options_.run, options_.jobs, [&](std::size_t i, const Rendered& rendered) {
-            GradeResult& result = graded_[i / plan_.cases.size()].results[i % plan_.cases.size()];
-            if (!rendered.failed) paths_[i] = runs[i].picture;
-            result.take(rendered);
+            const auto& [s, c] = places[i];
+            if (!rendered.failed) path(s, c) = runs[i].picture;
+            static_cast<Rendered&>(graded_[s].results[c]) = rendered;
             progress_.progress(static_cast<double>(++done) / static_cast<double>(runs.size()));
         });
     }
@@ -141,13 +152,11 @@ class ClassGrading {
         return paths_[submission * plan_.cases.size() + test];
     }
 
-    int longEdgeOf(const GradeCase& test) {
-        int& edge = longEdges_[test.reference];
-        if (edge) return edge;
+    static int longEdgeOf(const GradeCase& test) {
         const FileBytes file(test.reference, FileKind::Regular);
         const auto size = sizeInHeader(file);
         if (!size) readImage(file);  // says what is wrong with it
-        return edge = std::max(size->width, size->height);
+        return std::max(size->width, size->height);
     }
 
     void gradeCaseOfAll(std::size_t test, const NamerMaker& makeNamer, PictureShelf* shelf) {
@@ -172,7 +181,6 @@ class ClassGrading {
     TemporaryFolder made_;
     std::vector<GradedSubmission> graded_;
     std::vector<std::string> paths_;  // submission by submission; empty: there is no picture
-    std::map<std::string, int> longEdges_;
 };
 
 // The name of the folder that an archive is to become; empty where the file is none.
@@ -181,16 +189,6 @@ std::string unpackedName(const std::string& file) {
          {".zip", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".7z", ".rar"})
         if (endsIn(file, ending)) return file.substr(0, file.size() - ending.size());
     return {};
-}
-
-GradedSubmission notUnpacked(const Submission& archive, const GradePlan& plan) {
-    GradedSubmission graded{archive.name, std::vector<GradeResult>(plan.cases.size()), true};
-    for (std::size_t c = 0; c < plan.cases.size(); ++c) {
-        graded.results[c].test = plan.cases[c];
-        graded.results[c].isMissing = true;
-        graded.results[c].message = toUnpack;
-    }
-    return graded;
 }
 
 }  // namespace
@@ -220,17 +218,11 @@ std::vector<Submission> submissionsIn(const std::string& folder) {
 std::vector<GradedSubmission> gradeClass(const GradePlan& plan, const std::vector<Submission>& submissions,
                                          const ClassOptions& options, const NamerMaker& makeNamer,
                                          PictureShelf* shelf, ProgressListener& progress) {
-    std::vector<Submission> folders;
-    std::ranges::remove_copy_if(submissions, std::back_inserter(folders), &Submission::isArchive);
-    ClassGrading grading(plan, folders, options, progress);
+    ClassGrading grading(plan, submissions, options, progress);
     if (options.program.empty()) grading.findPictures();
     else grading.makePictures();
     grading.grade(makeNamer, shelf);
-    std::vector<GradedSubmission> graded = grading.take();
-    for (const Submission& submission : submissions)
-        if (submission.isArchive) graded.push_back(notUnpacked(submission, plan));
-    std::ranges::sort(graded, {}, &GradedSubmission::name);
-    return graded;
+    return grading.take();
 }
 
 }  // namespace raytracer

@@ -11,10 +11,10 @@ std::string_view JsonDocument::string(std::uint32_t node) const {
     return n.isDecoded ? std::string_view(n.decoded->text) : std::string_view(n.begin + 1, n.length);
 }
 
-const char* JsonDocument::begin(std::uint32_t node) const {
+std::size_t JsonDocument::begin(std::uint32_t node) const {
     const Node& n = nodes_[node];
-    if (n.kind == Kind::Number) return text_.data() + (std::uint64_t{n.offsetHigh} << 32 | n.offsetLow);
-    return n.isDecoded ? n.decoded->begin : n.begin;
+    if (n.kind == Kind::Number) return std::uint64_t{n.offsetHigh} << 32 | n.offsetLow;
+    return static_cast<std::size_t>((n.isDecoded ? n.decoded->begin : n.begin) - text_.data());
 }
 
 // Goes down from the root. A container that is still open ends beyond all nodes, so it contains the last one.
@@ -31,7 +31,7 @@ std::string JsonDocument::pointer(std::uint32_t node) const {
 }
 
 bool JsonDocument::isEdited(std::uint32_t node) const {
-    const auto offset = static_cast<std::size_t>(begin(node) - text_.data());
+    const std::size_t offset = begin(node);
     return std::ranges::any_of(
         edits_.ranges, [&](const TextRange& edit) { return edit.begin <= offset && offset < edit.end; });
 }
@@ -39,7 +39,7 @@ bool JsonDocument::isEdited(std::uint32_t node) const {
 Error JsonDocument::error(std::uint32_t node, const std::string& message, std::uint32_t where) const {
     if (isEdited(where))
         return {{path_}, (node == 0 ? "the scene" : pointer(node)) + ", by --set: " + message};
-    Place at = place(static_cast<std::size_t>(begin(where) - text_.data()));
+    Place at = place(begin(where));
     at.pointer = pointer(node);
     return {at, message};
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "json_scan.h"
 #include "pointer_mistake.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_pointer.h"
@@ -13,25 +14,12 @@ namespace raytracer {
 namespace {
 
 // Where the value ends that begins here, of a text that is JSON.
-const char* valueEnd(const char* at, const char* end) {
-    const auto stringEnd = [&](const char* quote) {
-        for (++quote; *quote != '"'; ++quote) quote += *quote == '\\';
-        return quote + 1;
-    };
-    if (*at == '"') return stringEnd(at);
-    if (*at != '{' && *at != '[')
-        return std::find_if(
-            at, end, [](char c) { return std::string_view(",]} \t\r\n").find(c) != std::string_view::npos; });
-    int depth = 0;
-    do {
-        if (*at == '"') {
-            at = stringEnd(at);
-            continue;
-        }
-        depth += (*at == '{' || *at == '[') - (*at == '}' || *at == ']');
-        ++at;
-    } while (depth > 0);
-    return at;
+std::size_t valueEnd(std::string_view text, std::size_t begin) {
+    if (isOneOf(text[begin], "{[")) return closingOf(text, begin) + 1;
+    if (text[begin] != '"') return std::min(text.find_first_of(",]} \t\r\n", begin), text.size());
+    std::size_t end = begin + 1;
+    while (text[end] != '"') end += text[end] == '\\' ? 2 : 1;
+    return end + 1;
 }
 
 using Kind = JsonDocument::Kind;
@@ -49,9 +37,8 @@ std::optional<Replacement> addition(const JsonDocument& document, std::string_vi
     const bool isArray = document.kind(end.node) == Kind::Array && step == "-";
     if (!isArray && (document.kind(end.node) != Kind::Object || step.find('/') != step.npos)) return {};
     const bool isEmpty = document.end(end.node) == end.node + 1;
-    const char* const begin = document.begin(end.node);
-    const char* const place = isArray ? valueEnd(begin, text.data() + text.size()) - 1 : begin + 1;
-    const auto offset = static_cast<std::size_t>(place - text.data());
+    const std::size_t begin = document.begin(end.node);
+    const std::size_t offset = isArray ? valueEnd(text, begin) - 1 : begin + 1;
     if (isArray) return Replacement{{offset, offset}, (isEmpty ? "" : ", ") + edit.value};
     return Replacement{{offset, offset}, jsonString(keyOf(step)) + ": " + edit.value + (isEmpty ? "" : ", ")};
 }
@@ -67,10 +54,8 @@ Replacement replacement(const JsonDocument& document, const std::string& path, s
         if (auto added = addition(document, text, end, edit)) return *added;
         requireNothing(aboutLostPointer(document, edit.pointer));
     }
-    const char* const begin = document.begin(end.node);
-    return {{static_cast<std::size_t>(begin - text.data()),
-             static_cast<std::size_t>(valueEnd(begin, text.data() + text.size()) - text.data())},
-            edit.value};
+    const std::size_t begin = document.begin(end.node);
+    return {{begin, valueEnd(text, begin)}, edit.value};
 }
 
 // A range of the text has become another text: the edits behind it move, those in it are part of it, and the
@@ -112,7 +97,7 @@ JsonReading readingOf(std::string_view text) {
     try {
         return {JsonDocument("", text).kind(0)};
     } catch (const NotFinite& error) {
-        const char first = text[text.find_first_not_of(" \t\r\n")];
+        const char first = text[skipped(text, 0)];
         return {first == '[' ? Kind::Array : first == '{' ? Kind::Object : Kind::Number, reason(error)};
     } catch (const Error& error) {
         return {Kind::String, reason(error)};

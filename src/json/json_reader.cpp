@@ -5,7 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "json_scan.h"
+#include "number_mistake.h"
 #include "raytracer/json/json_document.h"
+#include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 #include "syntax_mistake.h"
 
@@ -88,9 +91,6 @@ class JsonReader {
         if (read_ != text_.data() && read_[-1] == '\0')
             throw document_.syntaxError(static_cast<std::size_t>(read_ - 1 - text_.data()), "unexpected NUL");
     }
-    [[noreturn]] void fail(std::uint32_t node, const std::string& message) const {
-        throw document_.error(node, message);
-    }
 
     bool add(Kind kind);
     bool number(double value);
@@ -112,7 +112,8 @@ class JsonReader {
 // A node begins after the last event, behind blanks, a comma or a colon. After a number, the parser has read
 // one character more, but never the first of another value.
 bool JsonReader::add(Kind kind) {
-    if (nodes_.size() == std::numeric_limits<std::uint32_t>::max()) fail(0, "too many values");
+    if (nodes_.size() == std::numeric_limits<std::uint32_t>::max())
+        throw document_.error(0, "too many values");
     const char* begin = behindLast_;
     while (*begin == ' ' || *begin == '\n' || *begin == '\t' || *begin == '\r' || *begin == ',' ||
            *begin == ':')
@@ -139,7 +140,8 @@ bool JsonReader::number(double value) {
 bool JsonReader::text(Kind kind, std::string& value) {
     add(kind);
     Node& node = nodes_.back();
-    if (value.size() > std::numeric_limits<std::uint32_t>::max()) fail(count() - 1, "a text of over 4 GiB");
+    if (value.size() > std::numeric_limits<std::uint32_t>::max())
+        throw document_.error(count() - 1, "a text of over 4 GiB");
     node.length = static_cast<std::uint32_t>(value.size());
     node.isDecoded = read_ - node.begin != static_cast<std::ptrdiff_t>(value.size() + 2);
     if (node.isDecoded) {
@@ -154,7 +156,7 @@ bool JsonReader::open(Kind kind) {
     open_.push_back(count());
     add(kind);
     if (open_.size() > deepest)
-        throw document_.syntaxError(static_cast<std::size_t>(nodes_.back().begin - text_.data()),
+        throw document_.syntaxError(document_.begin(count() - 1),
                                     "expected at most 256 lists and objects inside of each other");
     last_ = JsonEvent::Open;
     nodes_.back().end = std::numeric_limits<std::uint32_t>::max();  // until closed: see pointer()
@@ -163,17 +165,11 @@ bool JsonReader::open(Kind kind) {
 
 // Once for each object, not at each key, so that the time for a million keys is not quadratic.
 void JsonReader::requireKeysOnce() {
-    constexpr std::size_t few = 8;  // most objects have no more; sorting is not worth it
     keys_.clear();
     for (std::uint32_t key = open_.back() + 1; key < count(); key = document_.end(key + 1))
         keys_.push_back(document_.string(key));
-    auto twice = keys_.begin();
-    if (keys_.size() > few) {
-        std::ranges::sort(keys_);
-        twice = std::ranges::adjacent_find(keys_);
-    } else {
-        while (twice != keys_.end() && std::find(keys_.begin(), twice, *twice) == twice) ++twice;
-    }
+    std::ranges::sort(keys_);
+    const auto twice = std::ranges::adjacent_find(keys_);
     if (twice == keys_.end()) return;
     std::uint32_t second = open_.back() + 1;
     for (bool isSecond = false; document_.string(second) != *twice || !isSecond;
@@ -185,22 +181,11 @@ void JsonReader::requireKeysOnce() {
 
 // By JSON's grammar, in which nothing follows a zero in front.
 static std::size_t endOfNumber(std::string_view text, std::size_t at) {
-    const auto isOneOf = [&](std::string_view set) {
-        return at < text.size() && set.find(text[at]) != set.npos;
-    };
-    const auto skipDigits = [&] { at = std::min(text.find_first_not_of("0123456789", at), text.size()); };
-    if (isOneOf("-")) ++at;
-    if (isOneOf("0")) ++at;
-    else skipDigits();
-    if (isOneOf(".")) {
-        ++at;
-        skipDigits();
-    }
-    if (!isOneOf("eE")) return at;
-    ++at;
-    if (isOneOf("+-")) ++at;
-    skipDigits();
-    return at;
+    const std::size_t first = at + (text[at] == '-');
+    if (text[first] == '0' && isDigitAt(text, first + 1)) return first + 1;
+    double number = 0;
+    return static_cast<std::size_t>(readNumber(text.data() + at, text.data() + text.size(), number) -
+                                    text.data());
 }
 
 // Of a number, the parser has read one character too many.
@@ -208,12 +193,12 @@ SyntaxState JsonReader::state() const {
     SyntaxState state{text_, last_};
     const auto offset = [&](const char* place) { return static_cast<std::size_t>(place - text_.data()); };
     state.end = offset(behindLast_);
-    if (!nodes_.empty()) state.begin = offset(document_.begin(count() - 1));
+    if (!nodes_.empty()) state.begin = document_.begin(count() - 1);
     if (last_ == JsonEvent::Value && nodes_.back().kind == Kind::Number)
         state.end = endOfNumber(text_, state.begin);
     state.stopped = std::min(offset(read_), text_.size()) - (read_ != text_.data());
     if (open_.empty()) return state;
-    state.opening = offset(document_.begin(open_.back()));
+    state.opening = document_.begin(open_.back());
     state.container = text_[state.opening];
     return state;
 }

@@ -92,26 +92,24 @@ std::size_t behindLabel(std::string_view text, std::size_t at) {
 // Two numbers or more, with commas between them.
 struct Numbers {
     std::size_t end = 0;  // behind the last
-    std::string json{};
+    std::vector<std::string> json{};
     bool hasLabels = false;
 };
 Numbers numbersAt(std::string_view text, std::size_t at) {
     Numbers found;
-    std::size_t count = 0;
-    for (bool goesOn = true; goesOn; ++count) {
+    for (bool goesOn = true; goesOn;) {
         const std::size_t begin = behindLabel(text, at);
         const std::string_view word =
             text.substr(begin, text.find_first_of(" \t\r\n,:=()[]{}<>\"", begin) - begin);
         if (!isNumber(word)) return {};
         found.hasLabels = found.hasLabels || begin != at;
-        found.json += (count == 0 ? "[" : ", ") + asJsonNumber(word);
+        found.json.push_back(asJsonNumber(word));
         found.end = begin + word.size();
         const std::size_t comma = skipped(text, found.end);
         at = skipped(text, comma + 1);
         goesOn = charAt(text, comma) == ',' && charAt(text, at) != '"';
     }
-    found.json += "]";
-    return count < 2 ? Numbers{} : found;
+    return found.json.size() < 2 ? Numbers{} : found;
 }
 
 }  // namespace
@@ -172,7 +170,7 @@ bool mayBeThousand(std::string_view number) {
 
 Meant bareList(std::string_view text) {
     const Numbers found = numbersAt(text, 0);
-    return found.hasLabels ? Meant{} : Meant{found.end, found.json};
+    return found.hasLabels ? Meant{} : Meant{found.end, listOf(found.json)};
 }
 
 std::vector<std::string> numbersIn(std::string_view text) {
@@ -211,7 +209,7 @@ Meant vectorElsewhere(std::string_view text) {
         if (charAt(text, end) != bracket) return {};
         ++end;
     }
-    return {end, found.json};
+    return {end, listOf(found.json)};
 }
 
 }  // namespace raytracer

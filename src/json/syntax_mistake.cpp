@@ -149,7 +149,6 @@ class Finder : private SyntaxCursor {
         return {s_.begin, "\"{\" is missing before this key"};
     }
 
-    bool isBehindNumber() const { return s_.last == JsonEvent::Value && isDigitAt(s_.text, s_.end - 1); }
     // "[1 -2]" lacks a comma; "[1 - 2]" and "[1-2]" calculate.
     bool isOperator() const {
         const bool isSign = found() == '+' || found() == '-';

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "raytracer/scene/mesh_file.h"
@@ -15,7 +17,7 @@ namespace raytracer {
 namespace {
 
 using Extended = long double;
-using Rows = Extended[3][3];
+using Rows = ExtendedVec[3];
 
 struct SineCosine {
     Extended sine, cosine;
@@ -35,20 +37,17 @@ SineCosine sineCosine(double degrees) {
 }
 
 // Scaled first, so that no square overflows or underflows, however wide long double is.
-void normalise(const glm::dvec3& vector, Extended (&unit)[3]) {
+ExtendedVec normalised(const glm::dvec3& vector) {
     const int exponent = std::ilogb(std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)}));
-    for (int i = 0; i < 3; ++i) unit[i] = std::scalbn(static_cast<Extended>(vector[i]), -exponent);
-    const Extended length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
-    for (Extended& component : unit) component /= length;
+    const ExtendedVec nearUnit = scaled(vector, -exponent);
+    return nearUnit / glm::length(nearUnit);
 }
 
 // Rodrigues' formula: R = cos I + sin [a]x + (1 - cos) a aT.
 void rotationMatrix(const TransformDescription::Rotation& rotation, Rows& matrix) {
-    Extended a[3];
-    normalise(rotation.axis, a);
+    const ExtendedVec a = normalised(rotation.axis);
     const auto [sine, cosine] = sineCosine(rotation.degrees);
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) matrix[row][column] = (1 - cosine) * a[row] * a[column];
+    for (int i = 0; i < 3; ++i) matrix[i] = (1 - cosine) * a[i] * a;
     for (int i = 0; i < 3; ++i) {
         const int next = (i + 1) % 3, last = (i + 2) % 3;
         matrix[i][i] += cosine;
@@ -57,46 +56,35 @@ void rotationMatrix(const TransformDescription::Rotation& rotation, Rows& matrix
     }
 }
 
-// left := left * right
-void multiply(Rows& left, const Rows& right) {
-    for (Extended(&row)[3] : left) {
-        const Extended old[3] = {row[0], row[1], row[2]};
-        for (int column = 0; column < 3; ++column)
-            row[column] = old[0] * right[0][column] + old[1] * right[1][column] + old[2] * right[2][column];
-    }
-}
-
 void appendMatrix(Affine& affine, const glm::dmat4& matrix) {
     for (int row = 0; row < 3; ++row)
         for (int i = 0; i < 3; ++i) affine.translation[row] += affine.linear[row][i] * matrix[3][i];
-    Rows linear;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) linear[row][column] = matrix[column][row];
-    multiply(affine.linear, linear);
+    const glm::dmat4 rows = glm::transpose(matrix);
+    for (ExtendedVec& row : affine.linear)
+        row = row.x * ExtendedVec(rows[0]) + row.y * ExtendedVec(rows[1]) + row.z * ExtendedVec(rows[2]);
 }
 
 // The power of two that brings the largest of the three into [1/2, 1); 1 if all are zero.
-Extended balance(Extended a, Extended b, Extended c) {
+Extended balance(const ExtendedVec& v) {
     int exponent = 0;
-    std::frexp(std::max({std::abs(a), std::abs(b), std::abs(c)}), &exponent);
+    std::frexp(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}), &exponent);
     return std::ldexp(Extended(1), -exponent);
 }
 
 // B = diag(row) A diag(column), where the largest entry of every row and column is near 1. Columns come
 // first: of a rotation after scales that differ by any factor, they leave the rotation.
 struct Balanced {
-    Extended entry[3][3], row[3], column[3];
+    Rows entry;
+    ExtendedVec row, column;
 };
 
 Balanced balanced(const Rows& a) {
     Balanced b;
-    for (int j = 0; j < 3; ++j) {
-        b.column[j] = balance(a[0][j], a[1][j], a[2][j]);
-        for (int i = 0; i < 3; ++i) b.entry[i][j] = a[i][j] * b.column[j];
-    }
+    for (int j = 0; j < 3; ++j) b.column[j] = balance({a[0][j], a[1][j], a[2][j]});
     for (int i = 0; i < 3; ++i) {
-        b.row[i] = balance(b.entry[i][0], b.entry[i][1], b.entry[i][2]);
-        for (Extended& entry : b.entry[i]) entry *= b.row[i];
+        const ExtendedVec row = a[i] * b.column;
+        b.row[i] = balance(row);
+        b.entry[i] = row * b.row[i];
     }
     return b;
 }
@@ -136,17 +124,13 @@ bool Elimination::isRoundingError(Extended pivot) const {
 void Elimination::eliminate(int step) {
     const int column = pivotColumn[step];
     const Extended pivot = left[step][column];
-    for (int j = 0; j < 3; ++j) {
-        left[step][j] /= pivot;
-        right[step][j] /= pivot;
-    }
+    left[step] /= pivot;
+    right[step] /= pivot;
     for (int row = 0; row < 3; ++row) {
         if (row == step) continue;
         const Extended factor = left[row][column];
-        for (int j = 0; j < 3; ++j) {
-            left[row][j] -= factor * left[step][j];
-            right[row][j] -= factor * right[step][j];
-        }
+        left[row] -= factor * left[step];
+        right[row] -= factor * right[step];
     }
 }
 
@@ -160,14 +144,16 @@ bool isPositiveDiagonal(const Rows& a) {
 
 }  // namespace
 
+ExtendedVec scaled(const ExtendedVec& v, int exponent) {
+    return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
+
 Affine compose(const TransformDescription& transform) {
     Affine affine;
-    if (transform.translate)
-        for (int i = 0; i < 3; ++i) affine.translation[i] = (*transform.translate)[i];
+    if (transform.translate) affine.translation = *transform.translate;
     if (transform.rotate) rotationMatrix(*transform.rotate, affine.linear);
     if (transform.scale)
-        for (Extended(&row)[3] : affine.linear)
-            for (int column = 0; column < 3; ++column) row[column] *= (*transform.scale)[column];
+        for (ExtendedVec& row : affine.linear) row *= ExtendedVec(*transform.scale);
     if (transform.matrix) appendMatrix(affine, *transform.matrix);
     return affine;
 }
@@ -175,16 +161,14 @@ Affine compose(const TransformDescription& transform) {
 Affine worldFromObject(const SceneDescription& scene, const ShapeDescription& shape) {
     Affine affine = compose(scene.transforms[shape.transform]);
     if (shape.mesh && shape.mesh->exponent != 0)
-        for (long double(&row)[3] : affine.linear)
-            for (long double& entry : row) entry = std::scalbn(entry, shape.mesh->exponent);
+        for (ExtendedVec& row : affine.linear) row = scaled(row, shape.mesh->exponent);
     return affine;
 }
 
 std::optional<Matrix3> inverseLinear(const Affine& affine) {
     const Rows& a = affine.linear;
     // The same result as by elimination, only faster.
-    if (isPositiveDiagonal(a))
-        return Matrix3{{{1 / a[0][0], 0, 0}, {0, 1 / a[1][1], 0}, {0, 0, 1 / a[2][2]}}};
+    if (isPositiveDiagonal(a)) return Matrix3{{{1 / a[0].x, 0, 0}, {0, 1 / a[1].y, 0}, {0, 0, 1 / a[2].z}}};
     Balanced b = balanced(affine.linear);
     Elimination elimination{b.entry};
     for (int step = 0; step < 3; ++step) {
@@ -197,8 +181,7 @@ std::optional<Matrix3> inverseLinear(const Affine& affine) {
     Matrix3 inverse;
     for (int step = 0; step < 3; ++step) {
         const int row = elimination.pivotColumn[step];
-        for (int j = 0; j < 3; ++j)
-            inverse.entry[row][j] = b.column[row] * elimination.right[step][j] * b.row[j];
+        inverse.entry[row] = b.column[row] * elimination.right[step] * b.row;
     }
     return inverse;
 }

@@ -10,7 +10,6 @@
 
 #include "obj_chunk.h"
 #include "obj_line.h"
-#include "obj_text.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 #include "raytracer/json/json_view.h"
 #include "raytracer/util/large_vector.h"
 
 namespace raytracer {
 
-// A hash table with open addressing and linear probing, since a scene may have a million names.
 class NameTable {
   public:
     // `kind` is a word for messages, as in "no material named ...".
@@ -29,18 +29,12 @@ class NameTable {
         std::string_view name;
         JsonView owner;
     };
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-    struct Slot {
-        std::uint32_t hash = 0, index = none;  // of an entry
-    };
 
     std::string someNames() const;
-    Slot& slotOf(std::string_view name);
-    void grow();
 
     const char* kind_;
     LargeVector<Entry> entries_;
-    LargeVector<Slot> slots_ = LargeVector<Slot>(2);  // a power of two; at most half are in use
+    std::unordered_map<std::string_view, std::uint32_t> indices_;
     std::size_t next_ = 0;  // the entry after the one found last, which scenes often ask for next
 };
 

@@ -48,6 +48,9 @@ ObjFaces parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjC
 // the mesh must be there.
 void cutConcavePolygons(const ObjFaces& faces, MeshData& mesh);
 
+// The whole text in so many chunks, in parallel. Neither the mesh nor an Error depends on their number.
+MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path = {});
+
 // Throws Error where a mesh of so many triangles is too large.
 void requireTriangles(std::size_t count, const std::string& path);
 

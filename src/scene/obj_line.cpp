@@ -49,7 +49,7 @@ ObjLine::Corner ObjLine::textured(std::int64_t position) {
     return corner;
 }
 
-std::int64_t ObjLine::anyWholeNumber() {
+std::int64_t ObjLine::wholeNumber() {
     std::int64_t value = 0;
     const char* const begin = std::exchange(p_, readNumber(p_, end_, value));
     if (p_ == begin) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");

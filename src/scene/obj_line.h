@@ -3,7 +3,6 @@
 // stand right behind a word.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -72,17 +71,7 @@ class ObjLine {
         if (value == 0) failIndex({begin, p_});
         return value;
     }
-    // Most have few digits and no sign.
-    std::int64_t wholeNumber() {
-        const char *p = p_, *const last = p_ + std::min<std::ptrdiff_t>(end_ - p_, 9);
-        std::uint32_t value = 0;
-        for (; p != last && isDigit(*p); ++p) value = 10 * value + static_cast<std::uint32_t>(*p - '0');
-        if (p == p_ || (p != end_ && isDigit(*p))) return anyWholeNumber();
-        p_ = p;
-        return value;
-    }
-    std::int64_t anyWholeNumber();
-    static bool isDigit(char c) { return c >= '0' && c <= '9'; }
+    std::int64_t wholeNumber();
     bool takeSlash() {
         const bool isSlash = p_ != end_ && *p_ == '/';
         p_ += isSlash;

@@ -26,13 +26,17 @@ constexpr std::array sceneKeys = {"$schema"sv, "camera"sv,     "materials"sv, "l
 // Reads the whole scene and resolves its names. Strings and views belong to the document.
 class SceneReader {
   public:
-    explicit SceneReader(const std::string& path) : files_(path) {}
+    explicit SceneReader(const std::string& path) : path_(path), files_(path) {}
 
     void read(JsonView scene);
 
     SceneDescription& description() { return description_; }
-    std::vector<std::string> files() const { return {files_.names().begin(), files_.names().end()}; }
-    std::vector<std::string> warnings(const std::string& path) const { return keys_.warnings(path); }
+    std::vector<std::string> warnings() const { return keys_.warnings(path_); }
+    std::vector<std::string> files() const {
+        std::vector<std::string> all{path_};
+        all.insert(all.end(), files_.names().begin(), files_.names().end());
+        return all;
+    }
 
   private:
     void readTextures(JsonView textures);
@@ -43,6 +47,7 @@ class SceneReader {
     std::size_t find(NameTable& table, JsonView name, const char* key);
     void loadTextureOf(const MaterialDescription& material);
 
+    const std::string& path_;
     SceneFiles files_;
     KnownKeys keys_;
     NameTable textures_{"texture"}, materials_{"material"}, transforms_{"transform"};
@@ -177,11 +182,6 @@ std::vector<Error> remarksOn(const std::string& path, const std::vector<std::str
 LoadedScene loadScene(const std::string& path, std::span<const std::string> edits,
                       std::vector<std::string>* named, FileKind kind) {
     SceneReader reader(path);
-    const auto files = [&] {
-        std::vector<std::string> all = reader.files();
-        all.insert(all.begin(), path);
-        return all;
-    };
     try {
         const FileBytes file(path, kind);
         EditedJson json;
@@ -189,12 +189,12 @@ LoadedScene loadScene(const std::string& path, std::span<const std::string> edit
         if (!edits.empty()) json = edited(path, file.text(), edits);
         const JsonDocument document(path, edits.empty() ? file.text() : json.text, json.edits);
         reader.read(JsonView(document));
-        if (named) *named = files();
-        return {std::move(reader.description()), reader.warnings(path), files()};
     } catch (const Error&) {
-        if (named) *named = files();
+        if (named) *named = reader.files();
         throw;
     }
+    if (named) *named = reader.files();
+    return {std::move(reader.description()), reader.warnings(), reader.files()};
 }
 
 }  // namespace raytracer

@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <deque>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include "plane_polygon.h"
 #include "point_tree.h"
 #include "spokes.h"
@@ -193,23 +190,6 @@ class EarClipping {
     std::vector<Triangle> triangles_;
 };
 
-// That a quadrilateral turns left at each corner, by more than roundings: true of nearly all, and faster
-// than to project them.
-bool isClearlyConvex(std::span<const glm::dvec3> corners) {
-    if (corners.size() != 4) return false;
-    const glm::dvec3 normal = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
-    glm::dvec3 side[4], size(0);
-    for (std::size_t i = 0; i < 4; ++i) {
-        side[i] = corners[(i + 1) % 4] - corners[i];
-        size += glm::abs(side[i]);
-    }
-    // Some dozen roundings of products of four lengths.
-    const double length = size.x + size.y + size.z, roundings = 0x1p-48 * length * length * length * length;
-    for (std::size_t i = 0; i < 4; ++i)
-        if (!(glm::dot(glm::cross(side[i], side[(i + 1) % 4]), normal) > roundings)) return false;
-    return true;
-}
-
 // A polygon without a normal has no area: any triangles will do, if they are the same ones each time.
 std::vector<Triangle> fan(std::uint32_t count) {
     std::vector<Triangle> triangles;
@@ -220,7 +200,6 @@ std::vector<Triangle> fan(std::uint32_t count) {
 }  // namespace
 
 std::vector<Triangle> triangulateConcave(std::span<const glm::dvec3> corners) {
-    if (isClearlyConvex(corners)) return {};
     const std::size_t first = leastCorner(corners);
     std::vector<glm::dvec3> rotated(corners.begin(), corners.end());
     std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(first), rotated.end());

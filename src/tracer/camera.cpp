@@ -7,13 +7,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-using Wide = glm::vec<3, long double, glm::defaultp>;
-
-long double largest(const Wide& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-Wide scaled(const Wide& v, int exponent) {
-    return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
-}
+long double largest(const ExtendedVec& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 int exponentOf(long double magnitude) { return magnitude > 0 ? std::ilogb(magnitude) : 0; }
 
@@ -21,8 +15,8 @@ int exponentOf(long double magnitude) { return magnitude > 0 ? std::ilogb(magnit
 
 Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     : perspective_(camera.type == CameraDescription::Type::Perspective) {
-    const Wide v = camera.up, w = -Wide(camera.look), u = glm::cross(v, w);
-    const Wide forward = perspective_ ? -static_cast<long double>(camera.focal_length) * w : -w;
+    const ExtendedVec v = camera.up, w = -ExtendedVec(camera.look), u = glm::cross(v, w);
+    const ExtendedVec forward = perspective_ ? -static_cast<long double>(camera.focal_length) * w : -w;
 
     const double film = std::max({std::abs(camera.film_left), std::abs(camera.film_right),
                                   std::abs(camera.film_bottom), std::abs(camera.film_top)});
@@ -32,7 +26,7 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     bottom_ = static_cast<Real>(std::scalbn(camera.film_bottom, -filmExponent));
     top_ = static_cast<Real>(std::scalbn(camera.film_top, -filmExponent));
 
-    const Wide filmU = scaled(u, filmExponent), filmV = scaled(v, filmExponent);
+    const ExtendedVec filmU = scaled(u, filmExponent), filmV = scaled(v, filmExponent);
     const long double direction =
         perspective_ ? std::max({largest(filmU), largest(filmV), largest(forward)}) : largest(forward);
     directionExponent_ = exponentOf(direction);
@@ -40,10 +34,7 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     u_ = Vec3(scaled(filmU, filmScale));
     v_ = Vec3(scaled(filmV, filmScale));
     forward_ = Vec3(scaled(forward, -directionExponent_));
-
-    long double eye[3];
-    frame.pointToFrame(camera.eye, eye);
-    eye_ = {static_cast<Real>(eye[0]), static_cast<Real>(eye[1]), static_cast<Real>(eye[2])};
+    eye_ = Vec3(frame.pointToFrame(camera.eye));
 }
 
 // The film's coordinates are at most 2.

@@ -73,20 +73,8 @@ class Recorder final : public Observer {
         return kind == RayKind::Primary ? scene_->camera.directionExponent() : 0;
     }
 
-    static glm::dvec3 scaled(const Vec3& v, int exponent) {
-        return {static_cast<double>(std::scalbn(v.x, exponent)),
-                static_cast<double>(std::scalbn(v.y, exponent)),
-                static_cast<double>(std::scalbn(v.z, exponent))};
-    }
-
     glm::dvec3 pointInFile(const Vec3& point) const {
-        const SceneFrame& frame = scene_->frame;
-        glm::dvec3 result;
-        for (int axis = 0; axis < 3; ++axis) {
-            const long double fromOrigin = std::scalbn(static_cast<long double>(point[axis]), frame.exponent);
-            result[axis] = static_cast<double>(fromOrigin + frame.origin[axis]);
-        }
-        return result;
+        return scaled(point, scene_->frame.exponent) + scene_->frame.origin;
     }
 
     const Scene* scene_;

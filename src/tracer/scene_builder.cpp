@@ -30,11 +30,8 @@ Material buildMaterial(const MaterialDescription& description, const SceneDescri
 }
 
 Light buildLight(const LightDescription& description, const SceneFrame& frame) {
-    long double position[3];
-    frame.pointToFrame(description.position, position);
-    return {
-        Vec3(static_cast<Real>(position[0]), static_cast<Real>(position[1]), static_cast<Real>(position[2])),
-        Color(description.color), Color(description.color_ambient)};
+    return {Vec3(frame.pointToFrame(description.position)), Color(description.color),
+            Color(description.color_ambient)};
 }
 
 // Shapes that name the same OBJ file share its triangles.

@@ -14,25 +14,19 @@ namespace {
 // An axis-aligned box that grows.
 struct Extent {
     bool empty = true;
-    long double low[3] = {}, high[3] = {};
+    ExtendedVec low{0}, high{0};
 
-    void add(const long double (&center)[3], const long double (&radius)[3]) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const long double from = center[axis] - radius[axis], to = center[axis] + radius[axis];
-            low[axis] = empty ? from : std::min(low[axis], from);
-            high[axis] = empty ? to : std::max(high[axis], to);
-        }
+    void add(const ExtendedVec& center, const ExtendedVec& radius = ExtendedVec(0)) {
+        low = empty ? center - radius : glm::min(low, center - radius);
+        high = empty ? center + radius : glm::max(high, center + radius);
         empty = false;
     }
 
-    void add(const glm::dvec3& point) { add({point.x, point.y, point.z}, {0, 0, 0}); }
-
-    long double middle(int axis) const { return (low[axis] + high[axis]) / 2; }
+    ExtendedVec middle() const { return (low + high) / 2.0L; }
 
     long double size() const {
-        long double largest = 0;
-        for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, high[axis] - low[axis]);
-        return largest;
+        const ExtendedVec size = high - low;
+        return std::max({size.x, size.y, size.z});
     }
 };
 
@@ -44,10 +38,10 @@ double radiusObject(const ShapeDescription& shape) {
 }
 
 void addShape(Extent& extent, const Affine& transform, long double size) {
-    long double radius[3];
+    ExtendedVec radius;
     for (int row = 0; row < 3; ++row) {
-        const auto& r = transform.linear[row];
-        radius[row] = (std::abs(r[0]) + std::abs(r[1]) + std::abs(r[2])) * size;
+        const ExtendedVec r = glm::abs(transform.linear[row]);
+        radius[row] = (r.x + r.y + r.z) * size;
     }
     extent.add(transform.translation, radius);
 }
@@ -65,24 +59,22 @@ Extent extentOf(const SceneDescription& scene, Extent extent) {
     extent.add(scene.camera.eye);
     if (extent.size() > 0) return extent;
     for (const ShapeDescription& shape : scene.shapes)
-        extent.add(compose(scene.transforms[shape.transform]).translation, {0, 0, 0});
+        extent.add(compose(scene.transforms[shape.transform]).translation);
     for (const LightDescription& light : scene.lights) extent.add(light.position);
     return extent;
 }
 
 }  // namespace
 
-void SceneFrame::pointToFrame(const glm::dvec3& point, long double (&out)[3]) const {
-    for (int axis = 0; axis < 3; ++axis) out[axis] = std::scalbn(point[axis] - origin[axis], -exponent);
+ExtendedVec SceneFrame::pointToFrame(const glm::dvec3& point) const {
+    return scaled(ExtendedVec(point) - origin, -exponent);
 }
 
 Affine SceneFrame::toFrame(const Affine& worldFromObject) const {
     Affine result = worldFromObject;
     const long double unit = std::scalbn(1.0L, -exponent);
-    for (int row = 0; row < 3; ++row) {
-        for (long double& entry : result.linear[row]) entry *= unit;
-        result.translation[row] = (result.translation[row] - origin[row]) * unit;
-    }
+    for (ExtendedVec& row : result.linear) row *= unit;
+    result.translation = (result.translation - origin) * unit;
     return result;
 }
 
@@ -94,13 +86,13 @@ SceneFrame chooseFrame(const SceneDescription& scene) {
     frame.exponent = std::ilogb(size) + 1;
     const long double unit = std::scalbn(1.0L, frame.exponent);
     for (int axis = 0; axis < 3; ++axis) {
-        const long double middle = extent.middle(axis);
+        const long double middle = extent.middle()[axis];
         if (std::abs(middle) > 16 * unit) frame.origin[axis] = std::round(middle / unit) * unit;
     }
     if (shapes.size() > 0)
         for (int axis = 0; axis < 3; ++axis)
             frame.eyeDistance = std::max(
-                frame.eyeDistance, std::abs(scene.camera.eye[axis] - shapes.middle(axis)) / shapes.size());
+                frame.eyeDistance, std::abs(scene.camera.eye[axis] - shapes.middle()[axis]) / shapes.size());
     return frame;
 }
 

@@ -494,7 +494,7 @@ TEST_CASE("grade: the report") {
     results[0].referencePng = "Man";
     results[1].referencePng = "Ma";
     results[2].referencePng = "M";
-    const std::string html = gradeReport(results, {}, "a<b");
+    const std::string html = gradeReport({"", results}, {}, "a<b");
     const auto has = [&](const char* part) {
         return html.find(part) != std::string::npos;
     };  // brief, should it fail

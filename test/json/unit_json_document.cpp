@@ -132,7 +132,7 @@ void requireNode(const JsonDocument& document, std::uint32_t i, const MadeJson& 
     const MadeJson::Node& node = made.nodes[i];
     INFO("node " << i << " at byte " << node.begin << " of " << made.text);
     REQUIRE(document.kind(i) == node.kind);
-    REQUIRE(document.begin(i) - made.text.data() == static_cast<std::ptrdiff_t>(node.begin));
+    REQUIRE(document.begin(i) == node.begin);
     REQUIRE(document.end(i) == node.end);
     if (node.kind == Kind::Boolean) REQUIRE(document.boolean(i) == (node.number != 0));
     if (node.kind == Kind::Number) REQUIRE(bitsOf(document.number(i)) == bitsOf(node.number));
@@ -192,7 +192,7 @@ TEST_CASE("json: a text cut short anywhere, or with a byte of it replaced, is re
             try {
                 const JsonDocument document("x.json", {exact.data(), exact.size()});
                 for (std::uint32_t node = 0; node < document.end(0); ++node)
-                    CHECK(document.begin(node) < exact.data() + exact.size());
+                    CHECK(document.begin(node) < exact.size());
             } catch (const Error& error) {
                 CHECK(error.place().file == "x.json");
             }

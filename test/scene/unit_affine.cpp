@@ -12,7 +12,7 @@ using namespace raytracer;
 namespace {
 
 using Real = long double;
-using Rows = Real[3][3];
+using Rows = ExtendedVec[3];
 
 Affine rotation(double degrees, glm::dvec3 axis) {
     TransformDescription transform;
@@ -22,7 +22,7 @@ Affine rotation(double degrees, glm::dvec3 axis) {
 
 Affine linear(const Rows& rows) {
     Affine affine;
-    std::copy(&rows[0][0], &rows[0][0] + 9, &affine.linear[0][0]);
+    std::copy(rows, rows + 3, affine.linear);
     return affine;
 }
 

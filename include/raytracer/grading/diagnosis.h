@@ -13,18 +13,26 @@
 
 namespace raytracer {
 
-// One or two mistakes that explain a picture.
-struct NamedMistake {
-    std::string what;         // follows "the picture": "without specular light"
-    std::string hint;         // what the author may check: one sentence, or empty
+// How well the picture that a mistake makes explains another one.
+struct Fit {
     double explained = 0;     // the share of the wrong pixels that have the bytes which the mistake makes
-    std::size_t sampled = 0;  // pixels that the share was measured on
+    double contradicted = 0;  // right pixels that the mistake has wrong, as a share of the wrong ones
+    std::size_t sampled = 0;  // pixels that the shares were measured on
     std::size_t unknown = 0;  // more of them, of which it is not known what the mistake makes: glass
     // Of the whole picture, where it was made: those that differ all the same, whatever rounding decides.
     std::optional<std::uint64_t> off{};
     // Those that would not differ if rounding decided otherwise which of two surfaces in one place is nearer,
     // or whether an eye sees the surface that it lies on.
     std::uint64_t rounded = 0;
+
+    bool isExact() const { return off == 0U && rounded == 0; }
+    double net() const { return explained - contradicted; }
+};
+
+// One or two mistakes that explain a picture.
+struct NamedMistake : Fit {
+    std::string what{};  // follows "the picture": "without specular light"
+    std::string hint{};  // what the author may check: one sentence, or empty
 };
 
 struct Diagnosis {
@@ -41,6 +49,8 @@ struct Diagnosis {
     // empty without a name.
     std::string sentence() const;
 };
+
+struct KnownVariants;  // src/grading/mistake_search.h
 
 // Of one scene, with the options of its right picture. The pictures of mistakes are made when they are first
 // needed, and their scenes kept for the pictures to come.
@@ -60,8 +70,7 @@ class MistakeNamer {
     Diagnosis diagnose(const ByteImage& picture) const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<KnownVariants> known_;
 };
 
 }  // namespace raytracer

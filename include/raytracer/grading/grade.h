@@ -53,7 +53,7 @@ struct Rendered {
     bool failed = false;                       // a picture that was written all the same does not count
     std::string message;                       // one line, empty without a failure
     std::string output;                        // the end of what the program printed
-    double seconds = 0, processorSeconds = 0;  // 0: not known
+    double seconds = 0, processorSeconds = 0;  // 0: not known; the latter of programs only
 };
 
 // Renders the case's picture, `longEdge` pixels on its longer side, to the PNG file `out`. Throws where that
@@ -82,16 +82,15 @@ std::string programFault(const std::string& command);
 // The namer of a case's scene; nothing where it has another size, or cannot be made.
 using NamerMaker = std::function<std::unique_ptr<MistakeNamer>(const GradeCase& test, const ImageSize& size)>;
 
-struct GradeResult {
+// `message` may also say why there is no comparison.
+struct GradeResult : Rendered {
     GradeCase test;
-    std::optional<Comparison> comparison;      // of our picture with the reference; empty if one is missing
-    std::string message, output;               // as in Rendered, or why there is no comparison
-    std::string path;                          // of a picture that was handed in
-    std::string note;                          // of a picture that counts: what is odd about its name
-    bool isMissing = false;                    // no picture was handed in
-    std::string instead;                       // of a missing one: a file with its name, no PNG
-    bool isUnreadable = false;                 // there is a file, which cannot be compared
-    double seconds = 0, processorSeconds = 0;  // of rendering; the latter of programs only
+    std::optional<Comparison> comparison;  // of our picture with the reference; empty if one is missing
+    std::string path;                      // of a picture that was handed in
+    std::string note;                      // of a picture that counts: what is odd about its name
+    bool isMissing = false;                // no picture was handed in
+    std::string instead;                   // of a missing one: a file with its name, no PNG
+    bool isUnreadable = false;             // there is a file, which cannot be compared
     std::string referencePng, ourPng, differencePng;  // the files' bytes; empty if there is no file
     struct {
         std::string reference, ours, difference;
@@ -105,7 +104,6 @@ struct GradeResult {
     std::array<std::uint8_t, 3> ourWorst{}, referenceWorst{};
 
     int score() const { return comparison ? comparison->score : 0; }
-    void take(const Rendered& rendered);
     std::string butInstead() const;  // ", but a.jpg is there"; empty where nothing is instead
 };
 

@@ -26,8 +26,7 @@ std::string gradeTableHead();
 std::string gradeTableRow(const GradeResult& result);
 
 // What stands below that table.
-std::string gradeSummary(std::span<const GradeResult> results, const GradePlan& plan,
-                         const Thresholds& thresholds);
+std::string gradeSummary(const GradedSubmission& graded, const GradePlan& plan, const Thresholds& thresholds);
 
 // The table of a class, a line for each submission.
 std::string classTable(std::span<const GradedSubmission> graded, const Thresholds& thresholds);

@@ -11,7 +11,7 @@ namespace raytracer {
 // Grouped by the first word of the names, worst first. A click on a picture opens it large at the worst
 // pixel; each further click swaps reference and ours in place. The page lists its keys. Without scripts it is
 // a table.
-std::string gradeReport(std::span<const GradeResult> results, const Thresholds& thresholds,
+std::string gradeReport(const GradedSubmission& graded, const Thresholds& thresholds,
                         const std::string& title);
 
 // A class: a table of the submissions, the worst first, that opens the pictures of each, which are on the

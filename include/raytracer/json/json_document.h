@@ -69,7 +69,7 @@ class JsonDocument {
     // The first node after this value and all that is in it: the next sibling, or in an object its key.
     std::uint32_t end(std::uint32_t node) const { return isContainer(node) ? nodes_[node].end : node + 1; }
 
-    const char* begin(std::uint32_t node) const;    // in the text
+    std::size_t begin(std::uint32_t node) const;    // in the text
     std::string pointer(std::uint32_t node) const;  // empty for the root
 
     bool isEdited(std::uint32_t node) const;

@@ -6,14 +6,21 @@
 
 #include <optional>
 
+#include <glm/vec3.hpp>
+
 #include "raytracer/scene/scene_description.h"
 
 namespace raytracer {
 
-// x -> linear * x + translation, both row by row: linear[row][column].
+using ExtendedVec = glm::vec<3, long double>;
+
+// v * 2^exponent.
+ExtendedVec scaled(const ExtendedVec& v, int exponent);
+
+// x -> linear * x + translation, the matrix row by row: linear[row][column].
 struct Affine {
-    long double linear[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    long double translation[3] = {0, 0, 0};
+    ExtendedVec linear[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    ExtendedVec translation{0};
 };
 
 // World from object: translate * rotate * scale * matrix. A rotation by a multiple of 90 degrees uses the
@@ -27,7 +34,7 @@ Affine worldFromObject(const SceneDescription& scene, const ShapeDescription& sh
 // similar size by powers of two, then eliminated with full pivoting (Higham, Accuracy and Stability of
 // Numerical Algorithms, chapter 9). A pivot no larger than its rounding error counts as zero.
 struct Matrix3 {
-    long double entry[3][3];
+    ExtendedVec entry[3];
 };
 std::optional<Matrix3> inverseLinear(const Affine& affine);
 

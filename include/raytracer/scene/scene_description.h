@@ -92,4 +92,8 @@ struct SceneDescription {
     std::vector<TextureDescription> textures;
 };
 
+inline const MaterialDescription& materialOf(const SceneDescription& scene, std::size_t shape) {
+    return scene.materials[scene.shapes[shape].material];
+}
+
 }  // namespace raytracer

@@ -30,6 +30,7 @@ struct Terms {
     bool shadows = true;  // coloured by refractive shapes, whether or not `refraction` is on
     bool reflections = true, refraction = true;
     bool textures = true;
+    bool operator==(const Terms&) const = default;
 };
 
 // Of a command line.

@@ -13,14 +13,14 @@
 namespace raytracer {
 
 struct SceneFrame {
-    int exponent = 0;                   // one unit here is 2^exponent of the file's
-    long double origin[3] = {0, 0, 0};  // in the file's units
+    int exponent = 0;       // one unit here is 2^exponent of the file's
+    ExtendedVec origin{0};  // in the file's units
     // From the middle of the shapes to the camera, in their size; planes have none. 0 where there are no
     // others.
     long double eyeDistance = 0;
 
     // A position of the file, in this frame.
-    void pointToFrame(const glm::dvec3& point, long double (&out)[3]) const;
+    ExtendedVec pointToFrame(const glm::dvec3& point) const;
 
     // World from object, with world in this frame.
     Affine toFrame(const Affine& worldFromObject) const;
