@@ -21,10 +21,17 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     const double film = std::max({std::abs(camera.film_left), std::abs(camera.film_right),
                                   std::abs(camera.film_bottom), std::abs(camera.film_top)});
     const int filmExponent = exponentOf(film);
-    left_ = static_cast<Real>(std::scalbn(camera.film_left, -filmExponent));
-    right_ = static_cast<Real>(std::scalbn(camera.film_right, -filmExponent));
-    bottom_ = static_cast<Real>(std::scalbn(camera.film_bottom, -filmExponent));
-    top_ = static_cast<Real>(std::scalbn(camera.film_top, -filmExponent));
+    const double left = std::scalbn(camera.film_left, -filmExponent),
+                 right = std::scalbn(camera.film_right, -filmExponent),
+                 bottom = std::scalbn(camera.film_bottom, -filmExponent),
+                 top = std::scalbn(camera.film_top, -filmExponent);
+    left_ = static_cast<Real>(left);
+    right_ = static_cast<Real>(right);
+    bottom_ = static_cast<Real>(bottom);
+    top_ = static_cast<Real>(top);
+    // A unit of the film is |u| wide and, seen along w, |u| / |w| high.
+    longEdge_ = static_cast<Real>(std::max(std::abs(right - left), std::abs(top - bottom)) /
+                                  std::max(1.0L, largest(w)));
 
     const ExtendedVec filmU = scaled(u, filmExponent), filmV = scaled(v, filmExponent);
     const long double direction =
@@ -37,10 +44,13 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     eye_ = Vec3(frame.pointToFrame(camera.eye));
 }
 
-// The film's coordinates are at most 2.
-Real Camera::farthest() const {
-    const Vec3 film = perspective_ ? Vec3(0) : Real(2) * (abs(u_) + abs(v_));
-    return maxComponent(abs(eye_) + film);
+Real Camera::farthest() const { return maxComponent(perspective_ ? abs(eye_) : abs(eye_) + film()); }
+
+Real Camera::width(const Real& t) const {
+    const Real onFilm = maxComponent(abs(u_)) * longEdge_;
+    return perspective_ ? t * onFilm : onFilm;
 }
+
+Real Camera::reach() const { return maxComponent(film() + abs(perspective_ ? forward_ : eye_)) / width(1); }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

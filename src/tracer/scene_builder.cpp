@@ -88,21 +88,37 @@ Real brightestOf(const Scene& scene) {
     return maxComponent(brightest);
 }
 
-// How far a hit is from the eye. Of an eye that touches the shape: the shape's size, or how far its nearest
-// light is. Nothing is squared: it may overflow.
-Real viewingDistance(const Scene& scene, const Ray& ray, const Intersection& hit) {
-    const auto from = [&](const Vec3& place) { return maxComponent(abs(place - hit.position)); };
-    Real least = hit.shape->transform().largestScale();
-    for (const Light& light : scene.lights) least = std::min(least, from(light.position));
-    return std::max(least, from(ray.origin));
+// How wide the picture is at a hit. Where the eye touches the shape: the shape's size, or how far the hit's
+// nearest light is.
+Real pictureWidth(const Scene& scene, const Ray& ray, const Intersection& hit) {
+    // The file's numbers are doubles, and some roundings went into an eye that somebody put onto a shape: 16,
+    // from which on extended precision, 2^11 times finer, knows an ordinary hit to mostPositionError.
+    constexpr Real roundoff =
+        16 * std::max(unitRoundoff, 1 / powerOfTwo(std::numeric_limits<double>::digits));
+    const Transform& transform = hit.shape->transform();
+    const Real width = scene.camera.width(hit.t);
+    const Vec3 uncertain = roundoff * (abs(ray.origin) + abs(transform.translation()));
+    if (!hit.shape->touches(ray.origin, uncertain, hit.primitive)) return width;
+    Real least = transform.largestScale();
+    for (const Light& light : scene.lights)
+        least = std::min(least, maxComponent(abs(light.position - hit.position)));
+    return std::max(least, width);
 }
 
-// Whether it is known where on a sphere or a cone the hit is: a point of the ray is put onto them, and of a
-// very flat one it may be anywhere.
-bool isPlaced(const Ray& ray, const Intersection& hit) {
-    if (hit.shape->type() != ShapeType::Sphere && hit.shape->type() != ShapeType::Cone) return true;
+// Whether it is known well enough where the ray, as its shape sees it, hits. A point of the ray is put onto a
+// sphere, a cone or, along x and y, a cylinder, and of a very flat one it may be anywhere. On a cone an error
+// along one axis becomes one along the others, as it does where a ray leaves a mesh (Mesh::toObject).
+bool isPlaced(const Ray& ray, const Intersection& hit, const Real& width) {
+    const Transform& transform = hit.shape->transform();
+    const ShapeType type = hit.shape->type();
     const Vec3 error = unitRoundoff * (abs(ray.origin) + abs(hit.t * ray.direction));
-    return maxComponent(hit.shape->transform().objectError(hit.position, error)) <= mostPositionError;
+    Vec3 objectError = transform.objectError(hit.position, error);
+    const Real largest = maxComponent(objectError), across = std::max(objectError.x, objectError.y);
+    if ((type == ShapeType::Sphere || type == ShapeType::Cone) && largest > mostPositionError) return false;
+    if (type == ShapeType::Cylinder && across > mostPositionError) return false;
+    if (type == ShapeType::Cone || type == ShapeType::Mesh) objectError = Vec3(largest);
+    const Vec3 worldError = absoluteProduct(transform.linear(), objectError) + hit.positionError;
+    return maxComponent(worldError) <= mostPositionError * width;
 }
 
 // Whether the hits of some camera rays are known well enough.
@@ -116,9 +132,7 @@ bool isSharp(const Scene& scene) {
             const Vec2 centre(static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5));
             const Ray ray = scene.camera.getRay(scene.camera.getPixelUV(centre.x, centre.y, rays, rays));
             const Intersection hit = scene.closestIntersection(ray, context);
-            if (!hit.valid) continue;
-            const Real most = mostPositionError * viewingDistance(scene, ray, hit);
-            if (maxComponent(hit.positionError) > most || !isPlaced(ray, hit)) return false;
+            if (hit.valid && !isPlaced(ray, hit, pictureWidth(scene, ray, hit))) return false;
         }
     return true;
 }
@@ -133,8 +147,9 @@ bool fits(const Scene& scene) {
         if (shape.type() == ShapeType::Mesh)
             flattest = std::min(flattest, static_cast<Real>(shape.triangles().data().finest));
     }
-    return scene.frame.eyeDistance <= farthestEye && finest * farthest <= widestRange &&
-           flattest * flattest >= 1 / widestRange && brightestOf(scene) <= brightestFactor;
+    return scene.frame.eyeDistance <= farthestEye && scene.camera.reach() <= farthestEye &&
+           finest * farthest <= widestRange && flattest * flattest >= 1 / widestRange &&
+           brightestOf(scene) <= brightestFactor;
 }
 
 }  // namespace

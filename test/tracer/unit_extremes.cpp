@@ -209,6 +209,72 @@ TEST_CASE("a sphere or a cone that is flat is what extended precision makes of i
         }
 }
 
+namespace {
+
+// Each makes a number of the camera, or of the first shape's transform, that large.
+constexpr void (*stretches[])(SceneDescription& scene, double factor) = {
+    [](SceneDescription& scene, double factor) { scene.camera.eye.z = factor; },
+    [](SceneDescription& scene, double factor) { scene.camera.up.z = -factor; },
+    [](SceneDescription& scene, double factor) { scene.camera.look = glm::dvec3(1, factor, -2); },
+    [](SceneDescription& scene, double factor) {
+        scene.camera.eye.x = -factor;
+        scene.camera.film_left = factor - 1.5;
+        scene.camera.film_right = factor + 1.5;
+    },
+    [](SceneDescription& scene, double factor) { scene.transforms[0].scale = glm::dvec3(1, 1, factor); },
+    [](SceneDescription& scene, double factor) { scene.transforms[0].scale = glm::dvec3(factor, factor, 1); },
+    [](SceneDescription& scene, double factor) {  // a cube has nothing round
+        const bool round = scene.shapes[0].type != ShapeType::Cube;
+        scene.transforms[0].scale = glm::dvec3(round ? 1 / factor : 1, 1, 1);
+    },
+    [](SceneDescription& scene, double factor) {
+        scene.transforms[0].matrix = glm::dmat4(1);
+        (*scene.transforms[0].matrix)[0][1] = -factor;
+    },
+};
+
+void checkStretched(const SceneDescription& scene) {
+    for (std::size_t what = 0; what < std::size(stretches); ++what)
+        for (int exponent = 2; exponent <= 15; ++exponent) {
+            CAPTURE(what, exponent);
+            SceneDescription other = scene;
+            stretches[what](other, std::pow(10, exponent));
+            const ByteImage reference = bytesOf(other, 24, Precision::Extended);
+            for (const Precision precision : {Precision::Float, Precision::Double}) {
+                const bool told = makeRenderer(other, precision)->precision() != precision;
+                if (precision == Precision::Double && exponent <= 5) CHECK(!told);
+                if (!told) CHECK(differingPixels(bytesOf(other, 24, precision), reference, 8) <= 2);
+            }
+        }
+}
+
+}  // namespace
+
+TEST_CASE("a stretched camera or shape is what extended precision makes of it, or it is told") {
+    SceneMaker make;
+    make.glass(glm::dvec3(0.9), 1).color_diffuse = glm::dvec3(1);
+    TransformDescription turned;
+    turned.rotate = TransformDescription::Rotation{40, {1, 2, 3}};
+    make.shape(ShapeType::Sphere, turned);
+    make.light({3, 4, 5});
+    const auto octahedron = std::make_shared<MeshData>();
+    octahedron->positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    octahedron->positionIndex = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    octahedron->findBounds();
+    for (const ShapeType type : {ShapeType::Sphere, ShapeType::Plane, ShapeType::Cylinder, ShapeType::Cone,
+                                 ShapeType::Cube, ShapeType::Mesh})
+        for (const bool perspective : {false, true}) {
+            CAPTURE(static_cast<int>(type), perspective);
+            SceneDescription scene = make.scene;
+            scene.shapes[0].type = type;
+            if (type == ShapeType::Mesh) scene.shapes[0].mesh = octahedron;
+            if (perspective) scene.camera.type = CameraDescription::Type::Perspective;
+            scene.camera.focal_length = 1.5;
+            scene.camera.eye = {0, 0, 4};
+            checkStretched(scene);
+        }
+}
+
 TEST_CASE("a scene moved far away is what extended precision makes of it") {
     for (const std::string& file : sceneFiles()) {
         INFO(file);

@@ -32,14 +32,24 @@ class Camera {
     // Along any axis, of the points where its rays start.
     Real farthest() const;
 
+    // How wide the picture is at t of its rays: as many pixels as along its longer edge, by a pixel's shorter
+    // side.
+    Real width(const Real& t) const;
+
+    // The largest number that its rays' directions (orthographic: origins) are sums of, in such widths.
+    Real reach() const;
+
     // A ray's direction here is the scene file's divided by 2^directionExponent, in the frame's unit.
     int directionExponent() const { return directionExponent_; }
 
   private:
+    Vec3 film() const { return Real(2) * (abs(u_) + abs(v_)); }  // its coordinates are at most 2
+
     bool perspective_ = true;
     Vec3 eye_{0}, u_{1, 0, 0}, v_{0, 1, 0};
     Vec3 forward_{0, 0, -1};  // perspective: -d w; orthographic: -w
     Real left_ = -1, right_ = 1, bottom_ = -1, top_ = 1;
+    Real longEdge_ = 2;  // in |u|
     int directionExponent_ = 0;
 };
 
