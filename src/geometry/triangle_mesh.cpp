@@ -90,8 +90,7 @@ LineHit<Real> TriangleMesh::meetLine(const ObjectRay& line, std::uint32_t triang
 
 // The roundings of the watertight test, and of float positions, which the tree has as they were.
 Real TriangleMesh::slackFrom(Real farthestOrigin) const {
-    constexpr Real roundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
-    return 64 * roundoff * std::max(farthestOrigin, largest_);
+    return 64 * writtenRoundoff * std::max(farthestOrigin, largest_);
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -23,12 +23,23 @@ Intersection Scene::closestIntersection(const Ray& ray, const RenderContext& con
     return query.found() ? query.nearest().shape->surfaceAt(ray, query.nearest()) : Intersection{};
 }
 
-Hit Scene::firstOfCoincident(const Ray& ray, const Hit& nearest, const RenderContext& context) const {
-    const Intersection place = nearest.shape->surfaceAt(ray, nearest);
-    HitQuery coincident(nearest, place.position, place.positionError);
-    tree.intersect(ray, coincident);
-    context.counts->tests += coincident.tests;
-    return coincident.nearest();
+// Of surfaces that lie apart t may be the same number, rounded. Whether one of them is before `nearest` is
+// seen from there, back along the ray.
+Hit Scene::firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& context) const {
+    for (unsigned passed = 0;; ++passed) {
+        const Intersection place = nearest.shape->surfaceAt(ray, nearest);
+        HitQuery coincident(nearest, place.position, place.positionError);
+        tree.intersect(ray, coincident);
+        context.counts->tests += coincident.tests;
+        if (coincident.apart() <= passed) return coincident.nearest();
+        HitQuery before = HitQuery::upTo(nearest.t * coincidenceWindow);
+        const ShadingPoint point(ray, place, false);
+        tree.intersect(point.leave(-ray.direction, ShadingPoint::Side::Near), before);
+        context.counts->tests += before.tests;
+        if (!before.found()) return coincident.nearest();
+        const Hit back = before.nearest();
+        nearest = {nearest.t - back.t, back.shape, back.primitive, !back.entering};
+    }
 }
 
 void Scene::count(std::uint64_t& kind, unsigned rays, const RenderContext& context) {

@@ -86,3 +86,16 @@ TEST_CASE("chord: a line in the plane of a cap passes, one in the plane of a cub
         CHECK(chord.exit == 4);
     }
 }
+
+// A thin solid from afar: both faces have one t, rounded.
+TEST_CASE("chord: of two faces with one t the entry faces the ray") {
+    const Real far = 4 / (unitRoundoff * unitRoundoff);
+    for (const Real side : {Real(-1), Real(1)})
+        for (const Real aslant : {Real(0), Real(0.1)}) {
+            const ObjectRay ray{Vec3(-aslant, 0, far * side), Vec3(aslant, 0, -far * side)};
+            const Chord<Real> cube = Cube::chord(ray), cylinder = Cylinder::chord(ray);
+            CHECK(cube.entry == cube.exit);
+            CHECK(cube.entryFace == (side > 0 ? 4 : 5));
+            CHECK(cylinder.entryFace == (side > 0 ? 1 : 2));
+        }
+}

@@ -104,6 +104,24 @@ TEST_CASE("coincidence: a cylinder on a plane") {
                 }
 }
 
+// Planes nearer to each other than t can tell, from afar: the near one is seen, and nothing shadows it.
+TEST_CASE("coincidence: planes that lie apart by less than a rounded t") {
+    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})
+        for (const double gap : {1e-20, 1e-30})
+            for (const double side : {1.0, -1.0}) {
+                SceneMaker maker;
+                for (const int layer : {1, 0, 2, -1}) {
+                    MaterialDescription& material = maker.material(glm::dvec3(0));
+                    material.color_diffuse = layer == (side > 0 ? 2 : -1) ? green : red;
+                    maker.shape(Type::Plane, {"", glm::dvec3(0, 0, gap * layer), {}, {}, {}});
+                }
+                maker.light({0, 0, 1000 * side});
+                lookFrom(maker.scene, {0.1, 0.2, 4 * side}, {0, 0, -side}, {0, 1, 0}, 0.3);
+                INFO(gap << (side > 0 ? ", from above" : ", from below"));
+                CHECK(colorsOf(bytesOf(maker.scene, posedEdge, precision)).green == posedEdge * posedEdge);
+            }
+}
+
 // The same from aslant, where pixels beside the base must be the plane's and no pixel of the base may be
 // both.
 TEST_CASE("coincidence: a cylinder on a plane, from aslant below") {

@@ -48,9 +48,10 @@ void clipAxis(Chord<T>& chord, const T& origin, const T& direction, Real low, Re
     chord.hit = chord.hit & ((!still) | within);
 }
 
-// Solids are closed: an edge or a rim that is met in a single point counts, as its first face, though the
-// roundings of the two faces' t (of a quotient, of a quadratic's root) may have put the exit there before the
-// entry. shift: how far along the line the origin of t has been moved, which has its own rounding.
+// Solids are closed: an edge or a rim that is met in a single point counts, though the roundings of the two
+// faces' t (of a quotient, of a quadratic's root) may have put the exit there before the entry. Of two faces
+// with one t, as those of a thin solid from afar, the entry faces the ray. shift: how far along the line the
+// origin of t has been moved, which has its own rounding.
 template <class T>
 void closeChord(Chord<T>& chord, const T& shift = T(0)) {
     const T slack = T(gamma(16)) * max(abs(shift), max(abs(chord.entry), abs(chord.exit)));
@@ -58,7 +59,6 @@ void closeChord(Chord<T>& chord, const T& shift = T(0)) {
     const Truth<T> single = chord.hit & !(chord.entry < chord.exit);
     if (!any(single)) return;
     chord.exit = select(single, chord.entry, chord.exit);
-    chord.entryFace = select(single, min(chord.entryFace, chord.exitFace), chord.entryFace);
 }
 
 // Where `far`, moves an origin that has been moved to the point of the line that is closest to zero closer to

@@ -75,10 +75,10 @@ struct Cone : Solid<Cone> {
     }
 
     template <class T>
-    static T offset(const Vec3T<T>& p) {
+    static std::array<T, 2> offsets(const Vec3T<T>& p) {
         constexpr auto perpendicular =
             static_cast<Real>(0.70710678118654752440084436210484904L);  // sqrt(1/2): a slope of 45 degrees
-        return max((radius(p) - (T(1) - p.z)) * T(perpendicular), -p.z);
+        return {(radius(p) - (T(1) - p.z)) * T(perpendicular), -p.z};
     }
 
     // At the base or at the apex.

@@ -22,8 +22,8 @@ struct Cube : Solid<Cube> {
     }
 
     template <class T>
-    static T offset(const Vec3T<T>& p) {
-        return maxComponent(abs(p)) - T(1);
+    static std::array<T, 6> offsets(const Vec3T<T>& p) {
+        return {p.x - T(1), -p.x - T(1), p.y - T(1), -p.y - T(1), p.z - T(1), -p.z - T(1)};
     }
 
     static Real support(const Vec3& n) { return abs(n.x) + abs(n.y) + abs(n.z); }

@@ -30,8 +30,8 @@ struct Cylinder : Solid<Cylinder> {
     }
 
     template <class T>
-    static T offset(const Vec3T<T>& p) {
-        return max(radius(p) - T(1), max(-p.z, p.z - T(1)));
+    static std::array<T, 3> offsets(const Vec3T<T>& p) {
+        return {radius(p) - T(1), p.z - T(1), -p.z};
     }
 
     static Real support(const Vec3& n) { return radius(n) + max(n.z, Real(0)); }

@@ -2,7 +2,8 @@
 //
 // The picture does not depend on the order in which hits are offered, so that a tree, a list and any number
 // of lanes give the same one. Of hits at exactly one t, and of any hits before a light, the first offered
-// stays: where surfaces coincide, Scene::firstOfCoincident then asks for the first listed.
+// stays: Scene::firstOfCoincident then asks for the nearest of those that t cannot tell apart, and where they
+// coincide for the first listed.
 #pragma once
 
 #include "raytracer/geometry/shape.h"
@@ -42,6 +43,13 @@ class HitQueryT {
     HitQueryT(const Hit& nearest, const Vec3& point, const Vec3& pointError)
         : active_(1), limit_(nearest.t * (1 + coincidenceWindow)), point_(&point), pointError_(&pointError) {
         set(0, nearest);
+    }
+
+    // Of a ray alone: the nearest hit with t <= limit.
+    static HitQueryT upTo(Real limit) {
+        HitQueryT query;
+        query.limit_ = limit;
+        return query;
     }
 
     LaneBits active() const { return active_; }
@@ -116,6 +124,9 @@ class HitQueryT {
                  [&](int) { return hit.primitive; });
     }
 
+    // How many hits, at the t of the nearest but for rounding, do not go through its point.
+    unsigned apart() const { return apart_; }
+
     // Intersection tests made, for --stats.
     std::uint64_t tests = 0;
     void count() { tests += countLanes<T>(active_); }
@@ -166,8 +177,8 @@ class HitQueryT {
     }
 
     void considerCoincident(const Hit& hit) {
-        if (isListedBefore(hit, nearest()) && hit.shape->touches(*point_, *pointError_, hit.primitive))
-            set(0, hit);
+        if (!hit.shape->touches(*point_, *pointError_, hit.primitive)) ++apart_;
+        else if (isListedBefore(hit, nearest())) set(0, hit);
     }
 
     LaneBits active_, found_ = 0, contended_ = 0, entering_ = 0;
@@ -176,6 +187,7 @@ class HitQueryT {
     bool any_ = false;
     const Shape* shape_[laneCountOf<T>] = {};
     Primitive<T> primitive_{};
+    unsigned apart_ = 0;
     const Vec3 *point_ = nullptr, *pointError_ = nullptr;
 };
 using HitQuery = HitQueryT<Real>;

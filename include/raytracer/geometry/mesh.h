@@ -137,6 +137,18 @@ struct Mesh {
         return object;
     }
 
+    // The t of a camera's ray: one that starts on the triangle, whose corners then lie before and behind it,
+    // meets it there.
+    template <class T>
+    static T fromOrigin(const Shape& shape, const RayT<T>& ray, std::uint32_t triangle,
+                        const LineHit<T>& line) {
+        const Truth<T> near = line.hit & (abs(line.t) <= T(Real(0.5)) * line.terms);
+        if (!any(near)) return line.t;
+        const Truth<T> starts =
+            near & touches(shape, ray.origin, shape.transform().writtenError(ray.origin), triangle);
+        return select(starts, T(0), line.t);
+    }
+
     template <class T>
     static void meetTriangles(const Shape& shape, const RayT<T>& ray, const ShearedRayT<T>& sheared,
                               std::span<const std::uint32_t> triangles, HitQueryT<T>& query) {
@@ -150,11 +162,12 @@ struct Mesh {
             const LineHit<T> line =
                 intersectLine(sheared, {Vec3T<T>(corner[0]), Vec3T<T>(corner[1]), Vec3T<T>(corner[2])});
             if (!any(line.hit)) continue;
-            Truth<T> hit = others & line.hit & (line.t >= T(0)) & (line.t <= query.limit());
+            const T t = departure.shape ? line.t : fromOrigin(shape, ray, triangle, line);
+            Truth<T> hit = others & line.hit & (t >= T(0)) & (t <= query.limit());
             if (!any(hit)) continue;
             if (departure.shape && departure.shape != &shape)
                 hit = hit & !touches(shape, ray.origin, departure.positionError, triangle);
-            query.offer(hit, line.t, shape, triangle, line.entering);
+            query.offer(hit, t, shape, triangle, line.entering);
         }
     }
 };

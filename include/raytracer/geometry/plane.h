@@ -21,7 +21,14 @@ struct Plane : Equation<Plane> {
         if (ray.departure.shape == &shape) return;
         query.count();
         const ObjectRayT<T> object = shape.transform().toObject(ray);
-        const T t = -object.origin.z / object.direction.z;
+        T t = -object.origin.z / object.direction.z;
+        if (!ray.departure.shape) {  // one that starts on the plane meets it there
+            const T terms = shape.transform().pointTerms(ray.origin).z;
+            const Truth<T> near = abs(object.origin.z) <= T(coincidenceWindow) * terms;
+            if (any(near))
+                t = select(near & touches(shape, ray.origin, shape.transform().writtenError(ray.origin)),
+                           T(0), t);
+        }
         Truth<T> hit = (t >= T(0)) & (t <= query.limit()) & !(object.direction.z == T(0));
         if (!any(hit)) return;
         if (ray.departure.shape) hit = hit & !touches(shape, ray.origin, ray.departure.positionError);

@@ -4,13 +4,15 @@
 // it reaches in a direction), `meet`, `touches`, `areCoherent`, `surface`, `periodic`. `Equation` gives
 // `isBall`, `faceName`, `areCoherent`, `surface` and `periodic` to a type with `faces` (their names in the
 // order of the assignment), `onSurface` (the point of its surface at a computed hit) and `texCoord`. `Solid`
-// gives `meet` and `touches`, too, to a convex type with `chord` (the part of a line inside it) and `offset`
-// (a signed measure of a point's distance from its surface, negative inside, at most the Euclidean distance).
-// All in object space.
+// gives `meet` and `touches`, too, to a convex type with `chord` (the part of a line inside it) and `offsets`
+// (for each face a signed measure of a point's distance from it, negative inside, the greatest at most the
+// Euclidean distance). All in object space.
 #pragma once
 
+#include <array>
+
 #include "raytracer/geometry/chord.h"
-#include "raytracer/geometry/hit_query.h"
+#include "raytracer/geometry/culling.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -47,11 +49,19 @@ struct Equation {
 
 template <class Kind>
 struct Solid : Equation<Kind> {
+    // The greatest of the faces' distances: negative inside.
+    template <class T>
+    static T offset(const Vec3T<T>& p) {
+        const auto offsets = Kind::offsets(p);
+        T greatest = offsets[0];
+        for (std::size_t face = 1; face < offsets.size(); ++face) greatest = max(greatest, offsets[face]);
+        return greatest;
+    }
+
     template <class T>
     static Truth<T> touches(const Shape& shape, const Vec3T<T>& point, const Vec3T<T>& pointError,
                             std::uint32_t = 0) {
-        const Vec3T<T> error = shape.transform().objectError(point, pointError);
-        return abs(Kind::offset(shape.transform().pointToObject(point))) <= error.x + error.y + error.z;
+        return abs(offset(shape.transform().pointToObject(point))) <= offsetError(shape, point, pointError);
     }
 
     // What a chord means for a ray: entry or exit, or neither because the ray starts there.
@@ -59,8 +69,17 @@ struct Solid : Equation<Kind> {
     static void meet(const Shape& shape, const RayT<T>& ray, HitQueryT<T>& query) {
         const bool leavesThis = ray.departure.shape == &shape;
         if (leavesThis && !ray.departure.inside) return;
+        const ObjectRayT<T> object = shape.transform().toObject(ray);
+        if (!ray.departure.shape && any(abs(offset(object.origin)) < T(coincidenceWindow))) {
+            if constexpr (laneCountOf<T> == 1) {
+                if (meetOrigin(shape, ray, object, query)) return;
+            } else {
+                return meetAlone(ray, query,
+                                 [&](int, const Ray& one, HitQuery& alone) { shape.intersect(one, alone); });
+            }
+        }
         query.count();
-        const Chord<T> chord = Kind::chord(shape.transform().toObject(ray));
+        const Chord<T> chord = Kind::chord(object);
         const Truth<T> never = T(0) < T(0);
         if (leavesThis) return query.offerFace(!never, max(T(0), chord.exit), shape, chord.exitFace, never);
 
@@ -77,6 +96,26 @@ struct Solid : Equation<Kind> {
         }
         query.offerFace(hit, select(entering, chord.entry, chord.exit), shape,
                         select(entering, chord.entryFace, chord.exitFace), entering);
+    }
+
+  private:
+    template <class T>
+    static T offsetError(const Shape& shape, const Vec3T<T>& point, const Vec3T<T>& pointError) {
+        const Vec3T<T> error = shape.transform().objectError(point, pointError);
+        return error.x + error.y + error.z;
+    }
+
+    // A ray of the camera that starts on the surface meets it there: by its origin, the same for all of them.
+    // The rounded t of a chord lies on either side of 0.
+    static bool meetOrigin(const Shape& shape, const Ray& ray, const ObjectRay& object, HitQuery& query) {
+        const Real error = offsetError(shape, ray.origin, shape.transform().writtenError(ray.origin));
+        if (!(abs(offset(object.origin)) <= error)) return false;
+        const auto offsets = Kind::offsets(object.origin);
+        std::uint32_t face = 0;
+        while (offsets[face] < -error) ++face;
+        const Vec3 normal = Kind::onSurface(object.origin, face).normal;
+        query.offer(true, 0, shape, face, glm::dot(normal, object.direction) < 0);
+        return true;
     }
 };
 

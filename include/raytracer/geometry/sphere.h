@@ -16,8 +16,8 @@ struct Sphere : Solid<Sphere> {
     }
 
     template <class T>
-    static T offset(const Vec3T<T>& p) {
-        return sqrt(glm::dot(p, p)) - T(1);
+    static std::array<T, 1> offsets(const Vec3T<T>& p) {
+        return {sqrt(glm::dot(p, p)) - T(1)};
     }
 
     static Real support(const Vec3& n) { return sqrt(glm::dot(n, n)); }

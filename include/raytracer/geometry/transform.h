@@ -32,6 +32,12 @@ class Transform {
         return product(inverse_, world - Vec3T<T>(translation_));
     }
 
+    // What pointToObject adds up, without signs: where that is much less, it has cancelled.
+    template <class T>
+    Vec3T<T> pointTerms(const Vec3T<T>& world) const {
+        return absoluteProduct(inverse_, world - Vec3T<T>(translation_));
+    }
+
     template <class T>
     Vec3T<T> pointToWorld(const Vec3T<T>& object) const {
         return product(linear_, object) + Vec3T<T>(translation_);
@@ -53,6 +59,14 @@ class Transform {
         const Vec3T<T> uncertain = worldError + T(gamma(5)) * abs(world - Vec3T<T>(translation_)) +
                                    Vec3T<T>(gamma(2) * abs(translation_));
         return absoluteProduct(inverse_, uncertain);
+    }
+
+    // How far, for each axis in world units, a point that the author wrote may be from where it was meant to
+    // be, seen from this transform: as many roundings as in objectError, of what both were written with.
+    template <class T>
+    Vec3T<T> writtenError(const Vec3T<T>& world) const {
+        return T(5 * writtenRoundoff) * abs(world - Vec3T<T>(translation_)) +
+               Vec3T<T>(2 * writtenRoundoff * abs(translation_));
     }
 
     // How much larger, at most, an error can become on the way to object space and back: the largest sum of a

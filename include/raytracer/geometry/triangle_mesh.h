@@ -56,6 +56,7 @@ struct LineHit {
     Truth<T> hit;
     Truth<T> entering;  // it comes from where the corners are counter-clockwise
     T t;
+    T terms;  // of t, without their signs
     T weight[3];
 };
 
@@ -100,7 +101,9 @@ LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3
     result.hit = result.hit & !(sum == T(0));
     result.entering = sum > T(0);
     result.weight[0] = u / sum, result.weight[1] = v / sum, result.weight[2] = w / sum;
-    result.t = result.weight[0] * z.x + result.weight[1] * z.y + result.weight[2] * z.z;
+    const T a = result.weight[0] * z.x, b = result.weight[1] * z.y, c = result.weight[2] * z.z;
+    result.t = a + b + c;
+    result.terms = abs(a) + abs(b) + abs(c);
     return result;
 }
 

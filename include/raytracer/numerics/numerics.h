@@ -47,6 +47,8 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // u: the largest relative error of one correctly rounded operation.
 inline constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
+// Of a number that the scene's author wrote as a decimal: it has become a double.
+inline constexpr Real writtenRoundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
 inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
 constexpr Real powerOfTwo(int exponent) {

@@ -86,7 +86,7 @@ struct Scene {
   private:
     template <class T>
     void closestHits(const RayT<T>& ray, HitQueryT<T>& query, const RenderContext& context) const;
-    Hit firstOfCoincident(const Ray& ray, const Hit& nearest, const RenderContext& context) const;
+    Hit firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& context) const;
     template <class T>
     ColorT<T> coherentColor(const RayT<T>& ray, const HitQueryT<T>& query, LaneBits coherent,
                             const RayPath& path, const RenderContext& context) const;
