@@ -93,8 +93,7 @@ Real brightestOf(const Scene& scene) {
 Real pictureWidth(const Scene& scene, const Ray& ray, const Intersection& hit) {
     // The file's numbers are doubles, and some roundings went into an eye that somebody put onto a shape: 16,
     // from which on extended precision, 2^11 times finer, knows an ordinary hit to mostPositionError.
-    constexpr Real roundoff =
-        16 * std::max(unitRoundoff, 1 / powerOfTwo(std::numeric_limits<double>::digits));
+    constexpr Real roundoff = 16 * writtenRoundoff;
     const Transform& transform = hit.shape->transform();
     const Real width = scene.camera.width(hit.t);
     const Vec3 uncertain = roundoff * (abs(ray.origin) + abs(transform.translation()));
