@@ -137,7 +137,7 @@ bool anyShowsOthers(const SceneDescription& scene, const View& view) {
 // Whether the point is inside of the solid by more than rounding, in object units.
 bool isDeepInside(Type type, const Vec& p) {
     return visit(type, [&](auto kind) {
-        if constexpr (requires { kind.offset(p); }) return kind.offset(p) < -margin;
+        if constexpr (requires { kind.offsets(p); }) return std::ranges::max(kind.offsets(p)) < -margin;
         else return false;
     });
 }

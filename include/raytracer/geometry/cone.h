@@ -81,6 +81,11 @@ struct Cone : Solid<Cone> {
         return {(radius(p) - (T(1) - p.z)) * T(perpendicular), -p.z};
     }
 
+    template <class T>
+    static std::array<T, 2> offsetErrors(const Vec3T<T>& error) {
+        return {error.x + error.y + error.z, error.z};
+    }
+
     // At the base or at the apex.
     static Real support(const Vec3& n) { return max(radius(n), n.z); }
 

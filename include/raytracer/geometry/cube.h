@@ -26,6 +26,11 @@ struct Cube : Solid<Cube> {
         return {p.x - T(1), -p.x - T(1), p.y - T(1), -p.y - T(1), p.z - T(1), -p.z - T(1)};
     }
 
+    template <class T>
+    static std::array<T, 6> offsetErrors(const Vec3T<T>& error) {
+        return {error.x, error.x, error.y, error.y, error.z, error.z};
+    }
+
     static Real support(const Vec3& n) { return abs(n.x) + abs(n.y) + abs(n.z); }
 
     template <class T>

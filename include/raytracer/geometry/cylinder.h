@@ -34,6 +34,11 @@ struct Cylinder : Solid<Cylinder> {
         return {radius(p) - T(1), p.z - T(1), -p.z};
     }
 
+    template <class T>
+    static std::array<T, 3> offsetErrors(const Vec3T<T>& error) {
+        return {error.x + error.y, error.z, error.z};
+    }
+
     static Real support(const Vec3& n) { return radius(n) + max(n.z, Real(0)); }
 
     template <class T>

@@ -4,9 +4,10 @@
 // it reaches in a direction), `meet`, `touches`, `areCoherent`, `surface`, `periodic`. `Equation` gives
 // `isBall`, `faceName`, `areCoherent`, `surface` and `periodic` to a type with `faces` (their names in the
 // order of the assignment), `onSurface` (the point of its surface at a computed hit) and `texCoord`. `Solid`
-// gives `meet` and `touches`, too, to a convex type with `chord` (the part of a line inside it) and `offsets`
+// gives `meet` and `touches`, too, to a convex type with `chord` (the part of a line inside it), `offsets`
 // (for each face a signed measure of a point's distance from it, negative inside, the greatest at most the
-// Euclidean distance). All in object space.
+// Euclidean distance) and `offsetErrors` (what these are off by, where the point is off by that much along
+// each axis). All in object space.
 #pragma once
 
 #include <array>
@@ -49,19 +50,23 @@ struct Equation {
 
 template <class Kind>
 struct Solid : Equation<Kind> {
-    // The greatest of the faces' distances: negative inside.
+    // Whether a point that is off by at most `error` may be on the surface: outside no face, and on one.
     template <class T>
-    static T offset(const Vec3T<T>& p) {
-        const auto offsets = Kind::offsets(p);
-        T greatest = offsets[0];
-        for (std::size_t face = 1; face < offsets.size(); ++face) greatest = max(greatest, offsets[face]);
-        return greatest;
+    static Truth<T> mayTouch(const Vec3T<T>& point, const Vec3T<T>& error) {
+        const auto offsets = Kind::offsets(point), errors = Kind::offsetErrors(error);
+        Truth<T> within = offsets[0] <= errors[0], on = offsets[0] >= -errors[0];
+        for (std::size_t face = 1; face < offsets.size(); ++face) {
+            within = within & (offsets[face] <= errors[face]);
+            on = on | (offsets[face] >= -errors[face]);
+        }
+        return within & on;
     }
 
     template <class T>
     static Truth<T> touches(const Shape& shape, const Vec3T<T>& point, const Vec3T<T>& pointError,
                             std::uint32_t = 0) {
-        return abs(offset(shape.transform().pointToObject(point))) <= offsetError(shape, point, pointError);
+        const Transform& transform = shape.transform();
+        return mayTouch(transform.pointToObject(point), transform.objectError(point, pointError));
     }
 
     // What a chord means for a ray: entry or exit, or neither because the ray starts there.
@@ -70,7 +75,7 @@ struct Solid : Equation<Kind> {
         const bool leavesThis = ray.departure.shape == &shape;
         if (leavesThis && !ray.departure.inside) return;
         const ObjectRayT<T> object = shape.transform().toObject(ray);
-        if (!ray.departure.shape && any(abs(offset(object.origin)) < T(coincidenceWindow))) {
+        if (!ray.departure.shape && any(mayTouch(object.origin, Vec3T<T>(T(coincidenceWindow))))) {
             if constexpr (laneCountOf<T> == 1) {
                 if (meetOrigin(shape, ray, object, query)) return;
             } else {
@@ -99,20 +104,15 @@ struct Solid : Equation<Kind> {
     }
 
   private:
-    template <class T>
-    static T offsetError(const Shape& shape, const Vec3T<T>& point, const Vec3T<T>& pointError) {
-        const Vec3T<T> error = shape.transform().objectError(point, pointError);
-        return error.x + error.y + error.z;
-    }
-
     // A ray of the camera that starts on the surface meets it there: by its origin, the same for all of them.
     // The rounded t of a chord lies on either side of 0.
     static bool meetOrigin(const Shape& shape, const Ray& ray, const ObjectRay& object, HitQuery& query) {
-        const Real error = offsetError(shape, ray.origin, shape.transform().writtenError(ray.origin));
-        if (!(abs(offset(object.origin)) <= error)) return false;
-        const auto offsets = Kind::offsets(object.origin);
+        const Transform& transform = shape.transform();
+        const Vec3 error = transform.objectError(ray.origin, transform.writtenError(ray.origin));
+        if (!mayTouch(object.origin, error)) return false;
+        const auto offsets = Kind::offsets(object.origin), errors = Kind::offsetErrors(error);
         std::uint32_t face = 0;
-        while (offsets[face] < -error) ++face;
+        while (offsets[face] < -errors[face]) ++face;
         const Vec3 normal = Kind::onSurface(object.origin, face).normal;
         query.offer(true, 0, shape, face, glm::dot(normal, object.direction) < 0);
         return true;

@@ -20,6 +20,11 @@ struct Sphere : Solid<Sphere> {
         return {sqrt(glm::dot(p, p)) - T(1)};
     }
 
+    template <class T>
+    static std::array<T, 1> offsetErrors(const Vec3T<T>& error) {
+        return {error.x + error.y + error.z};
+    }
+
     static Real support(const Vec3& n) { return sqrt(glm::dot(n, n)); }
 
     template <class T>
