@@ -24,7 +24,7 @@ constexpr double coarsest = 8, finest = 1 / 16.0;
 constexpr double finer = 1 / 1.09;  // from one `adaptive` to the next: 4 % of the error are lost in the mean
 constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
-constexpr double mostRaysOfPixel = 1 << 16;     // of pilot samples, about, for each of the picture's
+constexpr double mostRaysOfPixel = 1 << 14;     // of pilot samples, about, for each of the picture's
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "../../src/scene/obj_chunk.h"
-#include "../../src/scene/obj_chunk.h"
 #include "../support/test_folder.h"
 #include "raytracer/scene/mesh_file.h"
 #include "raytracer/util/error.h"
