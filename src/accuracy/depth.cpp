@@ -13,10 +13,16 @@ namespace {
 // How much a reflection changes a sample, roughly.
 constexpr double reflection = 0.25;
 
+// The fewest points that tell; in a tiny picture one to each pixel.
+std::size_t fewestPoints(const ImageSize& size) {
+    return std::min(fewestPilots,
+                    static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+}
+
 // So many that they show a reflection in as few places as make the target's error; in a small picture, some
 // to each pixel.
-std::size_t pointsFor(double target, double pixels) {
-    const double least = static_cast<double>(fewestPilots);
+std::size_t pointsFor(double target, double pixels, std::size_t fewest) {
+    const auto least = static_cast<double>(fewest);
     return static_cast<std::size_t>(
         std::clamp(std::pow(reflection / target, 2), least, std::max(least, errorMargin * pixels)));
 }
@@ -162,8 +168,9 @@ DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, 
                         RenderCounts& spent, int limit) {
     if (options.pass != Pass::Color)
         return {.max_recursion = Setting{}.max_recursion};  // these have no depth
-    const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels), 3);
-    const auto few = std::span(points).first(fewestPilots);
+    const std::size_t fewest = fewestPoints(options.size);
+    const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels, fewest), 3);
+    const auto few = std::span(points).first(fewest);
     const Deepest deep = deepest(renderer, options, target, limit, few, spent);
     const Depths depths = depthsAt(renderer, options, points, deep.setting, cutoffsFor(target));
     spent += depths.counts();
