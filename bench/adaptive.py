@@ -2,7 +2,7 @@
 """What --adaptive E gives and takes: the picture's RMSE as a part of E, and the samples of a pixel, on all
 scenes.
 
-    bench/adaptive.py [--raytracer PROGRAM] [--size 100] [SCENE...]
+    bench/adaptive.py [--raytracer PROGRAM] [--size 96] [SCENE...]
 
 At the defaults' depth, in the truth too (twice the size, a quarter of the least E). The samples include those
 that tiles take again, since a pixel takes the centres around it; the last column is what these are for
@@ -29,7 +29,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--raytracer", default=TOP / "build/release/raytracer")
-    parser.add_argument("--size", type=int, default=100)
+    parser.add_argument("--size", type=int, default=96)
     parser.add_argument("scenes", nargs="*",
                         default=sorted(str(path) for path in (TOP / "scenes").glob("*.json")
                                         if "schema" not in path.name))
@@ -44,7 +44,7 @@ def main():
             for error in ERRORS:
                 picture, done = program.render(scene, arguments.size, "--adaptive", error, "--samples", 65536,
                                                "--stats")
-                rows.append((rmse(picture[:len(truth), :truth.shape[1]], truth) / error, samples(done)))
+                rows.append((rmse(picture, truth) / error, samples(done)))
             ring = samples(program.render(scene, arguments.size, "--adaptive", 1, "--stats")[1]) - 1
             parts.append([part for part, _ in rows])
             taken.append([count for _, count in rows])

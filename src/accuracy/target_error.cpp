@@ -18,13 +18,13 @@ namespace raytracer {
 
 namespace {
 
-// The first `adaptive` and the last, in targets: errors are 0.1 to 1.3 of it, and where it is larger, those
-// of single pixels are too, which pilot samples may miss.
+// The first `adaptive` and the last, in targets. A picture's error is 0.1 to 1.3 of it; from a larger one on
+// single pixels have errors that pilot samples may miss. The last is far below 1 / 1.3, for the margin.
 constexpr double coarsest = 8, finest = 1 / 16.0;
 constexpr double finer = 1 / 1.09;  // from one `adaptive` to the next: 4 % of the error are lost in the mean
 constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
-constexpr double mostRaysOfPixel = 1 << 14;     // of pilot samples, about, for each of the picture's
+constexpr double mostRaysOfPixel = 1 << 16;     // of pilot samples, about, for each of the picture's
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {
@@ -92,7 +92,7 @@ class Search {
         return {static_cast<int>(i % width), static_cast<int>(i / width)};
     }
 
-    // The error that a pixel may have.
+    // How likely a pixel is drawn: by the error of one sample, as far as a target allows it for long.
     double weightOf(double contrast) const { return std::min(contrast / 4, errorMargin * target_); }
 
     void sortPixels() {
@@ -130,7 +130,7 @@ class Search {
         double margin = 0;
     };
 
-    // From the coarsest on, until the target is reached for sure.
+    // From the coarsest on, until the target is reached with the margin.
     void chooseAdaptive() {
         double& adaptive = choice_.setting.adaptive;
         adaptive = rounded(coarsest * target_);
@@ -173,7 +173,7 @@ class Search {
             taken += own + 2 * pixel.truth[0].samples();
         }
         const double samples = perPixel * static_cast<double>(pixels_.size());
-        return error.margin * (1 - std::sqrt(0.5)) / taken > 1.5 * error.mean / samples;
+        return error.margin * (1 - std::sqrt(0.5)) * samples > 1.5 * error.mean * taken;
     }
 
     // Takes the pilot pixels to their end, or as far as the rays go: each at least a first step.
@@ -228,7 +228,7 @@ class Search {
         }
         const double variance = std::max(0.0, second - first * first);
         const double thirdCentral = std::max(0.0, third - first * (3 * variance + first * first));
-        const double skewness = variance > 0 ? thirdCentral / std::pow(variance, 1.5) : 0;
+        const double skewness = variance > 0 ? thirdCentral / variance / std::sqrt(variance) : 0;
         const double deviations =
             standardErrors + skewness / std::sqrt(count_) / 6 * (1 + 2 * standardErrors * standardErrors);
         return {std::max(0.0, first),  // below zero by chance

@@ -197,11 +197,13 @@ void CommandLine::giveArguments() {
 }
 
 void CommandLine::requireTogether() const {
-    for (const auto& [option, other] : excluded_)
-        if (given(option) && given(other))
-            throw usageError(option + " and " + other + " exclude each other: give one of them");
-    for (const auto& [option, other] : needed_)
-        if (given(option) && !given(other)) throw usageError(option + " has no effect without " + other);
+    const auto both = std::ranges::find_if(
+        excluded_, [&](const auto& options) { return given(options.first) && given(options.second); });
+    if (both != excluded_.end())
+        throw usageError(both->first + " and " + both->second + " exclude each other: give one of them");
+    const auto alone = std::ranges::find_if(
+        needed_, [&](const auto& options) { return given(options.first) && !given(options.second); });
+    if (alone != needed_.end()) throw usageError(alone->first + " has no effect without " + alone->second);
 }
 
 // Whether the line asks for help or for the version, before anything that is not known.

@@ -98,7 +98,8 @@ class CommandLine {
     // How the help shows the option's value, and what is said where it is not there: "K/N".
     void shown(const char* option, const char* placeholder, const char* expected = nullptr);
 
-    // A decimal, finite number in the range; whole where Value is: int, std::uint64_t or double, or optional.
+    // A decimal, finite number in the range; whole where Value is. Value: int, std::uint64_t or
+    // double, or a std::optional of one.
     template <class Value>
     void number(const char* name, Value& value, const Range& range, const std::string& help);
 

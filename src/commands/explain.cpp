@@ -69,7 +69,7 @@ void requirePixel(const ImageSize& size, const PixelPlace& pixel) {
                                    size.width - 1, size.height - 1, pixel.x, pixel.y));
 }
 
-std::string bytesAt(const ByteImage& image, const PixelPlace& pixel) {
+std::string bytesInWords(const ByteImage& image, const PixelPlace& pixel) {
     const std::uint8_t* const bytes = image.at(pixel.x, pixel.y);
     return formatted("(%d, %d, %d)", bytes[0], bytes[1], bytes[2]);
 }
@@ -115,8 +115,8 @@ void printSuspect(const Suspect& suspect, const std::string& name, const PixelPl
                   const std::vector<std::string>& missing) {
     print(inLines(name + " ", verdict(suspect)));
     for (const std::string& hint : suspect.diagnosis.hints()) print(inLines("  ", hint));
-    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + bytesAt(suspect.image, pixel) + " in " + name +
-          ", " + bytesAt(suspect.right, pixel) + " is right\n");
+    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + bytesInWords(suspect.image, pixel) + " in " +
+          name + ", " + bytesInWords(suspect.right, pixel) + " is right\n");
     const std::string asIn = " it would be as in " + name + "\n";
     for (const std::string& term : missing) print(("without " + term).append(asIn));
 }

@@ -142,8 +142,8 @@ void RenderArguments::addPictureTo(CommandLine& line) {
         "Rays in each pixel, averaged; the first one goes through its centre (1; with --adaptive 256)");
     line.number(
         "--adaptive", options.adaptive, {0, 1},
-        "Take more samples in a pixel until its error is estimated to be about this, of 1, or there are "
-        "--samples; the picture's error is less; 0.02 makes a nice picture");
+        "Take more samples in a pixel until its error is estimated to be at most this, of 1 (twice this "
+        "where it takes 256), or there are --samples; 0.02 makes a nice picture");
 }
 
 void RenderArguments::check(const CommandLine& line) const {

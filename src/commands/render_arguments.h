@@ -16,7 +16,7 @@ struct RenderArguments {
     std::string scene;
     std::vector<std::string> sets;  // edits of the scene, "/pointer=value"
     int longEdge = 0;
-    RenderOptions options;  // as far as they are given as they are
+    RenderOptions options;  // those that a line gives as they are; prepare() makes the others
     std::string only;       // comma-separated terms; empty: all
     bool opaque = false;
     std::string pass = "color";
@@ -58,7 +58,7 @@ struct RenderArguments {
     // scene be blamed.
     bool isWhole() const { return pass == "color" && only.empty() && crop.empty(); }
 
-    // Applies `only` and `opaque` to the scene. All options for it. Throws Error.
+    // Applies `only` and `opaque` to the scene. Returns all options for it. Throws Error.
     RenderOptions prepare(SceneDescription& scene) const;
 
     // Throws Error for terms that are not there, and for an option that was given and can change nothing.

@@ -104,7 +104,7 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
 void tellLimited(const RenderCounts& counts, const RenderOptions& options, double pixels, bool quiet) {
     const auto limited = static_cast<double>(counts.limited);
     if (quiet || limited <= 0.001 * pixels) return;
-    tell(formatted("%.3g %% of the pixels have an error above --adaptive ", 100 * limited / pixels) +
+    tell(formatted("%.3g %% of the pixels would take more samples for --adaptive ", 100 * limited / pixels) +
          shortNumber(options.adaptive) + formatted(": --samples %d is too few", options.samples));
 }
 

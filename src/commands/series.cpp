@@ -63,7 +63,10 @@ bool isNearRange(const std::string& inside, bool hasFrames) {
     if (inside.find_first_of("0123456789") == inside.npos) return false;
     const auto commas = std::ranges::count(inside, ',');
     if (commas > 0) return commas == 1 && hasFrames;
-    return inside.find("..") != inside.npos || inside.find_first_of(":;- ", 1) != inside.npos;
+    const auto isSeparator = [](char c) {
+        return std::string_view(":;- ").find(c) != std::string_view::npos;
+    };
+    return inside.find("..") != inside.npos || std::ranges::count_if(inside.substr(1), isSeparator) == 1;
 }
 
 // Numbers between braces, or dots between numbers, that are no range, where the value is meant as numbers.

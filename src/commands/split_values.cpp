@@ -82,9 +82,7 @@ bool isUnfinished(const std::string& edit) {
            count("[{") > count("]}");
 }
 
-bool isFile(const std::string& word) {
-    return word == "-" || endsIn(word, ".json") || endsIn(word, ".png") || endsIn(word, ".pfm");
-}
+bool isFile(const std::string& word) { return word == "-" || endsIn(word, ".json") || isPictureName(word); }
 
 // In double quotes, which any shell has, but for what a shell changes in them.
 std::string inAnyShell(const std::string& text) {

@@ -107,9 +107,23 @@ bool isMiss(const glm::dvec3& color) {
     return glm::all(glm::lessThan(glm::abs(color - 54.0 / 255), glm::dvec3(1e-4)));
 }
 
+std::optional<PixelPlace> firstHit(const Renderer& renderer, const RenderOptions& options,
+                                   const PixelRectangle& pixels) {
+    std::vector<glm::dvec2> centres;
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+        for (int x = pixels.x0; x < pixels.x1; ++x) centres.emplace_back(x + 0.5, y + 0.5);
+    std::vector<glm::dvec3> normals(centres.size());
+    renderer.renderPoints(options, centres, normals);
+    const auto hit = std::ranges::find_if_not(normals, isMiss);
+    if (hit == normals.end()) return std::nullopt;
+    const glm::dvec2& centre = centres[static_cast<std::size_t>(hit - normals.begin())];
+    return PixelPlace{static_cast<int>(centre.x), static_cast<int>(centre.y)};
+}
+
 // Of each cell of a grid, the first pixel in reading order that hits something.
 std::vector<PixelPlace> pixelsThatHit(const Renderer& renderer, RenderOptions options) {
-    constexpr int cells = 24;  // across; 576 explanations take milliseconds
+    constexpr int cells = 24;       // across; 576 explanations take milliseconds
+    constexpr int rowsAtOnce = 64;  // little memory
     const auto begin = [](int cell, int pixels) {
         return static_cast<int>((std::int64_t{cell} * pixels + cells - 1) / cells);
     };
@@ -117,16 +131,12 @@ std::vector<PixelPlace> pixelsThatHit(const Renderer& renderer, RenderOptions op
     std::vector<PixelPlace> hits;
     for (int cell = 0; cell < cells * cells; ++cell) {
         const int row = cell / cells, column = cell % cells;
-        std::vector<glm::dvec2> centres;
-        for (int y = begin(row, options.size.height); y < begin(row + 1, options.size.height); ++y)
-            for (int x = begin(column, options.size.width); x < begin(column + 1, options.size.width); ++x)
-                centres.emplace_back(x + 0.5, y + 0.5);
-        std::vector<glm::dvec3> normals(centres.size());
-        renderer.renderPoints(options, centres, normals);
-        const auto hit = std::ranges::find_if_not(normals, isMiss);
-        if (hit == normals.end()) continue;
-        const glm::dvec2& centre = centres[static_cast<std::size_t>(hit - normals.begin())];
-        hits.push_back({static_cast<int>(centre.x), static_cast<int>(centre.y)});
+        const PixelRectangle all{begin(column, options.size.width), begin(row, options.size.height),
+                                 begin(column + 1, options.size.width), begin(row + 1, options.size.height)};
+        std::optional<PixelPlace> hit;
+        for (int y = all.y0; y < all.y1 && !hit; y += rowsAtOnce)
+            hit = firstHit(renderer, options, {all.x0, y, all.x1, std::min(y + rowsAtOnce, all.y1)});
+        if (hit) hits.push_back(*hit);
     }
     return hits;
 }

@@ -22,6 +22,7 @@ constexpr std::size_t mostNames = 3;
 NamedMistake nameOf(const Candidate& candidate) {
     NamedMistake name{candidate.fit};
     name.explained = std::max(0.0, candidate.fit.net());
+    name.contradicted = 0;
     for (const Mistake* mistake : candidate.variant->mistakes()) {
         name.what += (name.what.empty() ? "" : " and ") + mistake->what;
         if (!mistake->hint.empty()) name.hint += (name.hint.empty() ? "" : " ") + mistake->hint;

@@ -213,8 +213,8 @@ std::string noFile(const std::string& name) { return "there is no file " + print
 // The shell that will run it is asked: it knows its own commands, and where it looks for others.
 bool isCommand(const std::string& name) { return runProcess({"command -v", {name}, "/dev/null"}).well(); }
 
-// The script of which an interpreter is told for certain: a file's name, which is no option's value. Else
-// empty.
+// The script that an interpreter surely runs: the name of a file that is no option's value. Empty where none
+// is sure.
 std::string scriptAmong(std::span<const ShellWord> words) {
     static constexpr std::string_view endings[] = {".py", ".sh",  ".js",  ".rb",
                                                    ".pl", ".lua", ".jar", ".java"};

@@ -38,7 +38,8 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
 }
 
 // stb looks at no checksum of the data, and inflates whatever is there, however small the picture is: that
-// could be more than the memory holds. So they are inflated here before.
+// could be more than the memory holds. So the data are inflated here first. Of data longer than the pixels
+// the checksum is not looked at.
 void requireSoundData(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
     const std::string deflated = deflatedData(chunks);

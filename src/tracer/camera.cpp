@@ -29,7 +29,7 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     right_ = static_cast<Real>(right);
     bottom_ = static_cast<Real>(bottom);
     top_ = static_cast<Real>(top);
-    // A unit of the film is |u| wide and, seen along w, |u| / |w| high.
+    // A unit of the film is |u| wide and, seen along w, |u| / |w| high; |w| to within a factor of sqrt(3).
     longEdge_ = static_cast<Real>(std::max(std::abs(right - left), std::abs(top - bottom)) /
                                   std::max(1.0L, largest(w)));
 
@@ -46,7 +46,7 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
 
 Real Camera::farthest() const { return maxComponent(perspective_ ? abs(eye_) : abs(eye_) + film()); }
 
-Real Camera::width(const Real& t) const {
+Real Camera::width(Real t) const {
     const Real onFilm = maxComponent(abs(u_)) * longEdge_;
     return perspective_ ? t * onFilm : onFilm;
 }

@@ -56,12 +56,12 @@ void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
                       const std::function<void(JobQueue&)>& work) {
     const std::size_t stack = usualStack + static_cast<std::size_t>(options.max_recursion) * recursionStack;
     if (onThreads(jobs, options.threads, work, stack)) return;
-    const std::size_t there = mainStack();
-    const std::string lower =
-        "lower it to " + std::to_string((there - usualStack) / recursionStack) + ", or ";
+    std::string lower;
+    if (const std::size_t there = mainStack(); there >= usualStack)
+        lower = "lower it to " + std::to_string((there - usualStack) / recursionStack) + ", or ";
     throw Error("--max-recursion " + std::to_string(options.max_recursion) +
-                " needs a thread, and none can be made: " + (there < usualStack ? "" : lower) +
-                "set ulimit -s " + std::to_string((limitForMainStack(stack) + 1023) / 1024));
+                " needs a thread, and none can be made: " + lower + "set ulimit -s " +
+                std::to_string((limitForMainStack(stack) + 1023) / 1024));
 }
 
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,

@@ -91,13 +91,9 @@ Real brightestOf(const Scene& scene) {
 // How wide the picture is at a hit. Where the eye touches the shape: the shape's size, or how far the hit's
 // nearest light is.
 Real pictureWidth(const Scene& scene, const Ray& ray, const Intersection& hit) {
-    // The file's numbers are doubles, and some roundings went into an eye that somebody put onto a shape: 16,
-    // from which on extended precision, 2^11 times finer, knows an ordinary hit to mostPositionError.
-    constexpr Real roundoff = 16 * writtenRoundoff;
     const Transform& transform = hit.shape->transform();
     const Real width = scene.camera.width(hit.t);
-    const Vec3 uncertain = roundoff * (abs(ray.origin) + abs(transform.translation()));
-    if (!hit.shape->touches(ray.origin, uncertain, hit.primitive)) return width;
+    if (!hit.shape->touches(ray.origin, transform.writtenError(ray.origin), hit.primitive)) return width;
     Real least = transform.largestScale();
     for (const Light& light : scene.lights)
         least = std::min(least, maxComponent(abs(light.position - hit.position)));

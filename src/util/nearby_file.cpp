@@ -172,7 +172,7 @@ std::vector<fs::path> filesIn(const fs::path& folder, std::error_code& error, in
 }
 
 std::string nearbyFile(const std::string& path) {
-    const std::string slashes = replaced(path, "\\", "/");
+    std::string slashes = replaced(path, "\\", "/");
     if (slashes != path && isFile(slashes)) return slashes;
     const fs::path wanted = slashes, folder = wanted.parent_path(), name = wanted.filename();
     if (name.empty() || folder == "/") return {};  // a whole machine is not searched
@@ -228,7 +228,8 @@ std::string missingFolder(const std::string& path) {
 std::string whereLooked(const std::string& path) {
     const int before = errno;
     if (before != ENOENT) return {};
-    const std::string missing = missingFolder(path), hint = hintAt(path);
+    const std::string missing = missingFolder(path);
+    std::string hint = hintAt(path);
     std::error_code error;
     const fs::path wanted = path, here = fs::current_path(error), above = wanted.parent_path();
     errno = before;

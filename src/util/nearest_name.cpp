@@ -25,8 +25,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
         above.swap(row);
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = above[j - 1] + (a[i - 1] != b[j - 1]);
-            row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+            const std::size_t changed = above[j - 1] + (a[i - 1] != b[j - 1]);
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, changed});
             if (areSwapped(a, b, i, j)) row[j] = std::min(row[j], before[j - 2] + 1);
         }
     }

@@ -46,7 +46,7 @@ class WordReader {
             if (c == quote) quote = 0;
             else if (!quote && isAmong(c, "'\"")) quote = c;
             else if (!isEscape(quote)) readCharacter(word, quote);
-            else if (++at_ < command_.size()) word.text += command_[at_];
+            else if (at_ + 1 < command_.size()) word.text += command_[++at_];
         }
         if (quote) word.isPlain = false;  // which has no end
         const bool isNumber = at_ - word.begin == word.text.size() && std::ranges::all_of(word.text, isDigit);

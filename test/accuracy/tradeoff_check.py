@@ -71,7 +71,7 @@ def check_limit(folder):
     assert alone == limited and done.stderr == "", done
     done = run("scenes/texture.json", folder / "o.png", 40, "--adaptive", 0.01, "--samples", 8, "--stats")
     stopped = json.loads(done.stdout)["limited_pixels"]
-    told = (f"{100 * stopped / 40 ** 2:.3g} % of the pixels have an error above --adaptive 0.01: "
+    told = (f"{100 * stopped / 40 ** 2:.3g} % of the pixels would take more samples for --adaptive 0.01: "
             "--samples 8 is too few\n")
     assert stopped > 100 and done.stderr.endswith(told), done
 

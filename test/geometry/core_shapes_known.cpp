@@ -286,14 +286,15 @@ std::vector<Case> boxCases() {
     return cases;
 }
 
-// What lies on an edge belongs to the first face in the assignment's order.
+// Of an edge the face that the ray comes to counts, of two such the first in the assignment's order.
 std::vector<Case> cubeCases() {
     std::vector<Case> cases = boxCases();
     const Case edges[] = {
         {"corner", {5, 5, 5}, {-1, -1, -1}, true, 4, {1, 1, 1}, {1, 0, 0}, 0, {1, 1}, true},
         {"edge", {0, -4, 4}, {0, 1, -1}, true, 3, {0, -1, 1}, {0, -1, 0}, 3, {0.5, 1}, true},
         {"along a face", {-5, 1, 0.25L}, {1, 0, 0}, true, 4, {-1, 1, 0.25L}, {-1, 0, 0}, 1, {1, 0.625}, true},
-        {"touching an edge", {2, 0, 0.5L}, {-1, 1, 0}, true, 1, {1, 1, 0.5L}, {1, 0, 0}, 0, {1, 0.75}, true}};
+        {"touching an edge", {2, 0, 0.5L}, {-1, 1, 0}, true, 1, {1, 1, 0.5L}, {1, 0, 0}, 0, {1, 0.75}, true},
+        {"the same back", {0, 2, 0.5L}, {1, -1, 0}, true, 1, {1, 1, 0.5L}, {0, 1, 0}, 2, {1, 0.75}, true}};
     cases.insert(cases.end(), std::begin(edges), std::end(edges));
     return cases;
 }

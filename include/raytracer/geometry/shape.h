@@ -80,7 +80,8 @@ class Shape {
     // one for each triangle. Never the point that the ray leaves (Departure): a ray that leaves a convex
     // solid outwards does not meet it again, one that enters it comes out exactly once, a plane or triangle
     // never meets its own ray; and of another shape that goes through the ray's origin (touches) the root at
-    // the origin is dropped. A ray of the camera that starts on the shape meets it there.
+    // the origin is dropped. A ray of the camera that starts on the shape meets it there
+    // (on a solid that is not 1 / coincidenceWindow times smaller than its distance from the frame's origin).
     void intersect(const Ray& ray, HitQueryT<Real>& query) const;
 
     // The surface at a hit that `intersect` offered for this ray.

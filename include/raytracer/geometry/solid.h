@@ -114,6 +114,7 @@ struct Solid : Equation<Kind> {
         std::uint32_t face = 0;
         while (offsets[face] < -errors[face]) ++face;
         const Vec3 normal = Kind::onSurface(object.origin, face).normal;
+        query.count();
         query.offer(true, 0, shape, face, glm::dot(normal, object.direction) < 0);
         return true;
     }

@@ -73,8 +73,8 @@ inline constexpr Real farSquared = powerOfTwo(std::numeric_limits<Real>::digits 
 // From this squared distance on, the rounding error of a move to the shape takes half of its digits.
 inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits);
 
-// The most that a hit may be wrong by, of the picture's width there (a pixel of 4096), and on a sphere or
-// cone of that one's size.
+// The most that a hit may be wrong by, of the picture's width there (a pixel of 4096), and on a sphere,
+// a cone or a cylinder's side of that one's size.
 inline constexpr Real mostPositionError = 1 / powerOfTwo(12);
 // A camera that is this many sizes of the shapes away sees them to within that part of their size; one whose
 // rays are sums of numbers this many widths of its picture large, to that part of its width.

@@ -24,7 +24,7 @@ struct ImageOf {
     int width = 0, height = 0;
     LargeVector<Channel> pixels;  // width * height * 3
 
-    // A pixel's red, behind which its green and its blue are.
+    // Where a pixel is: its red, green and blue.
     const Channel* at(int x, int y) const {
         return &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                             static_cast<std::size_t>(x))];
@@ -54,7 +54,9 @@ inline int largestDifference(const std::uint8_t* a, const std::uint8_t* b) {
 Texture readTexture(const std::string& path);  // of a regular file
 ByteImage readImage(const FileBytes& file);    // 16 bits are rounded to 8
 FloatImage readPfm(const FileBytes& file);
-inline bool isPfm(const FileBytes& file) { return file.text().starts_with("PF"); }
+inline bool isPfm(const FileBytes& file) {  // grey ones, too, which readPfm refuses
+    return file.text().starts_with("PF") || file.text().starts_with("Pf");
+}
 
 // What a PNG's or JPEG's header says; nothing where it has none.
 std::optional<ImageSize> sizeInHeader(const FileBytes& file);

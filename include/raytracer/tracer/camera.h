@@ -34,7 +34,7 @@ class Camera {
 
     // How wide the picture is at t of its rays: as many pixels as along its longer edge, by a pixel's shorter
     // side.
-    Real width(const Real& t) const;
+    Real width(Real t) const;
 
     // The largest number that its rays' directions (orthographic: origins) are sums of, in such widths.
     Real reach() const;

@@ -60,7 +60,7 @@ struct RenderCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t tests = 0;
     std::uint64_t limited =
-        0;  // pixels that `samples` stopped while their estimated error was above `adaptive`
+        0;  // pixels that `samples` stopped while their weighted error was above `adaptive`
     // The most that rays not cast for RenderOptions::cutoff can have changed any one pixel, of the samples
     // taken: which ones `adaptive` takes it does not know.
     double cutoffBound = 0;

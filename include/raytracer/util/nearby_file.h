@@ -13,9 +13,9 @@
 
 namespace raytracer {
 
-// What is in a folder, and with `depth` in the folders of it, but folders and hidden files: pipes and links
-// that lead nowhere, too. In alphabetical order, since a folder has none. No more than `most` of what is
-// there are looked at. `error`: why no more can be.
+// All that is in a folder, and with `depth` in the folders of it, but folders and what is hidden; so pipes
+// and links that lead nowhere, too. In alphabetical order, since a folder has none. No more than `most` of
+// what is there are looked at. `error`: why no more can be.
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder, std::error_code& error,
                                            int depth = 0,
                                            std::size_t most = std::numeric_limits<std::size_t>::max());

@@ -22,9 +22,9 @@ class JobQueue {
 // The stack of a thread, in bytes, whatever the limit of the process (ulimit -s) is.
 inline constexpr std::size_t usualStack = std::size_t{1} << 20;
 
-// What the main thread's stack surely has; and the limit of the process (ulimit -s, in bytes) that gives it
-// so much: three quarters of that.
+// What the main thread's stack surely has: three quarters of the limit of the process (ulimit -s).
 std::size_t mainStack();
+// The limit, in bytes, with which that is so much.
 constexpr std::size_t limitForMainStack(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
 // Calls work(queue) on up to `threads` threads (0: one for each processor), of which the caller is one,
