@@ -24,7 +24,10 @@ constexpr double coarsest = 8, finest = 1 / 16.0;
 constexpr double finer = 1 / 1.09;  // from one `adaptive` to the next: 4 % of the error are lost in the mean
 constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
-constexpr double mostRaysOfPixel = 1 << 16;     // of pilot samples, about, for each of the picture's
+// Rays of pilot samples, about, for each pixel of the picture: at most so many, and so many over the target's
+// square. Random samples of 0 and 1 would reach it with 1 / (4 target^2); there are three times as many, of
+// some 20 rays.
+constexpr double mostRaysOfPixel = 1 << 16, raysOfRandom = 16;
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {
@@ -153,7 +156,8 @@ class Search {
     }
 
     bool isSpent() const {
-        return static_cast<double>(choice_.counts.all() - before_) > mostRaysOfPixel * area_;
+        const double most = std::min(mostRaysOfPixel, raysOfRandom / (target_ * target_));
+        return static_cast<double>(choice_.counts.all() - before_) > most * area_;
     }
 
     // No pixel of the picture takes more samples than a pilot pixel has taken.
