@@ -38,14 +38,20 @@ std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& fold
     std::vector<fs::path> files = filesIn(folder, error);
     if (error) throw folderError(folder, error);
     std::erase_if(files, [&](const fs::path& file) { return file.extension() != ending; });
-    for (const fs::path& file : files)
-        if (!fs::is_regular_file(file, error)) FileBytes(file.string(), FileKind::Regular);  // throws
     return files;
 }
 
+void requireRegular(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) FileBytes(file.string(), FileKind::Regular);  // throws
+}
+
+// Of a scene whose reference is there, if only as a link that leads nowhere: then both must be files.
 void addCase(GradePlan& plan, const fs::path& scene, const fs::path& reference, const Stage& stage) {
     std::error_code error;
-    if (!fs::exists(reference, error)) return;
+    if (!fs::exists(fs::symlink_status(reference, error))) return;
+    requireRegular(scene);
+    requireRegular(reference);
     const std::string name = reference.stem().string();
     plan.cases.push_back({name, scene.stem().string(), &stage, scene.string(), reference.string()});
 }

@@ -18,7 +18,7 @@ class WordReader {
 
     // False at the end.
     bool read(ShellWord& word) {
-        while (isAt(blanks)) ++at_;
+        while (isAt(blanks) || isContinued()) at_ += isContinued() ? 2 : 1;
         if (isAt("#")) at_ = std::min(command_.find('\n', at_), command_.size());
         if (isEnd()) return false;
         word = {at_, at_};
@@ -32,6 +32,9 @@ class WordReader {
     bool isEnd() const { return at_ >= command_.size(); }
     bool isAt(std::string_view characters) const { return !isEnd() && isAmong(command_[at_], characters); }
 
+    // A line that goes on: nothing, as for a shell.
+    bool isContinued() const { return command_.substr(std::min(at_, command_.size()), 2) == "\\\n"; }
+
     void readOperator(ShellWord& word) {
         const bool isAlone = isAt(alone), leads = isAt("<>") || command_.substr(at_, 2) == "&>";
         word.kind = leads ? ShellWord::Redirection : ShellWord::Operator;
@@ -43,7 +46,8 @@ class WordReader {
         char quote = 0;
         for (; !isEnd() && (quote || !(isAt(blanks) || isAt(joiners) || isAt(alone))); ++at_) {
             const char c = command_[at_];
-            if (c == quote) quote = 0;
+            if (quote != '\'' && isContinued()) ++at_;
+            else if (c == quote) quote = 0;
             else if (!quote && isAmong(c, "'\"")) quote = c;
             else if (!isEscape(quote)) readCharacter(word, quote);
             else if (at_ + 1 < command_.size()) word.text += command_[++at_];

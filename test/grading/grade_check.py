@@ -197,12 +197,15 @@ def check_files(folder, failing):
     check(not (folder / "x").exists(), "no file where the line is wrong")
     (folder / "pipes").mkdir()
     os.mkfifo(folder / "pipes/a.json")
+    shutil.copy(folder / "exam/good_one.png", folder / "pipes/a.png")
     failing("a pipe for a scene", "pipes/a.json: cannot read: it is no regular file\n", "pipes", *program)
     for files in 4, 5, 6:
         failing(f"{files} open files", "(/dev/null: )?cannot start a process: Too many open files\n", "one",
                 *program, before=["sh", "-c", f'ulimit -n {files}; exec "$@"', "sh"])
     (folder / "links").mkdir()
     shutil.copy(folder / "one/a.json", folder / "links")
+    shutil.copy(folder / "exam/good_one.png", folder / "links/b.png")
+    (folder / "links/photo.png").symlink_to("nowhere")  # which no scene has
     for name, target, why in (("b.json", "nowhere", "No such file or directory.*"),
                               ("a.png", "a.png", "Too many levels of symbolic links")):
         link = folder / "links" / name

@@ -25,6 +25,7 @@ std::string told(const char* command) {
 TEST_CASE("shell words: quotes, blanks and operators") {
     CHECK(told("") == "");
     CHECK(told("a\\") == "a");
+    CHECK(told("a\\\n b\\\nc \\\n d \"e\\\nf\"") == "a bc d ef");
     CHECK(told("a\tb  'c d'\"e\\\"f\"\\ g") == "a b c de\"f g");
     CHECK(told("a;b&&c|d # e\nf") == "a O:; b O:&& c O:| d O:\n f");
     CHECK(told("2>/dev/null a 8 >b") == "R:2> /dev/null a 8 R:> b");
