@@ -26,8 +26,8 @@ constexpr double mostFirst = 1 << 22;           // pixels whose first samples an
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
 // Rays of pilot samples, about, for each pixel of the picture: at most so many, and so many over the target's
 // square. Random samples of 0 and 1 would reach it with 1 / (4 target^2); there are three times as many, of
-// some 20 rays.
-constexpr double mostRaysOfPixel = 1 << 16, raysOfRandom = 16;
+// some 10 rays.
+constexpr double mostRaysOfPixel = 1 << 16, raysOfRandom = 8;
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {
