@@ -199,9 +199,9 @@ def check_files(folder, failing):
     os.mkfifo(folder / "pipes/a.json")
     shutil.copy(folder / "exam/good_one.png", folder / "pipes/a.png")
     failing("a pipe for a scene", "pipes/a.json: cannot read: it is no regular file\n", "pipes", *program)
-    for files in 4, 5, 6:
-        failing(f"{files} open files", "(/dev/null: )?cannot start a process: Too many open files\n", "one",
-                *program, before=["sh", "-c", f'ulimit -n {files}; exec "$@"', "sh"])
+    # With fewer the undefined-behaviour sanitizer takes every object for another one.
+    failing("six open files", "(/dev/null: )?cannot start a process: Too many open files\n", "one", *program,
+            before=["sh", "-c", 'ulimit -n 6; exec "$@"', "sh"])
     (folder / "links").mkdir()
     shutil.copy(folder / "one/a.json", folder / "links")
     shutil.copy(folder / "exam/good_one.png", folder / "links/b.png")
