@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "arguments.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 
