@@ -43,7 +43,7 @@ void writeAll(const PartFiles& parts, PictureWriter<Image>& writer, bool quiet) 
 int assembleParts(const std::vector<std::string>& paths, const std::string& out, int threads, bool quiet) {
     const bool isPfm = endsIn(out, ".pfm");
     if (out.find(".part-") != out.npos && !isPfm && !endsIn(out, ".png"))  // as partName makes them
-        throw usageError("IMAGE_OUT is missing: " + printable(out) + " is the last part");
+        throw UsageError("IMAGE_OUT is missing: " + printable(out) + " is the last part");
     if (!isPfm && !endsIn(out, ".png")) throw Error({out}, "expected a name that ends in .png or .pfm");
     refuseInput(out, paths);
     Stopwatch watch;

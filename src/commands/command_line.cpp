@@ -175,7 +175,7 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
     if (at + 1 == line.size() || find(line[at + 1])) refuse(name, option->expected, "nothing");
     const std::string& text = line[++at];
     if (text.starts_with('=') && (text.size() > 1 || at + 1 < line.size()))
-        throw usageError("unexpected \"=\"; write " + name + " " +
+        throw UsageError("unexpected \"=\"; write " + name + " " +
                          (text.size() > 1 ? text.substr(1) : line[at + 1]));
     given_.push_back({option, text, rest_.size()});
 }
@@ -200,10 +200,10 @@ void CommandLine::requireTogether() const {
     const auto both = std::ranges::find_if(
         excluded_, [&](const auto& options) { return given(options.first) && given(options.second); });
     if (both != excluded_.end())
-        throw usageError(both->first + " and " + both->second + " exclude each other: give one of them");
+        throw UsageError(both->first + " and " + both->second + " exclude each other: give one of them");
     const auto alone = std::ranges::find_if(
         needed_, [&](const auto& options) { return given(options.first) && !given(options.second); });
-    if (alone != needed_.end()) throw usageError(alone->first + " has no effect without " + alone->second);
+    if (alone != needed_.end()) throw UsageError(alone->first + " has no effect without " + alone->second);
 }
 
 // Whether the line asks for help or for the version, before anything that is not known.
@@ -257,7 +257,7 @@ bool CommandLine::parse(int argc, char** argv) {
     } catch (const UsageError&) {
         const std::string late = name_.empty() ? lateCommand(line) : "";
         if (late.empty()) throw;
-        throw usageError("the command stands first: raytracer " + late + " ...");
+        throw UsageError("the command stands first: raytracer " + late + " ...");
     }
     return false;
 }

@@ -19,7 +19,6 @@ namespace raytracer::commands {
 struct UsageError : Error {
     using Error::Error;
 };
-inline UsageError usageError(const std::string& message) { return UsageError(message); }
 
 inline constexpr const char* seeHelp = " (see --help)";
 

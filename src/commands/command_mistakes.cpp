@@ -139,7 +139,7 @@ void CommandLine::requireWholeValues() const {
         if (!word->rejoin) continue;
         const Word::Whole whole = word->rejoin(text, std::span(rest_).subspan(at));
         if (!whole.value.empty())
-            throw usageError(word->name + " " + whole.form + ": write " + word->name + " " + whole.value);
+            throw UsageError(word->name + " " + whole.form + ": write " + word->name + " " + whole.value);
     }
 }
 
@@ -147,11 +147,11 @@ void CommandLine::requireWholeValues() const {
 void CommandLine::requireKinds() const {
     const std::vector<const Word*> expected = arguments();
     if (!rest_.empty() && rest_[0] == "-" && expected[0]->kind == ArgumentKind::Scene)
-        throw usageError("a scene is not read from standard input: name its file");
+        throw UsageError("a scene is not read from standard input: name its file");
     const auto picture =
         std::ranges::find_if(rest_, [](const std::string& text) { return isPictureName(text); });
     if (find("--picture") && picture != rest_.end())
-        throw usageError("is " + *picture + " the picture? Give it with --picture; the order is " + order());
+        throw UsageError("is " + *picture + " the picture? Give it with --picture; the order is " + order());
 }
 
 // Throws where a word is an option without its dashes: "/max-recursion 3", "max-recursion=3".
@@ -162,7 +162,7 @@ void CommandLine::requireDashes() const {
         if (!option) continue;
         std::string value = equals == std::string::npos ? "" : rest_[i].substr(equals + 1);
         if (value.empty() && !option->isFlag() && i + 1 < rest_.size()) value = rest_[i + 1];
-        throw usageError("unexpected argument " + inQuotes(rest_[i]) + "; write " + option->name +
+        throw UsageError("unexpected argument " + inQuotes(rest_[i]) + "; write " + option->name +
                          (value.empty() ? "" : " " + value));
     }
 }
@@ -189,21 +189,21 @@ void CommandLine::requireOrder() const {
     if (!hasMore && places.size() == expected.size()) return;
     const std::string theOrder = "the order is " + order();
     const std::string blank = hasMore ? fileWithBlank(rest_) : "";
-    if (!blank.empty()) throw usageError("there is a file " + inQuotes(blank) + ": write its name in quotes");
-    if (const std::string said = answer_ ? answer_(rest_) : ""; !said.empty()) throw usageError(said);
+    if (!blank.empty()) throw UsageError("there is a file " + inQuotes(blank) + ": write its name in quotes");
+    if (const std::string said = answer_ ? answer_(rest_) : ""; !said.empty()) throw UsageError(said);
     requireWholeValues();
     requireDashes();
     const Word* const absent = hasMore ? absentKind(rest_, expected) : nullptr;
-    if (absent) throw usageError(absent->name + " is missing; " + theOrder + seeHelp);
+    if (absent) throw UsageError(absent->name + " is missing; " + theOrder + seeHelp);
     const std::string* const surplus = hasMore ? surplusIn(rest_, expected) : nullptr;
-    if (surplus) throw usageError("unexpected argument " + inQuotes(*surplus) + "; " + theOrder);
+    if (surplus) throw UsageError("unexpected argument " + inQuotes(*surplus) + "; " + theOrder);
     const std::string swapped = hasMore ? swappedIn(rest_, expected) : "";
-    if (!swapped.empty()) throw usageError(swapped + "? T" + theOrder.substr(1));
+    if (!swapped.empty()) throw UsageError(swapped + "? T" + theOrder.substr(1));
     if (places.size() < expected.size()) requireNumbers(places, expected);
     for (std::size_t i = 0; i < expected.size(); ++i)
         if (std::ranges::find(places, i) == places.end())
-            throw usageError(expected[i]->name + " is missing; " + theOrder + seeHelp);
-    throw usageError("unexpected argument " + inQuotes(rest_[places.size()]) + "; " + theOrder);
+            throw UsageError(expected[i]->name + " is missing; " + theOrder + seeHelp);
+    throw UsageError("unexpected argument " + inQuotes(rest_[places.size()]) + "; " + theOrder);
 }
 
 }  // namespace raytracer::commands

@@ -65,7 +65,7 @@ struct ExplainArguments {
 
 void requirePixel(const ImageSize& size, const PixelPlace& pixel) {
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height)
-        throw usageError(formatted("expected X from 0 to %d and Y from 0 to %d, found %d and %d",
+        throw UsageError(formatted("expected X from 0 to %d and Y from 0 to %d, found %d and %d",
                                    size.width - 1, size.height - 1, pixel.x, pixel.y));
 }
 

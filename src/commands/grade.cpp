@@ -161,13 +161,13 @@ void requireProgramIn(const std::vector<Submission>& submissions, const std::str
     for (const std::string& name : filesStarted(program))
         if (name.find("{}") != name.npos &&
             std::ranges::none_of(submissions, [&](const Submission& one) { return hasFile(one, name); }))
-            throw usageError("--program: " + missingInAll(name));
+            throw UsageError("--program: " + missingInAll(name));
 }
 
 int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
     const std::vector<Submission> submissions = submissionsIn(arguments.submissions);
     if (!arguments.gradescope.empty() && submissions.size() != 1)
-        throw usageError("--gradescope: expected one submission, found " +
+        throw UsageError("--gradescope: expected one submission, found " +
                          std::to_string(submissions.size()));
     if (arguments.gradescope.empty()) requireProgramIn(submissions, arguments.program);
     std::optional<PictureShelf> shelf;

@@ -66,9 +66,9 @@ std::string otherCommandMeant(std::span<const std::string> words) {
 // What is run for each submission has its folder, which the grader quotes.
 void requireFolderIn(const std::string& program) {
     if (program.find("{}") == program.npos)
-        throw usageError("--program: expected {} for the submission's folder, found " + inQuotes(program));
+        throw UsageError("--program: expected {} for the submission's folder, found " + inQuotes(program));
     if (std::ranges::any_of(shellWords(program), &ShellWord::quotesBraces))
-        throw usageError("--program: write {} without quotes: it is quoted already");
+        throw UsageError("--program: write {} without quotes: it is quoted already");
 }
 
 }  // namespace
@@ -128,11 +128,11 @@ ProgramOptions GradeArguments::programOptions() const {
 
 void GradeArguments::check() const {
     if (submissions.empty() && program.starts_with("{}"))
-        throw usageError("--program: {} is a submission's folder: it needs --submissions");
+        throw UsageError("--program: {} is a submission's folder: it needs --submissions");
     if (!submissions.empty() && !program.empty()) requireFolderIn(program);
     if (!program.empty()) requirePrograms();
     if (const std::string fault = programFault(program); !fault.empty())
-        throw usageError("--program: " + fault);
+        throw UsageError("--program: " + fault);
     if (!report.empty() && !endsIn(report, ".html") && !endsIn(report, ".htm"))
         throw Error({report}, "expected a name that ends in .html or .htm");
     for (const char* const workbook : {".xlsx", ".xls", ".ods"})
@@ -142,7 +142,7 @@ void GradeArguments::check() const {
     try {
         requireUser(options.user);
     } catch (const Error& error) {
-        throw usageError("--user: " + std::string(error.what()));
+        throw UsageError("--user: " + std::string(error.what()));
     }
 }
 

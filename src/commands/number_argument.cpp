@@ -83,7 +83,7 @@ struct Variable<std::optional<Number>> {
 }  // namespace
 
 void refuse(const std::string& name, const std::string& expected, const std::string& found) {
-    throw usageError(name + ": expected " + expected + ", found " + found);
+    throw UsageError(name + ": expected " + expected + ", found " + found);
 }
 
 template <class Value>

@@ -78,14 +78,14 @@ std::string withoutTerm(std::string_view name) {
 
 void CommandLine::failUnknown(const std::string& option) const {
     const auto lacking = std::ranges::find(lacking_, option, &Pair::first);
-    if (lacking != lacking_.end()) throw usageError("there is no " + option + ": " + lacking->second);
+    if (lacking != lacking_.end()) throw UsageError("there is no " + option + ": " + lacking->second);
     const std::string unknown = "unknown option " + option;
     const std::string_view name = withoutDashes(option);
-    if (name.starts_with("no-")) throw usageError(unknown + withoutTerm(name.substr(3)) + seeHelp);
+    if (name.starts_with("no-")) throw UsageError(unknown + withoutTerm(name.substr(3)) + seeHelp);
     const std::string ours = meantOption(name);
-    if (ours.empty()) throw usageError(unknown + seeHelp);
-    if (ours.starts_with("--")) throw usageError(unknown + "; did you mean " + ours + "?");
-    throw usageError(unknown + "; the order is " + order());
+    if (ours.empty()) throw UsageError(unknown + seeHelp);
+    if (ours.starts_with("--")) throw UsageError(unknown + "; did you mean " + ours + "?");
+    throw UsageError(unknown + "; the order is " + order());
 }
 
 // By its exact other name, else by what is near to the names here, and last to the other names. It may be an

@@ -76,10 +76,10 @@ OutputFile openOutput(const PictureArguments& wanted) {
             throw Error({wanted.out}, "expected a name that ends in .png or .pfm");
         return {wanted.file()};
     }
-    if (wanted.isPart()) throw usageError("the picture - goes to standard output, and --part to a file");
+    if (wanted.isPart()) throw UsageError("the picture - goes to standard output, and --part to a file");
     if (wanted.stats)
-        throw usageError("the picture - and --stats both go to standard output: name a file for the picture");
-    if (printsOnTerminal()) throw usageError("the picture - is no text for a terminal: write - > out.png");
+        throw UsageError("the picture - and --stats both go to standard output: name a file for the picture");
+    if (printsOnTerminal()) throw UsageError("the picture - is no text for a terminal: write - > out.png");
     return OutputFile::standardOutput();
 }
 
@@ -266,10 +266,10 @@ void check(const CommandLine& line, const RenderArguments& arguments, const Pict
     refuseNearRanges(arguments.sets, !wanted.frames.empty());
     if (wanted.isPart()) parsePart(wanted.part);
     if (wanted.skipExisting && wanted.out == "-")
-        throw usageError("--skip-existing has no effect with the picture -");
+        throw UsageError("--skip-existing has no effect with the picture -");
     if (wanted.frames.empty()) refuseFrames(wanted.out, arguments.sets);
     if (wanted.watch && wanted.out == "-")
-        throw usageError("--watch has no effect with the picture -: write to a file");
+        throw UsageError("--watch has no effect with the picture -: write to a file");
 }
 
 }  // namespace

@@ -57,13 +57,13 @@ bool Terms::*termNamed(const std::string& name) {
         nearest.consider(known.name);
     }
     if (const std::string pass = passMeant(name); !pass.empty())
-        throw usageError("--only: no term " + inQuotes(name) + "; write --pass " + pass);
+        throw UsageError("--only: no term " + inQuotes(name) + "; write --pass " + pass);
     if (const std::string terms = termsOfStage(name); !terms.empty())
-        throw usageError("--only has commas, no underscores: write --only " + terms);
-    if (name == "all") throw usageError("--only: no term \"all\"; without --only there are all");
+        throw UsageError("--only has commas, no underscores: write --only " + terms);
+    if (name == "all") throw UsageError("--only: no term \"all\"; without --only there are all");
     if (name.find_first_of(" ;+|/") != name.npos)
-        throw usageError("--only: expected commas between the terms, found " + inQuotes(name));
-    throw usageError("--only: no term " + inQuotes(name) +
+        throw UsageError("--only: expected commas between the terms, found " + inQuotes(name));
+    throw UsageError("--only: no term " + inQuotes(name) +
                      (nearest.found() ? nearest.question() : "; --help lists them"));
 }
 
@@ -79,17 +79,17 @@ PixelRectangle parseCrop(const std::string& text) {
     std::vector<std::optional<int>> numbers;
     for (const std::string& part : listParts(text)) numbers.push_back(edgeIn(part));
     if (numbers.size() != 4 || std::ranges::count(numbers, std::optional<int>()) > 0)
-        throw usageError("--crop: expected four whole numbers x0,y0,x1,y1, found " + inQuotes(text));
+        throw UsageError("--crop: expected four whole numbers x0,y0,x1,y1, found " + inQuotes(text));
     const PixelRectangle crop{*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
     if (crop.x0 >= crop.x1 || crop.y0 >= crop.y1)
-        throw usageError("--crop: expected x0,y0,x1,y1 with x0 < x1 and y0 < y1, found " + inQuotes(text));
+        throw UsageError("--crop: expected x0,y0,x1,y1 with x0 < x1 and y0 < y1, found " + inQuotes(text));
     return crop;
 }
 
 PixelRectangle cropOf(const std::string& text, const ImageSize& size) {
     const PixelRectangle crop = parseCrop(text);
     if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > size.width || crop.y1 > size.height)
-        throw usageError("--crop: expected a rectangle inside of the " + std::to_string(size.width) + " x " +
+        throw UsageError("--crop: expected a rectangle inside of the " + std::to_string(size.width) + " x " +
                          std::to_string(size.height) + " picture, found " + inQuotes(text));
     return crop;
 }
@@ -149,12 +149,12 @@ void RenderArguments::addPictureTo(CommandLine& line) {
 void RenderArguments::check(const CommandLine& line) const {
     const Terms chosen = terms();
     if (isDark(chosen))
-        throw usageError("--only " + only + ": there is no light without ambient, diffuse or specular");
+        throw UsageError("--only " + only + ": there is no light without ambient, diffuse or specular");
     for (const std::string& set : sets) JsonEdit{set};
     if (!crop.empty()) parseCrop(crop);
     const auto refuse = [&](const std::string& cause, std::initializer_list<const char*> useless) {
         for (const char* option : useless)
-            if (line.given(option)) throw usageError(option + (" has no effect with " + cause));
+            if (line.given(option)) throw UsageError(option + (" has no effect with " + cause));
     };
     if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff"});
     if (pass == "normals") refuse("--pass normals", {"--texture-filter"});
@@ -173,7 +173,7 @@ Terms RenderArguments::terms() const {
     if (only.empty()) return {};
     Terms terms = noTerms;
     for (const std::string& name : listParts(only)) {
-        if (name.empty()) throw usageError("--only: a comma too many in " + inQuotes(only));
+        if (name.empty()) throw UsageError("--only: a comma too many in " + inQuotes(only));
         terms.*termNamed(name) = true;
     }
     return terms;

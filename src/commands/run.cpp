@@ -148,11 +148,11 @@ void requireAlone(const std::vector<std::string>& words, const std::string& aske
     const bool hasValue = asked.find('=') != asked.npos;
     const std::string found = ", found " + (values.empty() ? "nothing" : inQuotes(values[0]));
     std::string name(withoutValue(asked));
-    if (!isCompletion && hasValue) throw usageError(name + ": expected no value" + found);
+    if (!isCompletion && hasValue) throw UsageError(name + ": expected no value" + found);
     if (isCompletion && (values.empty() || std::ranges::find(shells, values[0]) == std::end(shells)))
-        throw usageError(name + ": expected " + listed({std::begin(shells), std::end(shells)}) + found);
+        throw UsageError(name + ": expected " + listed({std::begin(shells), std::end(shells)}) + found);
     if (isCompletion) name += " " + values[0];
-    if (&asked != &words[0] || values.size() > isCompletion) throw usageError(name + " stands alone");
+    if (&asked != &words[0] || values.size() > isCompletion) throw UsageError(name + " stands alone");
 }
 
 bool asksForHelp(std::string_view word) { return word == "--help" || word == "-h"; }

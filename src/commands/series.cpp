@@ -43,7 +43,7 @@ std::optional<Span> findRange(const std::string& text, std::size_t begin) {
         const auto ends = endsOf<double>(text.substr(open + 1, close - open - 1));
         if (!ends) continue;
         if (!std::isfinite(*ends.to - *ends.from))
-            throw usageError("--set " + text + ": a range has finite ends and a finite length");
+            throw UsageError("--set " + text + ": a range has finite ends and a finite length");
         return Span{open, close + 1, ends};
     }
     return std::nullopt;
@@ -138,7 +138,7 @@ PicturePart parsePart(const std::string& text) {
     const auto number = numberOf<int>(text.substr(0, slash));
     const auto count = numberOf<int>(slash == text.npos ? "" : text.substr(slash + 1));
     if (!number || !count || *number < 1 || *number > *count || *count > mostParts)
-        throw usageError("--part: expected K/N, two whole numbers with 1 <= K <= N <= " +
+        throw UsageError("--part: expected K/N, two whole numbers with 1 <= K <= N <= " +
                          std::to_string(mostParts) + ", found " + inQuotes(text));
     return {*number, *count};
 }
@@ -162,7 +162,7 @@ PartHead partHead(const RenderArguments& arguments, const RenderOptions& options
 Frames parseFrames(const std::string& text) {
     const auto ends = endsOf<int>(text);
     if (!ends || *ends.from < 0 || *ends.to < *ends.from || *ends.to > lastFrame)
-        throw usageError("--frames: expected A..B, two whole numbers with 0 <= A <= B <= 999999, found " +
+        throw UsageError("--frames: expected A..B, two whole numbers with 0 <= A <= B <= 999999, found " +
                          inQuotes(text));
     return {*ends.from, *ends.to};
 }
@@ -187,16 +187,16 @@ std::string atFrame(const std::string& set, const Frames& frames, int frame) {
 
 void refuseNearRanges(const std::vector<std::string>& sets, bool hasFrames) {
     for (const std::string& set : sets)
-        if (hasNearRange(set, hasFrames)) throw usageError("--set " + set + ": a range is {0..1}");
+        if (hasNearRange(set, hasFrames)) throw UsageError("--set " + set + ": a range is {0..1}");
 }
 
 void refuseFrames(const std::string& out, const std::vector<std::string>& sets) {
     const auto place = frameNumberIn(out);
     if (place && place->width > 0)
-        throw usageError("the picture " + printable(out) + " needs --frames, for " +
+        throw UsageError("the picture " + printable(out) + " needs --frames, for " +
                          out.substr(place->begin, place->end - place->begin));
     for (const std::string& set : sets)
-        if (findRange(set, 0)) throw usageError("--set " + set + ": a range needs --frames");
+        if (findRange(set, 0)) throw UsageError("--set " + set + ": a range needs --frames");
 }
 
 }  // namespace raytracer::commands

@@ -60,7 +60,7 @@ void requireScenes(const std::vector<std::string>& names) {
         if (numberOf<int>(name) && !std::filesystem::exists(name, error)) remedy = "write --size " + name;
         if (isPictureName(name)) remedy = "--out names a folder";
         if (remedy.empty()) continue;
-        throw usageError(inQuotes(name) + " is no scene: tradeoff takes scenes alone; " + remedy);
+        throw UsageError(inQuotes(name) + " is no scene: tradeoff takes scenes alone; " + remedy);
     }
 }
 
