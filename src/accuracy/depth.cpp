@@ -13,18 +13,11 @@ namespace {
 // How much a reflection changes a sample, roughly.
 constexpr double reflection = 0.25;
 
-// The fewest points that tell; in a tiny picture one to each pixel.
-std::size_t fewestPoints(const ImageSize& size) {
-    return std::min(fewestPilots,
-                    static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-}
-
 // So many that they show a reflection in as few places as make the target's error; in a small picture, some
 // to each pixel.
-std::size_t pointsFor(double target, double pixels, std::size_t fewest) {
-    const auto least = static_cast<double>(fewest);
+std::size_t pointsFor(double target, double pixels, double fewest) {
     return static_cast<std::size_t>(
-        std::clamp(std::pow(reflection / target, 2), least, std::max(least, errorMargin * pixels)));
+        std::clamp(std::pow(reflection / target, 2), fewest, std::max(fewest, errorMargin * pixels)));
 }
 
 // From one that takes nothing from the target to one that takes most reflections away.
@@ -34,44 +27,24 @@ std::vector<double> cutoffsFor(double target) {
     return cutoffs;
 }
 
-// Empty where they are too many.
-std::vector<glm::dvec3> colorsAt(const Renderer& renderer, const RenderOptions& options,
-                                 std::span<const glm::dvec2> points, RenderCounts& spent) {
-    std::vector<glm::dvec3> colors(points.size());
-    try {
-        spent += renderer.renderPoints(options, points, colors);
-        return colors;
-    } catch (const TooManyRays&) {
-        return {};
-    }
-}
-
-// How deep ray trees are followed, and whether they go on where the rays would be too many.
-struct Deepest {
-    Setting setting;
-    bool isLimited = false;
-};
-
-// As deep as makes a difference, or as ray trees can be.
-Deepest deepest(const Renderer& renderer, const RenderOptions& options, double target, int limit,
-                std::span<const glm::dvec2> points, RenderCounts& spent) {
+// As deep as makes a difference at these points, or as ray trees can be.
+Depths depthsFor(const Renderer& renderer, const RenderOptions& options, double target, int limit,
+                 std::span<const glm::dvec2> points, RenderCounts& spent, bool& isLimited) {
     // Through clear glass nothing is seen before the ray leaves the last layer, and that is no end of the
     // depth.
-    constexpr int layers = 8;
-    Setting setting{.max_recursion = std::min(layers, limit),
-                    .cutoff = cutoffsFor(target).front(),
-                    .bilinear = options.bilinear};
-    auto colors = colorsAt(renderer, withSetting(options, setting), points, spent);
-    while (setting.max_recursion > 0 && 2 * setting.max_recursion <= limit) {
-        Setting deeper = setting;
-        deeper.max_recursion *= 2;
-        auto next = colorsAt(renderer, withSetting(options, deeper), points, spent);
-        if (next.empty()) return {setting, true};
-        setting = deeper;
-        if (pictureError(colors, next).rmse * errorMargin <= target) return {setting};
-        colors = std::move(next);
+    constexpr int layers = 16;
+    const std::vector<double> cutoffs = cutoffsFor(target);
+    Setting deepest{
+        .max_recursion = std::min(layers, limit), .cutoff = cutoffs.front(), .bilinear = options.bilinear};
+    for (;; deepest.max_recursion *= 2) {
+        Depths depths = depthsAt(renderer, options, points, deepest, cutoffs, spent);
+        isLimited = depths.deepest().max_recursion < deepest.max_recursion;
+        if (isLimited) return depths;
+        const double change = depths.measured(deepest.max_recursion / 2, deepest.cutoff).squaredError;
+        if (std::sqrt(change) * errorMargin <= target) return depths;
+        isLimited = limit < mostRecursion;
+        if (2 * deepest.max_recursion > limit) return depths;
     }
-    return {setting, limit < mostRecursion};
 }
 
 // A picture's error falls about as its rays grow, and what a depth leaves of the target is the samples'.
@@ -89,12 +62,13 @@ Depths::Depths(const Setting& deepest, std::vector<double> cutoffs)
       cutoffs_(std::move(cutoffs)),
       sums_(cutoffs_.size(), std::vector<Sums>(static_cast<std::size_t>(deepest.max_recursion) + 1)) {}
 
-void Depths::add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points) {
+void Depths::add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
+                 RenderCounts& spent) {
     constexpr std::size_t together = 512;  // trees: some MB of memory
     for (std::size_t begin = 0; begin < points.size(); begin += together) {
         const auto some = points.subspan(begin, std::min(together, points.size() - begin));
         RayTrees trees;
-        counts_ += renderer.rayTrees(withSetting(options, deepest_), some, trees);
+        spent += renderer.rayTrees(withSetting(options, deepest_), some, trees);
         for (std::size_t point = 0; point < some.size(); ++point)
             for (std::size_t i = 0; i < cutoffs_.size(); ++i) measure(trees, point, cutoffs_[i], sums_[i]);
     }
@@ -153,13 +127,14 @@ std::vector<DepthChoice> Depths::all() const {
 }
 
 Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-                Setting deepest, const std::vector<double>& cutoffs) {
+                Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent) {
     for (;; deepest.max_recursion /= 2) {
         Depths depths(deepest, cutoffs);
         try {
-            depths.add(renderer, options, points);
+            depths.add(renderer, options, points, spent);
             return depths;
-        } catch (const TooManyRays&) {
+        } catch (const TooManyRays& tooMany) {
+            spent += tooMany.cast();
         }
     }
 }
@@ -168,14 +143,19 @@ DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, 
                         RenderCounts& spent, int limit) {
     if (options.pass != Pass::Color)
         return {.max_recursion = Setting{}.max_recursion};  // these have no depth
-    const std::size_t fewest = fewestPoints(options.size);
+    // In a tiny picture one point to each pixel.
+    const double fewest = std::min(fewestPilots, double(options.size.width) * options.size.height);
     const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels, fewest), 3);
-    const auto few = std::span(points).first(fewest);
-    const Deepest deep = deepest(renderer, options, target, limit, few, spent);
-    const Depths depths = depthsAt(renderer, options, points, deep.setting, cutoffsFor(target));
-    spent += depths.counts();
+    bool isLimited = false;
+    const auto few = std::span(points).first(static_cast<std::size_t>(fewest));
+    Depths depths = depthsFor(renderer, options, target, limit, few, spent, isLimited);
+    if (points.size() > few.size()) {
+        const Setting deepest = depths.deepest();
+        depths = depthsAt(renderer, options, points, deepest, cutoffsFor(target), spent);
+        isLimited = isLimited || depths.deepest().max_recursion < deepest.max_recursion;
+    }
     DepthChoice choice = cheapest(depths.all(), target);
-    choice.isLimited = deep.isLimited || depths.deepest() < deep.setting.max_recursion;
+    choice.isLimited = isLimited;
     return choice;
 }
 

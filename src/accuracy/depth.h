@@ -10,9 +10,9 @@
 
 namespace raytracer {
 
-// Pilot samples: pixels that are sampled, and points whose ray trees are traced, at least. Fewer do not tell
-// the error.
-inline constexpr std::size_t fewestPilots = 1000;
+// Pilot samples: pixels that are sampled, and points whose ray trees are traced, at first. More are drawn
+// where that gains more than it costs, or where the target is small.
+inline constexpr double fewestPilots = 250;
 // An error of this many times the target is too large wherever it is; the target divided by it is negligible.
 inline constexpr double errorMargin = 4;
 // A squared error and so many standard errors must be within the target's: it is taken from a skew sample,
@@ -33,16 +33,14 @@ class Depths {
     // Every max_recursion up to the deepest's, with each cutoff of at least the deepest's.
     Depths(const Setting& deepest, std::vector<double> cutoffs);
 
-    // Traces more points with the depth of the deepest. Throws TooManyRays.
-    void add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points);
+    // Traces more points with the depth of the deepest, and adds their rays to `spent`. Throws TooManyRays.
+    void add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
+             RenderCounts& spent);
 
     DepthChoice measured(int max_recursion, double cutoff) const;
     std::vector<DepthChoice> all() const;
 
-    // Rays of every kind, until now.
-    const RenderCounts& counts() const { return counts_; }
-    double points() const { return points_; }
-    int deepest() const { return deepest_.max_recursion; }
+    const Setting& deepest() const { return deepest_; }
 
   private:
     struct Sums {
@@ -56,17 +54,15 @@ class Depths {
     Setting deepest_;
     std::vector<double> cutoffs_;
     std::vector<std::vector<Sums>> sums_;  // by cutoff, then by max_recursion
-    RenderCounts counts_;
     double points_ = 0;
 };
 
 // Measured at these points, to the depth of the deepest, or half of it, and so on, where the rays are too
-// many.
+// many. These functions add the rays that they cast to `spent`.
 Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-                Setting deepest, const std::vector<double>& cutoffs);
+                Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent);
 
-// The depth of at most `limit` that makes a picture of so many pixels with a target error cheapest. `spent`
-// gets the rays that this took.
+// The depth of at most `limit` that makes a picture of so many pixels with a target error cheapest.
 DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
                         RenderCounts& spent, int limit = mostRecursion);
 

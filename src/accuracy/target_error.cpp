@@ -24,10 +24,9 @@ constexpr double coarsest = 8, finest = 1 / 16.0;
 constexpr double finer = 1 / 1.09;  // from one `adaptive` to the next: 4 % of the error are lost in the mean
 constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
-// Rays of pilot samples, about, for each pixel of the picture: at most so many, and so many over the target's
-// square. Random samples of 0 and 1 would reach it with 1 / (4 target^2); there are three times as many, of
-// some 10 rays.
-constexpr double mostRaysOfPixel = 1 << 16, raysOfRandom = 8;
+// Rays of pilot samples, about, for each pixel of the picture: so many over the target's square. Random
+// samples of 0 and 1 would reach it with 1 / (4 target^2); there are three times as many, of some 10 rays.
+constexpr double raysOfRandom = 8;
 
 // A pilot pixel: its own samples, and twice as many others.
 struct PilotPixel {
@@ -79,6 +78,7 @@ class Search {
     }
 
     int depth() const { return depth_.max_recursion; }
+    const RenderCounts& counts() const { return choice_.counts; }
 
   private:
     void takeFirst() {
@@ -142,7 +142,8 @@ class Search {
             takeSamples(adaptive);
             const SquaredError error = squaredErrorOfPicture();
             const double left = target_ * target_ - depth_.squaredError - error.mean;
-            choice_.sampleError = std::sqrt(error.mean);
+            // The search ends where the mean is small by chance: a standard error makes up for that.
+            choice_.sampleError = std::sqrt(error.mean + error.margin / standardErrors);
             choice_.reached = left >= (isLast ? 0 : error.margin);
             if (isSpent()) endHere();
             if (choice_.reached || isLast || isSpent()) return;
@@ -156,7 +157,7 @@ class Search {
     }
 
     bool isSpent() const {
-        const double most = std::min(mostRaysOfPixel, raysOfRandom / (target_ * target_));
+        const double most = std::min<double>(mostSamples, raysOfRandom / (target_ * target_));
         return static_cast<double>(choice_.counts.all() - before_) > most * area_;
     }
 
@@ -260,11 +261,16 @@ class Search {
 
 TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target,
                            const SearchListener& listener) {
+    RenderCounts before;  // of searches that went too deep
     for (int mostDepth = mostRecursion;;) {
         Search search(renderer, options, target, listener);
         try {
-            return search.choose(mostDepth);
-        } catch (const TooManyRays&) {
+            TargetChoice choice = search.choose(mostDepth);
+            choice.counts += before;
+            return choice;
+        } catch (const TooManyRays& tooMany) {
+            before += search.counts();
+            before += tooMany.cast();
             mostDepth = search.depth() / 2;
         }
     }

@@ -16,8 +16,9 @@ std::vector<DepthChoice> depthsToTry(const Renderer& renderer, const RenderOptio
                                      const Reference& reference) {
     std::vector<double> cutoffs{reference.setting.cutoff};
     cutoffs.insert(cutoffs.end(), std::begin(gridCutoffs), std::end(gridCutoffs));
+    RenderCounts spent;
     const Depths depths =
-        depthsAt(renderer, options, picturePoints(options.size, 2500, 5), reference.setting, cutoffs);
+        depthsAt(renderer, options, picturePoints(options.size, 2500, 5), reference.setting, cutoffs, spent);
     const std::vector<DepthChoice> all = depths.all();
     std::vector<CostAndError> points;
     points.reserve(all.size());
@@ -27,7 +28,7 @@ std::vector<DepthChoice> depthsToTry(const Renderer& renderer, const RenderOptio
         if (chosen.empty() || all[i].squaredError < 0.25 * chosen.back().squaredError)
             chosen.push_back(all[i]);
     for (const int depth : {1, 2, 3, 6}) {
-        if (depth > depths.deepest()) break;
+        if (depth > depths.deepest().max_recursion) break;
         chosen.push_back(depths.measured(depth, cutoffs.front()));
         chosen.back().cutoff = 0;
     }

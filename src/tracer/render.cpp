@@ -1,6 +1,7 @@
 #include "render.h"
 
 #include <algorithm>
+#include <list>
 #include <mutex>
 #include <vector>
 
@@ -24,13 +25,21 @@ template <class WorkOf>
 RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::size_t jobs,
                       ProgressListener* progress, std::uint64_t mostRays, WorkOf workOf) {
     std::mutex mutex;
-    RenderCounts all;
+    std::list<RenderCounts> counts;  // of each thread
+    const auto all = [&] {
+        RenderCounts sum;
+        for (const RenderCounts& some : counts) sum += some;
+        return sum;
+    };
     std::size_t done = 0;
     std::vector<Color> brightest;
     if (options.cutoff > 0) brightest = scene.brightestColors(options.max_recursion);
-    onTracingThreads(static_cast<std::uint32_t>(jobs), options, [&](JobQueue& queue) {
-        RenderCounts counts;
-        const RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), &counts,
+    const auto newCounts = [&] {
+        const std::lock_guard lock(mutex);
+        return &counts.emplace_back();
+    };
+    const auto workOnJobs = [&](JobQueue& queue) {
+        const RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), newCounts(),
                                     nullptr, mostRays};
         auto work = workOf(context);
         for (std::uint32_t job; queue.next(job);) {
@@ -39,11 +48,14 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::siz
             const std::lock_guard lock(mutex);
             progress->progress(static_cast<double>(++done) / static_cast<double>(jobs));
         }
-        const std::lock_guard lock(mutex);
-        all += counts;
-    });
-    if (all.onwards() > mostRays) throw TooManyRays();
-    return all;
+    };
+    try {
+        onTracingThreads(static_cast<std::uint32_t>(jobs), options, workOnJobs);
+    } catch (const TooManyRays&) {  // of one thread
+        throw TooManyRays(all());
+    }
+    if (all().onwards() > mostRays) throw TooManyRays(all());
+    return all();
 }
 
 constexpr std::size_t batchSize = 64;  // points that a thread takes at once

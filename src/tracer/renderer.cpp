@@ -67,9 +67,10 @@ void makeOpaque(SceneDescription& scene) {
     for (MaterialDescription& material : scene.materials) material.refractive = false;
 }
 
-TooManyRays::TooManyRays()
+TooManyRays::TooManyRays(const RenderCounts& cast)
     : Error("more than " + std::to_string(mostRaysOfSample) +
-            " reflected and refracted rays a sample: a lower --max-recursion or a --cutoff bounds them") {}
+            " reflected and refracted rays a sample: a lower --max-recursion or a --cutoff bounds them"),
+      cast_(cast) {}
 
 RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
     primary += other.primary;

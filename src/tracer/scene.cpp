@@ -44,7 +44,7 @@ Hit Scene::firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& c
 
 void Scene::count(std::uint64_t& kind, unsigned rays, const RenderContext& context) {
     kind += rays;
-    if (context.counts->onwards() > context.mostRays) throw TooManyRays();
+    if (context.counts->onwards() > context.mostRays) throw TooManyRays(*context.counts);
 }
 
 TerminationReason Scene::terminationReason(const RayPath& onwards, const Color& factor,

@@ -179,7 +179,8 @@ TEST_CASE("ray trees tell what every depth costs and leaves out") {
         const std::vector<glm::dvec2> points = picturePoints(options.size, 500, 3);
         const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
         Depths depths(deepest, {0.02, 0.1, 0.5});
-        depths.add(renderer, options, points);
+        RenderCounts spent;
+        depths.add(renderer, options, points, spent);
         const auto render = [&](const Setting& setting, std::vector<glm::dvec3>& colors) {
             colors.resize(points.size());
             return rayCount(renderer.renderPoints(withSetting(options, setting), points, colors));
@@ -241,7 +242,7 @@ TEST_CASE("target-error: the error is estimated without bias") {
         others.sequence = 1000;
         const std::vector<glm::dvec3> truth = colorsOf(*renderer, others);
         double estimates = 0, errors = 0;
-        for (std::uint32_t sequence = 0; sequence < 24; sequence += 3) {
+        for (std::uint32_t sequence = 0; sequence < 96; sequence += 3) {
             options.sequence = sequence;
             const TargetChoice choice = chooseSetting(*renderer, options, 0.03);
             estimates += choice.sampleError * choice.sampleError;

@@ -28,7 +28,11 @@ struct FirstSamples {
 inline constexpr std::uint64_t mostRaysOfSample = 1024;
 class TooManyRays : public Error {
   public:
-    TooManyRays();
+    explicit TooManyRays(const RenderCounts& cast);
+    const RenderCounts& cast() const { return cast_; }  // rays, until then
+
+  private:
+    RenderCounts cast_;
 };
 
 // Thread-safe: a Renderer does not change once it is made.
