@@ -182,8 +182,11 @@ extern "C" int LLVMFuzzerTestOneInput(Bytes data, std::size_t size) {
         meshFile.write(meshOf(choose));
         const SceneDescription scene =
             loadScene(sceneFile.write(sceneOf(choose, meshFile.path(), texture))).description;
-        const auto renderer =
-            makeRenderer(scene, static_cast<Precision>(choose.whole(0, 2)), buildOptionsOf(choose));
+        // Extended takes most of the time, and scenes that are too extreme for the others get it anyway.
+        const Precision precision = choose.chance(8)   ? Precision::Extended
+                                    : choose.chance(2) ? Precision::Float
+                                                       : Precision::Double;
+        const auto renderer = makeRenderer(scene, precision, buildOptionsOf(choose));
         const RenderOptions options = optionsOf(choose, scene.camera);
         FloatSink sink(options.crop);
         renderer->render(options, sink);
