@@ -143,6 +143,7 @@ DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, 
                         RenderCounts& spent, int limit) {
     if (options.pass != Pass::Color)
         return {.max_recursion = Setting{}.max_recursion};  // these have no depth
+    target = std::min(target, 1.0);                         // no error is larger
     // In a tiny picture one point to each pixel.
     const double fewest = std::min(fewestPilots, double(options.size.width) * options.size.height);
     const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels, fewest), 3);

@@ -144,7 +144,7 @@ class Search {
             const double left = target_ * target_ - depth_.squaredError - error.mean;
             // The search ends where the mean is small by chance: a standard error makes up for that.
             choice_.sampleError = std::sqrt(error.mean + error.margin / standardErrors);
-            choice_.reached = left >= (isLast ? 0 : error.margin);
+            choice_.reached = left >= (isLast ? error.margin / standardErrors : error.margin);
             if (isSpent()) endHere();
             if (choice_.reached || isLast || isSpent()) return;
             if (left >= 0 && mayDrawMore(error)) {

@@ -124,9 +124,10 @@ void printVerdict(const CompareArguments& arguments, const Picture& a, const Pic
               formatted("why: raytracer explain SCENE.json %d %d %d --picture ", c.worstX, c.worstY,
                         std::max(c.width, c.height)) +
               printable(inShellQuotes(arguments.a)) + "\n");
-    print(c.maximum == 0 ? "the pictures are equal\n"
-          : same         ? "the pictures are the same, within the limits given\n"
-                         : "the pictures are not the same\n");
+    print(c.maximum == 0         ? "the pictures are equal\n"
+          : c.pixelsOver(0) == 0 ? "the pictures are the same, once their colours are bytes\n"
+          : same                 ? "the pictures are the same, within the limits given\n"
+                                 : "the pictures are not the same\n");
 }
 
 std::string sizeInWords(const Picture& picture) {

@@ -38,8 +38,9 @@ def check_target(folder, scene, size, target, others=""):
     picture, done = render(scene, folder / "target.png", size, f"--target-error {target} {others}")
     assert done.returncode == 0, done
     setting = re.match(r"--target-error \S+: (--.*|the defaults)\n--target-error \S+: the error is about "
-                       r"\S+ for want of samples and \S+ for want of depth\n$", done.stderr)
+                       r"(\S+) for want of samples and (\S+) for want of depth\n$", done.stderr)
     assert setting, done.stderr
+    assert math.hypot(float(setting[2]), float(setting[3])) < 1.01 * target, done.stderr
     options = setting[1].replace("the defaults", "")
     same, done = render(scene, folder / "same.png", size, f"{options} {others}")
     assert done.returncode == 0 and picture == same, done

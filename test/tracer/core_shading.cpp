@@ -98,6 +98,11 @@ TEST_CASE("Snell's law") {
         seen.material.index_of_refraction = Real(1.5L);
         REQUIRE(refractedDirection(seen.point(), direction));
         CHECK(near(direction, {0, 0, -1}));
+        for (const Real ior : {Real(1e-30L), Real(1e-9L), Real(1e9L), Real(1e30L)}) {
+            seen.material.index_of_refraction = ior;
+            REQUIRE(refractedDirection(seen.point(), direction));
+            CHECK(direction == Vec3(0, 0, -1));
+        }
     }
     SECTION("the same index on both sides") {
         REQUIRE(refractedDirection(entering.point(), direction));

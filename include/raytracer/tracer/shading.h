@@ -121,11 +121,10 @@ template <class T>
 Truth<T> refractedDirection(const ShadingPointT<T>& point, Vec3T<T>& direction) {
     const Real ior = point.hit->material->index_of_refraction;
     const T eta(point.entering ? 1 / ior : ior);
-    const T cosine = glm::dot(point.N, point.V);
-    const T squared = T(1) - eta * eta * (T(1) - cosine * cosine);
+    const Vec3T<T> sine = eta * (glm::dot(point.N, point.V) * point.N - point.V);  // along the surface
+    const T squared = T(1) - glm::dot(sine, sine);
     const Truth<T> passes = squared >= T(0);
-    if (any(passes))
-        direction = (eta * cosine - sqrt(select(passes, squared, T(0)))) * point.N - eta * point.V;
+    if (any(passes)) direction = sine - sqrt(select(passes, squared, T(0))) * point.N;
     return passes;
 }
 
