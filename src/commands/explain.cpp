@@ -82,11 +82,11 @@ struct Suspect {
 };
 
 Suspect examine(ByteImage image, const std::string& name, const SceneDescription& whole,
-                const RenderOptions& options, const Terms& terms) {
+                const RenderOptions& options, const RenderArguments& render) {
     if (image.width != options.size.width || image.height != options.size.height)
         throw Error({name}, formatted("expected a picture of the scene, %d x %d, found %d x %d",
                                       options.size.width, options.size.height, image.width, image.height));
-    const MistakeNamer namer(whole, options, terms);
+    const MistakeNamer namer(whole, options, render.terms(), render.chosenPrecision());
     Diagnosis diagnosis = namer.diagnose(image);
     const Comparison comparison = compareImages(image, namer.right());
     return {std::move(image), namer.right(), std::move(diagnosis), comparison};
@@ -156,7 +156,7 @@ int explainSuspect(ExplainArguments& arguments) {
     SceneDescription whole = scene;
     if (render.opaque) makeOpaque(whole);
     const RenderOptions options = render.prepare(scene);
-    const Suspect suspect = examine(std::move(image), name, whole, options, render.terms());
+    const Suspect suspect = examine(std::move(image), name, whole, options, render);
     const PixelPlace pixel = arguments.x ? PixelPlace{*arguments.x, *arguments.y}
                                          : PixelPlace{suspect.comparison.worstX, suspect.comparison.worstY};
     requirePixel(options.size, pixel);

@@ -179,8 +179,12 @@ Terms RenderArguments::terms() const {
     return terms;
 }
 
+Precision RenderArguments::chosenPrecision() const {
+    return static_cast<Precision>(std::ranges::find(precisionNames, precision) - precisionNames);
+}
+
 std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& description) const {
-    const auto chosen = static_cast<Precision>(std::ranges::find(precisionNames, precision) - precisionNames);
+    const Precision chosen = chosenPrecision();
     const BuildOptions build{accelerator == "none" ? Accelerator::None : Accelerator::Bvh, options.threads};
     auto renderer = raytracer::makeRenderer(description, chosen, build);
     if (warns() && renderer->precision() != chosen)

@@ -36,6 +36,8 @@ struct RenderArguments {
     // The terms named by `only`. Throws Error.
     Terms terms() const;
 
+    Precision chosenPrecision() const;
+
     // Warns where the scene's numbers need a wider precision than the one chosen.
     std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene) const;
 

@@ -26,7 +26,7 @@ void printTimes(JsonWriter& json, const Timings& timings, const char* name, doub
     json.endObject();
 }
 
-// Estimates, without bias: that of the samples may be zero or below where there is an error.
+// Estimates: that of the samples may be zero where there is an error.
 std::string errorInWords(double ofSamples, double ofDepth) {
     if (ofSamples == 0)
         return "pilot samples show no error for want of samples; for want of depth it is about " +
@@ -39,7 +39,8 @@ std::string whyNotReached(const TargetChoice& choice, double target) {
     if (choice.isLimited) return "perhaps not reached: deeper rays are too many to follow";
     if (std::hypot(choice.sampleError, choice.depthError) <= target)
         return "perhaps not reached: the pilot samples are too few to tell";
-    return formatted("not reached: %d samples are too few", choice.setting.samples);
+    return formatted("not reached: %d samples are too few", choice.setting.samples) +
+           (choice.setting.samples < mostSamples ? ", and more would take a search too many rays" : "");
 }
 
 constexpr double longTime = 60;  // seconds

@@ -91,7 +91,8 @@ glm::dvec3 shadowsOf(const RayExplanation& ray) {
     return sum;
 }
 
-// "81 % of the red is ambient light, 19 % what it mirrors": of the strongest channel, parts from 1 % on.
+// "81 % of the red is ambient light, 19 % what it mirrors": of the strongest channel, parts from 1 % on. What
+// light of a negative colour takes away is no part.
 std::string shares(const RayExplanation& ray, const SceneDescription& scene) {
     int channel = 0;
     for (const int other : {1, 2})
@@ -99,10 +100,15 @@ std::string shares(const RayExplanation& ray, const SceneDescription& scene) {
     if (!(ray.color[channel] > 0)) return "black";
     std::vector<Part> parts = partsOf(ray, scene);
     std::ranges::stable_sort(parts, std::greater(), [=](const Part& part) { return part.color[channel]; });
+    const auto toLargest = [&](const Part& part) {  // colours may be as large as numbers can be
+        return std::max(0.0, part.color[channel] / parts.front().color[channel]);
+    };
+    double all = 0;
+    for (const Part& part : parts) all += toLargest(part);
     constexpr const char* names[] = {"red", "green", "blue"};
     std::string text;
     for (const Part& part : parts) {
-        const double percent = std::round(100 * part.color[channel] / ray.color[channel]);
+        const double percent = std::round(100 * toLargest(part) / all);
         if (percent < 1) continue;
         const std::string share = formatted("%.0f %% ", percent);
         text += text.empty() ? share + "of the " + names[channel] + " is " : ", " + share;

@@ -169,8 +169,9 @@ std::string Diagnosis::sentence() const {
            " wrong pixels are as in the picture " + names();
 }
 
-MistakeNamer::MistakeNamer(const SceneDescription& scene, const RenderOptions& options, const Terms& terms)
-    : known_(std::make_unique<KnownVariants>(scene, options, terms)) {}
+MistakeNamer::MistakeNamer(const SceneDescription& scene, const RenderOptions& options, const Terms& terms,
+                           Precision precision)
+    : known_(std::make_unique<KnownVariants>(scene, options, terms, precision)) {}
 
 MistakeNamer::~MistakeNamer() = default;
 

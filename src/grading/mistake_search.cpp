@@ -156,12 +156,13 @@ class Search {
 
 }  // namespace
 
-KnownVariants::KnownVariants(const SceneDescription& whole, RenderOptions options, const Terms& terms) {
+KnownVariants::KnownVariants(const SceneDescription& whole, RenderOptions options, const Terms& terms,
+                             Precision precision) {
     options.samples = 1;
     options.adaptive = 0;
     SceneDescription shown = whole;
     if (options.pass == Pass::Color) keepTerms(shown, terms);
-    scene = std::make_shared<RenderedScene>(std::move(shown), options);
+    scene = std::make_shared<RenderedScene>(std::move(shown), options, precision);
     mistakes = knownMistakes(whole, options, terms);
     for (const Mistake& mistake : mistakes)
         singles.push_back(std::make_shared<Variant>(std::vector{&mistake}, scene));

@@ -12,7 +12,8 @@ namespace raytracer {
 
 // A scene, of which the right picture shows these terms, and what each mistake makes of it.
 struct KnownVariants {
-    KnownVariants(const SceneDescription& whole, RenderOptions options, const Terms& terms);
+    KnownVariants(const SceneDescription& whole, RenderOptions options, const Terms& terms,
+                  Precision precision);
 
     std::shared_ptr<RenderedScene> scene;
     Mistakes mistakes;

@@ -30,10 +30,10 @@ const Mistake roundings[] = {{.what = "", .hint = "", .edit = otherNearest},
 
 }  // namespace
 
-RenderedScene::RenderedScene(SceneDescription scene, const RenderOptions& options)
+RenderedScene::RenderedScene(SceneDescription scene, const RenderOptions& options, Precision precision)
     : scene_(std::move(scene)),
       options_(options),
-      renderer_(makeRenderer(scene_, Precision::Double, {.threads = 1})) {
+      renderer_(makeRenderer(scene_, precision, {.threads = 1})) {
     options_.threads = 1;
 }
 
@@ -50,7 +50,7 @@ RayExplanation RenderedScene::cast(const glm::dvec3& origin, const glm::dvec3& d
     options.max_recursion = max_recursion;
     options.size = {1, 1};
     options.crop = {0, 0, 1, 1};
-    return makeRenderer(*castScene_, Precision::Double, {.threads = 1})->explain(options, 0, 0);
+    return makeRenderer(*castScene_, renderer_->precision(), {.threads = 1})->explain(options, 0, 0);
 }
 
 Variant::Variant(std::vector<const Mistake*> mistakes, std::shared_ptr<RenderedScene> right)
@@ -87,7 +87,7 @@ const std::shared_ptr<RenderedScene>& Variant::madeScene() {
     RenderOptions options = right_->options();
     for (const Mistake* mistake : mistakes_)
         if (mistake->edit) mistake->edit(scene, options);
-    return made_ = std::make_shared<RenderedScene>(std::move(scene), options);
+    return made_ = std::make_shared<RenderedScene>(std::move(scene), options, right_->renderer().precision());
 }
 
 Rgb Variant::toBytes(glm::dvec3 color) const {

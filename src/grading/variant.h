@@ -15,7 +15,7 @@ namespace raytracer {
 // A scene with its renderer.
 class RenderedScene {
   public:
-    RenderedScene(SceneDescription scene, const RenderOptions& options);
+    RenderedScene(SceneDescription scene, const RenderOptions& options, Precision precision);
 
     const SceneDescription& scene() const { return scene_; }
     const RenderOptions& options() const { return options_; }

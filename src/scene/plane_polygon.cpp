@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -91,12 +92,17 @@ std::vector<PlanePoint> projectPolygon(std::span<const glm::dvec3> corners) {
 }
 
 bool isConvex(std::span<const PlanePoint> polygon) {
-    const std::size_t count = polygon.size();
+    // Of neighbours in one place the first: they would hide how the outline turns there.
+    const auto together = [](const PlanePoint& a, const PlanePoint& b) { return distance(a, b) <= 4; };
+    std::vector<PlanePoint> corners;
+    std::ranges::unique_copy(polygon, std::back_inserter(corners), together);
+    while (corners.size() > 1 && together(corners.back(), corners.front())) corners.pop_back();
+    const std::size_t count = corners.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const PlanePoint &before = polygon[(i + count - 1) % count], &here = polygon[i],
-                         &after = polygon[(i + 1) % count];
+        const PlanePoint &before = corners[(i + count - 1) % count], &here = corners[i],
+                         &after = corners[(i + 1) % count];
         // The second one finds a polygon that goes round more than once.
-        if (clearSideOf(before, here, after) < 0 || clearSideOf(polygon[0], here, after) < 0) return false;
+        if (clearSideOf(before, here, after) < 0 || clearSideOf(corners[0], here, after) < 0) return false;
     }
     return true;
 }

@@ -3,6 +3,7 @@
 project's folder."""
 import csv
 import json
+import math
 import pathlib
 import re
 import subprocess

@@ -138,6 +138,13 @@ def check_pictures(folder):
     check("right", (0, "mine.png equals the right picture"), (lambda done: (done[0], done[2].split("\n")[0]))(
         run(folder, "explain", scene, "--picture", "mine.png", "--quiet")))
     equal = run(folder, "explain", scene, 25, 20, 60, "--picture", "mine.png")[2]
+    # In float checker_horizon has other bytes than in double.
+    checker = pathlib.Path("scenes/checker_horizon.json").resolve()
+    run(folder, checker, out, 200, "--precision", "float", "--quiet")
+    check("right, in float: status", [1, 0],
+          [run(folder, "explain", checker, "--picture", "mine.png", "--quiet", "--precision", precision)[0]
+           for precision in ("double", "float")])
+    run(folder, scene, out, 60, "--quiet")
     check("a right pixel: no term", False, "it would be as in" in equal)
     check_roundings(folder)
     check_stages(folder)

@@ -65,6 +65,20 @@ TEST_CASE("A polygon that is not convex is cut, whichever its first corner") {
         "v 0 1 0\nv -1 -1 0\nv 0 -0.5 0\nv 1 -1 0\nvt 0 1\nvt 0 0\nvt 0.5 0.25\nvt 1 0\n";
     for (const char* face : {"f 1 2 3 4", "f 2 3 4 1", "f 3 4 1 2", "f 4 1 2 3"})
         CHECK(parse(dart + face).positionIndex == Indices{0, 1, 2, 0, 2, 3});
+    SECTION("also where a corner is there twice, which may have two numbers") {
+        const auto areaOf = [&](const std::string& face) {
+            const MeshData mesh = parse("v -1 0 0\nv 1 -1 0\nv 0.25 0 0\nv 1 1 0\nv 0.25 1e-17 0\n" + face);
+            double area = 0;
+            for (std::size_t i = 0; i < mesh.positionIndex.size(); i += 3) {
+                const auto corner = [&](std::size_t k) { return mesh.positions[mesh.positionIndex[i + k]]; };
+                area += glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0))) / 2;
+            }
+            return area;
+        };
+        for (const char* face :
+             {"f 1 2 3 3 4", "f 2 3 3 4 1", "f 3 4 1 2 3", "f 1 2 3 5 4", "f 2 5 3 4 1", "f 5 4 1 2 3"})
+            CHECK(areaOf(face) == Approx(1.25));
+    }
     SECTION("with its texture coordinates, between faces that are as they were") {
         const MeshData mesh = parse(dart + "f 1 2 3\nf 2/2 3/3 4/4 1/1\nf 1 2 3 4\nf 4/4 3/3 2/2\n");
         CHECK(mesh.positionIndex == Indices{0, 1, 2, 0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 2, 3, 3, 2, 1});

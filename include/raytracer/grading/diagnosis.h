@@ -58,7 +58,8 @@ class MistakeNamer {
   public:
     // `options` as for a render of the whole picture; samples and adaptive are ignored. The right picture has
     // these terms of the scene, others can be in a wrong one.
-    MistakeNamer(const SceneDescription& scene, const RenderOptions& options, const Terms& terms = {});
+    MistakeNamer(const SceneDescription& scene, const RenderOptions& options, const Terms& terms = {},
+                 Precision precision = Precision::Double);
     ~MistakeNamer();
     MistakeNamer(const MistakeNamer&) = delete;
     MistakeNamer& operator=(const MistakeNamer&) = delete;
