@@ -197,6 +197,7 @@ int grade(int argc, char** argv) {
     arguments.addTo(line);
     if (line.parse(argc, argv)) return 0;
     arguments.check();
+    if (!arguments.quiet) print("");
     const GradePlan plan = planFor(arguments);
     GradeFiles output(arguments, plan);
     requireCases(plan, arguments);

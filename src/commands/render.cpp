@@ -151,6 +151,7 @@ int tellSkipped(const RenderArguments& arguments, const PictureArguments& wanted
 int renderPicture(const RenderArguments& arguments, const PictureArguments& wanted,
                   std::vector<std::string>& files) {
     OutputFile out = openOutput(wanted);
+    if (wanted.stats) print("");
     Timings timings;
     Stopwatch watch;
     SceneDescription description = arguments.load(&files, wanted.watch ? FileKind::Regular : FileKind::Any);

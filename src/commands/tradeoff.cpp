@@ -77,6 +77,7 @@ int measure(TradeoffArguments& arguments) {
     if (!arguments.quiet) arguments.options.report = [](const std::string& what) { tell(what + " ..."); };
     std::vector<LoadedScene> loaded;  // all first: a mistake in the last is told before an hour of work
     for (const std::string& scene : arguments.scenes) loaded.push_back(loadScene(scene));
+    print("");
     makeFolder(arguments.out);
     const auto inFolder = [out = std::filesystem::path(arguments.out)](const char* name) {
         return (out / name).string();

@@ -45,16 +45,16 @@ std::int64_t readAt(int descriptor, std::span<char> bytes, std::uint64_t offset)
 // Another program may have made our output one that does not wait.
 void waitForRoom(int descriptor);
 
-// False, with errno, where not all could be written.
+// False, with errno, where not all could be written. Without bytes: where nothing could be.
 inline bool writeAll(int descriptor, std::span<const char> bytes) {
     constexpr std::size_t most = std::size_t{1} << 30;  // Windows counts in int
-    while (!bytes.empty()) {
+    do {
         const auto size = static_cast<unsigned>(std::min(bytes.size(), most));
         const auto count = ::write(descriptor, bytes.data(), size);
         if (count >= 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
         else if (errno == EAGAIN) waitForRoom(descriptor);
         else if (errno != EINTR) return false;
-    }
+    } while (!bytes.empty());
     return true;
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t messageColumns = 100;  // of a line that is read with ease
 void prepareStandardStreams();
 
 // Writes the text, lines each with its end, to standard output at once. Throws Error: "standard output: No
-// space left on device".
+// space left on device". An empty text, before what takes long, finds a stream that is closed.
 void print(std::string_view text);
 
 // Writes one line, of which `text` has no end, to standard error. On a terminal it is wrapped to the
