@@ -72,7 +72,7 @@ def main():
         for given in arguments.scenes:
             scene, _ = programs.convert(given, "plain", 0, folder)
             program = Program(arguments.raytracer, folder)
-            truth = program.truth(scene, arguments.size, min(ERRORS), 2)
+            truth = program.truth(scene, arguments.size, min(ERRORS) / 3, 3)
             ours = []
             for error in [0.03, *ERRORS]:
                 picture, _ = program.render(scene, arguments.size, "--target-error", error, "--threads", 1)
