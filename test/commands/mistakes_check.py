@@ -320,6 +320,8 @@ COMMANDS = [
     # Options written in another way.
     ("scene.json out.png 8 --max-recursion = 3", 'raytracer: unexpected "="; write --max-recursion 3'),
     ("scene.json out.png 8 --max-recursion =3", 'raytracer: unexpected "="; write --max-recursion 3'),
+    ("scene.json out.png 8 --max-recursion =x",
+     'raytracer: --max-recursion: expected a whole number from 0 to 1000, found "x"'),
     ("scene.json out.png 8 --report =", "raytracer: unknown option --report (see --help)"),
     ("scene.json out.png 8 --only = diffuse", 'raytracer: unexpected "="; write --only diffuse'),
     ("scene.json out.png 8 /max-recursion 3",
