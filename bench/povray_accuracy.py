@@ -74,7 +74,7 @@ def main():
             program = Program(arguments.raytracer, folder)
             truth = program.truth(scene, arguments.size, min(ERRORS) / 3, 3)
             ours = []
-            for error in [0.03, *ERRORS]:
+            for error in [0.03, *ERRORS, 0.7 * min(ERRORS)]:
                 picture, _ = program.render(scene, arguments.size, "--target-error", error, "--threads", 1)
                 usage = measure.run([arguments.raytracer, scene, folder / "o.png", arguments.size, "--quiet",
                                      "--threads", 1,

@@ -24,9 +24,9 @@ or PFM (linear float32). Alpha is ignored.
 What the numbers mean:
   score    the course autograder's: each pixel is compared with the 3 x 3 pixels
            around it in the other picture, so an edge may be off by one pixel;
-           100 - 1000 * mean / 255
-  speckle  isolated pixels that only one of the pictures has; the score does not
-           see them
+           100 - 1000 / 255 times the mean of these differences, rounded
+  speckle  isolated pixels that only one of the pictures has; a few do not lower
+           the score
   PSNR     20 log10(255 / RMSE); above about 50 dB nobody sees the difference
   In PFM pictures mean, RMSE and maximum are of the linear floats (PSNR: of
   1 / RMSE), the rest of the bytes that the floats would be in a PNG.

@@ -203,7 +203,7 @@ std::vector<std::string> sceneAdvice(const SceneDescription& scene) {
         const char* where = mirrored ? nullptr : whereUnseen(shape, view);
         if (where)
             lines.add(pointer("/shapes/", i) + ": the " + typeName(shape.shape->type) + " is " + where +
-                      ", so unseen: move it or the camera");
+                      ", so unseen but for its shadow: move it");
         adviseOnLights(scene, shape, i, view, lines);
     }
     return lines.take();

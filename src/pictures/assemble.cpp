@@ -144,7 +144,7 @@ PartFiles::PartFiles(std::span<const std::string> paths, int threads) : threads_
     for (const GivenPart& part : parts) {
         const std::string other = part.head ? difference(*part.head, head_) : "";
         std::string fault = part.fault;
-        if (!other.empty()) fault = part.path + ": does not fit to " + usual->path + ": it is " + other;
+        if (!other.empty()) fault = part.path + ": does not fit " + usual->path + ": it is " + other;
         if (part.head && other.empty()) {
             std::string& place = paths_[static_cast<std::size_t>(part.head->part.number) - 1];
             if (!place.empty())

@@ -244,10 +244,8 @@ def check_quiet():
 
 def check_without_effect():
     render = list(ARGUMENTS["render"].values())
-    for value, options in (("raycast", ["--only", "--opaque", "--max-recursion", "--cutoff"]),
-                           ("normals",
-                            ["--only", "--opaque", "--max-recursion", "--cutoff", "--texture-filter"])):
-        for option in options:
+    for value in ("raycast", "normals"):
+        for option in ("--only", "--opaque", "--max-recursion", "--cutoff", "--texture-filter"):
             text = {"--only": ["diffuse"], "--texture-filter": ["bilinear"],
                     "--opaque": []}.get(option, ["1"])
             check_refused([*render, "--pass", value, option, *text],

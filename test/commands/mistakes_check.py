@@ -711,7 +711,7 @@ WARNINGS = [
     ('"lights": [ {', '"lights": [ { "position": [0, 0, 0] }, {', "11:17",
      "/lights/0: hidden inside of /shapes/0, an opaque sphere: move the light out"),
     ('"name": "ball"', '"name": "ball", "translate": [9, 0, 0]', "14:9",
-     "/shapes/0: the sphere is to the right of the view, so unseen: move it or the camera"),
+     "/shapes/0: the sphere is to the right of the view, so unseen but for its shadow: move it"),
     ("[0.8, 0.1, 0.1]", "[200, 20, 20]", "8:43",
      "/materials/0/color_diffuse: colors end at 1: divide 200 20 20 by 255"),
     ('"color": [1, 1, 1]', '"color": [255, 255, 255]', "11:51",

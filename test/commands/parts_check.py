@@ -113,7 +113,7 @@ def check_faults(folder):
 
 def check_others(folder, a, b, c):
     """Parts of something else."""
-    does_not_fit = "does not fit to FOLDER/a.png.part-2-of-3: it is"
+    does_not_fit = "does not fit FOLDER/a.png.part-2-of-3: it is"
     version = re.search(rb'"version": "([^"]*)"', pathlib.Path(a).read_bytes()).group(1)
     check_fault(folder, "another version", [changed(a, version, b"0.1", folder), b, c],
                 f"FOLDER/changed.part: {does_not_fit} of version 0.1 of raytracer, not {version.decode()}",
@@ -161,7 +161,7 @@ def check_scene_files(folder):
     mesh.write_text("v 0 0 -3\nv 1 0 -3\nv 0 2 -3\nf 1 2 3\n")
     check("a part with another mesh", 0, run(scene, out, 40, "--part", "2/2")[0])
     check_fault(folder, "another mesh", [f"{out}.part-1-of-2", f"{out}.part-2-of-2"],
-                "FOLDER/s.png.part-2-of-2: does not fit to FOLDER/s.png.part-1-of-2: it is of another scene",
+                "FOLDER/s.png.part-2-of-2: does not fit FOLDER/s.png.part-1-of-2: it is of another scene",
                 "part 2 of 2 is missing: render it with --part 2/2")
 
 

@@ -83,7 +83,7 @@ TransformDescription turned(const glm::dvec3& translate, double degrees, const g
 TransformDescription floorAt(double y) { return turned({0, y, 0}, -90, {1, 0, 0}); }
 
 std::string unseen(int shape, const std::string& what) {
-    return "/shapes/" + std::to_string(shape) + ": the " + what + ", so unseen: move it or the camera";
+    return "/shapes/" + std::to_string(shape) + ": the " + what + ", so unseen but for its shadow: move it";
 }
 
 std::string blackReason(const SceneDescription& scene, Precision precision = Precision::Double) {

@@ -31,7 +31,7 @@ SEMANTIC = ("no material named", "no transform named", "no texture named", "is t
             "expected each key once", "expected a finite number")
 
 # How advice on a scene begins that is in order otherwise, and none of the schema's business.
-ADVICE = ("look and up distort", "so unseen: move it or the camera",
+ADVICE = ("look and up distort", "so unseen but for its shadow: move it",
           "hidden inside of ",
           "all black: ", "the picture is mirrored", "the picture is upside down",
           "no diffuse_texture names it", "not shown without", "the mesh has no vt", "a negative color")

@@ -60,7 +60,7 @@ Comparison compareImages(const Picture& a, const Picture& b);
 // are equal, and the larger distance is chosen by the sum.
 int neighbourhoodScore(const ByteImage& a, const ByteImage& b);
 
-// The number of pixels that are isolated in one picture and not in the other, which the score does not see. A
+// The number of pixels that are isolated in one picture and not in the other; a few do not lower the score. A
 // pixel is isolated if it differs from each of its neighbours (8, fewer at the border) by more than 8 of 255
 // in some channel.
 std::uint64_t speckleCount(const ByteImage& a, const ByteImage& b);
