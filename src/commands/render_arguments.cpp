@@ -156,7 +156,8 @@ void RenderArguments::check(const CommandLine& line) const {
         for (const char* option : useless)
             if (line.given(option)) throw UsageError(option + (" has no effect with " + cause));
     };
-    if (pass != "color") refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff", "--texture-filter"});
+    if (pass != "color")
+        refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff", "--texture-filter"});
     if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff", "--max-recursion"});
     if (!chosen.refraction && !chosen.shadows) refuse("--only " + only, {"--opaque"});
     if (!chosen.textures) refuse("--only " + only, {"--texture-filter"});
