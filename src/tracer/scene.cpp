@@ -38,6 +38,8 @@ Hit Scene::firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& c
         context.counts->tests += before.tests;
         if (!before.found()) return coincident.nearest();
         const Hit back = before.nearest();
+        if (back.shape->type() == ShapeType::Mesh && !Mesh::isMet(*back.shape, ray, back.primitive))
+            return coincident.nearest();
         nearest = {nearest.t - back.t, back.shape, back.primitive, !back.entering};
     }
 }

@@ -144,7 +144,7 @@ class HitQueryT {
         if constexpr (laneCountOf<T> == 1)
             if (point_) return considerCoincident({t, &shape, primitiveOf(0), entering != 0});
         if (end_) which &= ~throughEnd(which, t, shape, primitiveOf);
-        const LaneBits taken = which & ~notNearer(which & found_, t);
+        const LaneBits taken = which & ~notNearer(which & found_, t, shape, primitiveOf);
         if (taken == 0) return;
         const Truth<T> takes = maskOf<T>(taken);
         nearest_ = select(takes, t, nearest_);
@@ -169,11 +169,20 @@ class HitQueryT {
     }
 
     // The lanes, of those that have a hit, whose new one is not before that; and which of them are contended.
-    LaneBits notNearer(LaneBits again, const T& t) {
+    // Of two at the same t the one that is listed before is kept, in whichever order they are offered.
+    template <class PrimitiveOf>
+    LaneBits notNearer(LaneBits again, const T& t, const Shape& shape, PrimitiveOf primitiveOf) {
         if (again == 0) return 0;
         const T window = T(1 + coincidenceWindow);
-        contended_ |= again & bits((t <= nearest_ * window) & (nearest_ <= t * window));
-        return again & bits(!(t < nearest_));
+        const LaneBits near = again & bits((t <= nearest_ * window) & (nearest_ <= t * window));
+        LaneBits result = again & bits(!(t < nearest_));
+        if (near == 0) return result;
+        contended_ |= near;
+        forEach<T>(result & bits(t <= nearest_), [&](int lane) {
+            if (isListedBefore({laneOf(t, lane), &shape, primitiveOf(lane)}, nearest(lane)))
+                result &= ~bitOf(lane);
+        });
+        return result;
     }
 
     void considerCoincident(const Hit& hit) {
