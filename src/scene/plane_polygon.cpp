@@ -35,6 +35,16 @@ void scaleToUnit(std::vector<glm::dvec3>& points) {
     for (glm::dvec3& p : points) p = p * half * rest;
 }
 
+bool areTogether(const PlanePoint& a, const PlanePoint& b) { return distance(a, b) <= 4; }
+
+// Of neighbours that lie together the first: the others hide how the outline turns there.
+std::vector<PlanePoint> apart(std::span<const PlanePoint> polygon) {
+    std::vector<PlanePoint> corners;
+    std::ranges::unique_copy(polygon, std::back_inserter(corners), areTogether);
+    while (corners.size() > 1 && areTogether(corners.back(), corners.front())) corners.pop_back();
+    return corners;
+}
+
 bool isLess(const glm::dvec3& a, const glm::dvec3& b) {
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
@@ -92,17 +102,14 @@ std::vector<PlanePoint> projectPolygon(std::span<const glm::dvec3> corners) {
 }
 
 bool isConvex(std::span<const PlanePoint> polygon) {
-    // Of neighbours in one place the first: they would hide how the outline turns there.
-    const auto together = [](const PlanePoint& a, const PlanePoint& b) { return distance(a, b) <= 4; };
-    std::vector<PlanePoint> corners;
-    std::ranges::unique_copy(polygon, std::back_inserter(corners), together);
-    while (corners.size() > 1 && together(corners.back(), corners.front())) corners.pop_back();
-    const std::size_t count = corners.size();
+    const std::size_t count = polygon.size();
+    if (count < 3) return true;
     for (std::size_t i = 0; i < count; ++i) {
-        const PlanePoint &before = corners[(i + count - 1) % count], &here = corners[i],
-                         &after = corners[(i + 1) % count];
+        const PlanePoint &before = polygon[(i + count - 1) % count], &here = polygon[i],
+                         &after = polygon[(i + 1) % count];
+        if (areTogether(here, after)) return isConvex(apart(polygon));
         // The second one finds a polygon that goes round more than once.
-        if (clearSideOf(before, here, after) < 0 || clearSideOf(corners[0], here, after) < 0) return false;
+        if (clearSideOf(before, here, after) < 0 || clearSideOf(polygon[0], here, after) < 0) return false;
     }
     return true;
 }

@@ -144,7 +144,9 @@ class HitQueryT {
         if constexpr (laneCountOf<T> == 1)
             if (point_) return considerCoincident({t, &shape, primitiveOf(0), entering != 0});
         if (end_) which &= ~throughEnd(which, t, shape, primitiveOf);
-        const LaneBits taken = which & ~notNearer(which & found_, t, shape, primitiveOf);
+        LaneBits taken = which & ~notNearer(which & found_, t);
+        if (const LaneBits contended = which & ~taken & contended_; contended != 0)
+            taken |= listedBefore(contended, t, shape, primitiveOf);
         if (taken == 0) return;
         const Truth<T> takes = maskOf<T>(taken);
         nearest_ = select(takes, t, nearest_);
@@ -169,18 +171,21 @@ class HitQueryT {
     }
 
     // The lanes, of those that have a hit, whose new one is not before that; and which of them are contended.
-    // Of two at the same t the one that is listed before is kept, in whichever order they are offered.
-    template <class PrimitiveOf>
-    LaneBits notNearer(LaneBits again, const T& t, const Shape& shape, PrimitiveOf primitiveOf) {
+    LaneBits notNearer(LaneBits again, const T& t) {
         if (again == 0) return 0;
         const T window = T(1 + coincidenceWindow);
-        const LaneBits near = again & bits((t <= nearest_ * window) & (nearest_ <= t * window));
-        LaneBits result = again & bits(!(t < nearest_));
-        if (near == 0) return result;
-        contended_ |= near;
-        forEach<T>(result & bits(t <= nearest_), [&](int lane) {
+        contended_ |= again & bits((t <= nearest_ * window) & (nearest_ <= t * window));
+        return again & bits(!(t < nearest_));
+    }
+
+    // Of two hits at the same t the one that is listed before is taken, in whichever order they are offered.
+    template <class PrimitiveOf>
+    [[gnu::noinline, gnu::cold]] LaneBits listedBefore(LaneBits contended, const T& t, const Shape& shape,
+                                                       PrimitiveOf primitiveOf) const {
+        LaneBits result = 0;
+        forEach<T>(contended & bits((t <= nearest_) & (nearest_ <= t)), [&](int lane) {
             if (isListedBefore({laneOf(t, lane), &shape, primitiveOf(lane)}, nearest(lane)))
-                result &= ~bitOf(lane);
+                result |= bitOf(lane);
         });
         return result;
     }
