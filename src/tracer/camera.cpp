@@ -44,6 +44,19 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     eye_ = Vec3(frame.pointToFrame(camera.eye));
 }
 
+// point - eye = k (x u + y v + forward), or, orthographic, x u + y v + k forward, by Cramer's rule. Numbers
+// that are too large or too small for that compare false.
+std::optional<Vec2> Camera::uvOf(const Vec3& point) const {
+    const Vec3 offset = point - eye_, across = glm::cross(u_, v_);
+    const Real volume = glm::dot(across, forward_), k = glm::dot(offset, across) / volume;
+    const Real divisor = perspective_ ? k * volume : volume;
+    const Vec2 uv(glm::dot(offset, glm::cross(v_, forward_)) / divisor,
+                  glm::dot(offset, glm::cross(forward_, u_)) / divisor);
+    const auto isBetween = [](Real x, Real a, Real b) { return min(a, b) <= x && x <= max(a, b); };
+    if (!(k > 0 && isBetween(uv.x, left_, right_) && isBetween(uv.y, bottom_, top_))) return std::nullopt;
+    return uv;
+}
+
 Real Camera::farthest() const { return maxComponent(perspective_ ? abs(eye_) : abs(eye_) + film()); }
 
 Real Camera::width(Real t) const {

@@ -102,33 +102,49 @@ Real pictureWidth(const Scene& scene, const Ray& ray, const Intersection& hit) {
 
 // Whether it is known well enough where the ray, as its shape sees it, hits. A point of the ray is put onto a
 // sphere, a cone or, along x and y, a cylinder, and of a very flat one it may be anywhere. On a cone an error
-// along one axis becomes one along the others, as it does where a ray leaves a mesh (Mesh::toObject).
-bool isPlaced(const Ray& ray, const Intersection& hit, const Real& width) {
+// along one axis becomes one along the others, as it does where a ray leaves a mesh (Mesh::toObject). most:
+// in object space, on such a shape.
+bool isPlaced(const Ray& ray, const Intersection& hit, const Real& width, const Real& most) {
     const Transform& transform = hit.shape->transform();
     const ShapeType type = hit.shape->type();
     const Vec3 error = unitRoundoff * (abs(ray.origin) + abs(hit.t * ray.direction));
     Vec3 objectError = transform.objectError(hit.position, error);
     const Real largest = maxComponent(objectError), across = std::max(objectError.x, objectError.y);
-    if ((type == ShapeType::Sphere || type == ShapeType::Cone) && largest > mostPositionError) return false;
-    if (type == ShapeType::Cylinder && across > mostPositionError) return false;
+    if ((type == ShapeType::Sphere || type == ShapeType::Cone) && largest > most) return false;
+    if (type == ShapeType::Cylinder && across > most) return false;
     if (type == ShapeType::Cone || type == ShapeType::Mesh) objectError = Vec3(largest);
     const Vec3 worldError = absoluteProduct(transform.linear(), objectError) + hit.positionError;
     return maxComponent(worldError) <= mostPositionError * width;
 }
 
-// Whether the hits of some camera rays are known well enough.
+// What is small, such as a wire, shows less of an error that is a part of its size.
+constexpr Real mostSmallError = 64 * mostPositionError;
+
+// Whether the hits of some camera rays are known well enough: of rays all over the picture, and of rays to
+// some shapes, which may be small.
 bool isSharp(const Scene& scene) {
     constexpr int rays = 8;  // along an edge
     const RenderOptions options;
     RenderCounts counts;
     const RenderContext context{&options, nullptr, &counts};
+    const auto isSharpAt = [&](const Vec2& uv, const Real& most, const Real& leastSize) {
+        const Ray ray = scene.camera.getRay(uv);
+        const Intersection hit = scene.closestIntersection(ray, context);
+        if (!hit.valid || hit.shape->transform().largestScale() < leastSize * scene.camera.width(hit.t))
+            return true;
+        return isPlaced(ray, hit, pictureWidth(scene, ray, hit), most);
+    };
     for (int y = 0; y < rays; ++y)
         for (int x = 0; x < rays; ++x) {
             const Vec2 centre(static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5));
-            const Ray ray = scene.camera.getRay(scene.camera.getPixelUV(centre.x, centre.y, rays, rays));
-            const Intersection hit = scene.closestIntersection(ray, context);
-            if (hit.valid && !isPlaced(ray, hit, pictureWidth(scene, ray, hit))) return false;
+            if (!isSharpAt(scene.camera.getPixelUV(centre.x, centre.y, rays, rays), mostPositionError, 0))
+                return false;
         }
+    const std::size_t step = scene.shapes.size() / (rays * rays) + 1;
+    for (std::size_t i = 0; i < scene.shapes.size(); i += step) {
+        const auto uv = scene.camera.uvOf(scene.shapes[i].transform().translation());
+        if (uv && !isSharpAt(*uv, mostSmallError, mostPositionError)) return false;  // but for dust
+    }
     return true;
 }
 

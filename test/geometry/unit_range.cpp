@@ -188,6 +188,22 @@ TEST_CASE("range: a flat sphere, cylinder and cone are the discs that they look 
         }
 }
 
+TEST_CASE("range: a flat sphere of a few pixels is the disc that it looks like") {
+    const auto picture = [](double thickness, Precision precision) {
+        SceneMaker maker;
+        maker.scene.camera.type = CameraDescription::Type::Perspective;
+        maker.scene.camera.eye = {0.1, 0.2, 4};
+        maker.material(glm::dvec3(0)).color_diffuse = {0.7, 0.6, 0.5};
+        maker.shape(Type::Sphere,
+                    {"", glm::dvec3(0.55, 0.65, 0.995), {}, glm::dvec3(0.05, 0.05, thickness), {}});
+        maker.light({2, 3, 5});
+        return bytesOf(maker.scene, 400, precision);
+    };
+    for (const Precision precision : {Precision::Float, Precision::Double})
+        for (const double thickness : {5e-16, 5e-17})
+            CHECK(differingPixels(picture(1e-7, Precision::Double), picture(thickness, precision), 1) == 0);
+}
+
 // An octahedron whose vertices are of this size and whose transform takes it back, and one tiny triangle.
 TEST_CASE("range: a mesh of any unit is the same picture to the byte") {
     const auto picture = [](int exponent, Precision precision) {

@@ -1,6 +1,8 @@
 // Pixels to rays.
 #pragma once
 
+#include <optional>
+
 #include "raytracer/geometry/ray.h"
 #include "raytracer/scene/scene_description.h"
 #include "raytracer/tracer/scene_frame.h"
@@ -28,6 +30,9 @@ class Camera {
         const Vec3T<T> onFilm = uv.x * Vec3T<T>(u_) + uv.y * Vec3T<T>(v_), eye(eye_), forward(forward_);
         return perspective_ ? RayT<T>{eye, onFilm + forward, {}} : RayT<T>{eye + onFilm, forward, {}};
     }
+
+    // The film coordinates where a point is seen, about; nothing where it is not in the picture.
+    std::optional<Vec2> uvOf(const Vec3& point) const;
 
     // Along any axis, of the points where its rays start.
     Real farthest() const;
