@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 #include <random>
