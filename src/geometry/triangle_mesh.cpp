@@ -84,10 +84,6 @@ void Mesh::meetAt(const Shape& shape, const Ray& ray, const ObjectRay& object, H
     meetInObject(shape, ray, object, query);
 }
 
-bool Mesh::isMet(const Shape& shape, const Ray& ray, std::uint32_t triangle) {
-    return shape.triangles().meetLine(toObject(shape, ray), triangle).hit;
-}
-
 LineHit<Real> TriangleMesh::meetLine(const ObjectRay& line, std::uint32_t triangle) const {
     return intersectLine(ShearedRayT<Real>(line, shearAxes(line.direction)), corners<Real>(triangle));
 }

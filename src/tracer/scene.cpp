@@ -24,7 +24,7 @@ Intersection Scene::closestIntersection(const Ray& ray, const RenderContext& con
 }
 
 // Of surfaces that lie apart t may be the same number, rounded. Whether one of them is before `nearest` is
-// seen from there, back along the ray.
+// seen from there, back along the ray. It counts if the ray itself, rounded, meets its shape.
 Hit Scene::firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& context) const {
     for (unsigned passed = 0;; ++passed) {
         const Intersection place = nearest.shape->surfaceAt(ray, nearest);
@@ -37,10 +37,11 @@ Hit Scene::firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& c
         tree.intersect(point.leave(-ray.direction, ShadingPoint::Side::Near), before);
         context.counts->tests += before.tests;
         if (!before.found()) return coincident.nearest();
-        const Hit back = before.nearest();
-        if (back.shape->type() == ShapeType::Mesh && !Mesh::isMet(*back.shape, ray, back.primitive))
-            return coincident.nearest();
-        nearest = {nearest.t - back.t, back.shape, back.primitive, !back.entering};
+        HitQuery ahead = HitQuery::upTo(nearest.t * (1 + coincidenceWindow));
+        before.nearest().shape->intersect(ray, ahead);
+        context.counts->tests += ahead.tests;
+        if (!ahead.found()) return coincident.nearest();
+        nearest = ahead.nearest();
     }
 }
 

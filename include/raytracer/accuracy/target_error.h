@@ -13,9 +13,11 @@ struct TargetChoice {
     Setting setting;
     bool reached = false;    // whether its error is within the target, as far as the pilot samples tell
     bool isLimited = false;  // reached is not known: deeper rays are too many to follow
-    double sampleError = 0, depthError = 0;  // estimates of its parts, RMSE; their squares add up
-    RenderCounts counts;                     // of the pilot samples
-    FirstSamples first;  // of the picture, if the pilot samples include them: for Renderer::render
+    // Estimates of its parts, RMSE, whose squares add up. That of the samples includes a standard error,
+    // since the search ends where it is small by chance.
+    double sampleError = 0, depthError = 0;
+    RenderCounts counts;  // of the pilot samples
+    FirstSamples first;   // of the picture, if the pilot samples include them: for Renderer::render
 };
 
 // Is told, now and then, how many samples the search has taken.

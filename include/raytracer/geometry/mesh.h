@@ -104,9 +104,6 @@ struct Mesh {
         return intersection;
     }
 
-    // Whether the ray's line meets this triangle.
-    static bool isMet(const Shape& shape, const Ray& ray, std::uint32_t triangle);
-
   private:
     // A ray that leaves this mesh starts off its triangle's plane, on its own side, and within the edges, by
     // more than the point may be wrong: from there the exact test of the line tells truly what it enters and
