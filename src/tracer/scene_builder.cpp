@@ -117,6 +117,24 @@ bool isPlaced(const Ray& ray, const Intersection& hit, const Real& width, const 
     return maxComponent(worldError) <= mostPositionError * width;
 }
 
+// Within what distance of a light there is a whole shape, of every step-th. Its shadow, or its mirror image
+// in the light's room, is as wrong as a ray that comes there from afar is in that distance.
+Real nearestToLight(const Scene& scene, std::size_t step) {
+    Real nearest = infinity;
+    for (const Light& light : scene.lights)
+        for (std::size_t i = 0; i < scene.shapes.size(); i += step) {
+            FloatBox box;
+            if (!scene.shapes[i].bounds(box)) continue;
+            Real farthest = 0;  // of the box's corners, along one axis
+            for (int axis = 0; axis < 3; ++axis) {
+                const Real low = box.low[axis], high = box.high[axis], place = light.position[axis];
+                farthest = std::max({farthest, abs(low - place), abs(high - place)});
+            }
+            nearest = std::min(nearest, farthest);
+        }
+    return nearest;
+}
+
 // What is small, such as a wire, shows less of an error that is a part of its size.
 constexpr Real mostSmallError = 64 * mostPositionError;
 
@@ -127,12 +145,14 @@ bool isSharp(const Scene& scene) {
     const RenderOptions options;
     RenderCounts counts;
     const RenderContext context{&options, nullptr, &counts};
+    const std::size_t step = scene.shapes.size() / (rays * rays) + 1;
+    const Real nearest = nearestToLight(scene, step);
     const auto isSharpAt = [&](const Vec2& uv, const Real& most, const Real& leastSize) {
         const Ray ray = scene.camera.getRay(uv);
         const Intersection hit = scene.closestIntersection(ray, context);
         if (!hit.valid || hit.shape->transform().largestScale() < leastSize * scene.camera.width(hit.t))
             return true;
-        return isPlaced(ray, hit, pictureWidth(scene, ray, hit), most);
+        return isPlaced(ray, hit, std::min(pictureWidth(scene, ray, hit), nearest), most);
     };
     for (int y = 0; y < rays; ++y)
         for (int x = 0; x < rays; ++x) {
@@ -140,7 +160,6 @@ bool isSharp(const Scene& scene) {
             if (!isSharpAt(scene.camera.getPixelUV(centre.x, centre.y, rays, rays), mostPositionError, 0))
                 return false;
         }
-    const std::size_t step = scene.shapes.size() / (rays * rays) + 1;
     for (std::size_t i = 0; i < scene.shapes.size(); i += step) {
         const auto uv = scene.camera.uvOf(scene.shapes[i].transform().translation());
         if (uv && !isSharpAt(*uv, mostSmallError, mostPositionError)) return false;  // but for dust

@@ -26,7 +26,7 @@ void checkAnyDirection() {
         for (const Real y : sizes)
             for (const Real z : sizes)
                 for (const Real origin : {Real(0), Real(0.5), Real(3), Limits::max(), infinity}) {
-                    const Chord<Real> chord = Kind::chord(ObjectRay{Vec3(0, 0, origin), Vec3(x, y, z)});
+                    const Chord<Real> chord = Kind::chordOf(ObjectRay{Vec3(0, 0, origin), Vec3(x, y, z)});
                     INFO(x << ' ' << y << ' ' << z << " from " << origin);
                     CHECK_FALSE((chord.hit && chord.entry > chord.exit));
                 }
@@ -45,7 +45,7 @@ TEST_CASE("chord: t counts in a direction of any size") {
         const Real size = std::scalbn(Real(1), exponent * (std::numeric_limits<Real>::max_exponent - 4));
         const ObjectRay ray{Vec3(0, 0, 3), size * Vec3(0, 0, -2)};
         const Real unit = Real(0.5) / size;
-        const Chord<Real> ball = Sphere::chord(ray), cone = Cone::chord(ray);
+        const Chord<Real> ball = Sphere::chordOf(ray), cone = Cone::chordOf(ray);
         CHECK(ball.hit);
         CHECK(ball.entry == 2 * unit);
         CHECK(ball.exit == 4 * unit);
@@ -59,14 +59,14 @@ TEST_CASE("chord: where two faces are met at once, the first one is") {
     for (const Real x : {Real(-1), Real(1)})
         for (const Real y : {Real(-1), Real(1)}) {
             const ObjectRay ray{Real(-3) * Vec3(x, y, 0), Vec3(x, y, 0)};
-            const Chord<Real> cube = Cube::chord(ray),
-                              corner = Cube::chord(ObjectRay{Vec3(0), Vec3(x, y, 1)});
+            const Chord<Real> cube = Cube::chordOf(ray),
+                              corner = Cube::chordOf(ObjectRay{Vec3(0), Vec3(x, y, 1)});
             CHECK(cube.entryFace == (x < 0 ? 0 : 1));  // of +x, -x, +y, -y, +z, -z
             CHECK(cube.exitFace == (x > 0 ? 0 : 1));
             CHECK(corner.exitFace == (x > 0 ? 0 : 1));
         }
     for (const Real z : {Real(-1), Real(1)}) {
-        const Chord<Real> rim = Cylinder::chord(ObjectRay{Vec3(0, 0, Real(0.5)), Vec3(2, 0, z)});
+        const Chord<Real> rim = Cylinder::chordOf(ObjectRay{Vec3(0, 0, Real(0.5)), Vec3(2, 0, z)});
         CHECK(rim.exit == Real(0.5));
         CHECK(rim.exitFace == 0);  // the body
     }
@@ -74,13 +74,13 @@ TEST_CASE("chord: where two faces are met at once, the first one is") {
 
 TEST_CASE("chord: a line in the plane of a cap passes, one in the plane of a cube's face meets other faces") {
     for (const Real z : {Real(0), Real(1)}) {
-        CHECK_FALSE(Cylinder::chord(ObjectRay{Vec3(-3, 0, z), Vec3(1, 0, 0)}).hit);
-        CHECK(Cylinder::chord(ObjectRay{Vec3(-3, 0, Real(0.5) + z / 4), Vec3(1, 0, 0)}).hit);
+        CHECK_FALSE(Cylinder::chordOf(ObjectRay{Vec3(-3, 0, z), Vec3(1, 0, 0)}).hit);
+        CHECK(Cylinder::chordOf(ObjectRay{Vec3(-3, 0, Real(0.5) + z / 4), Vec3(1, 0, 0)}).hit);
     }
-    CHECK_FALSE(Cone::chord(ObjectRay{Vec3(-3, 0, 0), Vec3(1, 0, 0)}).hit);
-    CHECK_FALSE(Cylinder::chord(ObjectRay{Vec3(1, 0, -3), Vec3(0, 0, 1)}).hit);  // along the body
+    CHECK_FALSE(Cone::chordOf(ObjectRay{Vec3(-3, 0, 0), Vec3(1, 0, 0)}).hit);
+    CHECK_FALSE(Cylinder::chordOf(ObjectRay{Vec3(1, 0, -3), Vec3(0, 0, 1)}).hit);  // along the body
     for (const Real x : {Real(-1), Real(1)}) {
-        const Chord<Real> chord = Cube::chord(ObjectRay{Vec3(x, 0, 3), Vec3(0, 0, -1)});
+        const Chord<Real> chord = Cube::chordOf(ObjectRay{Vec3(x, 0, 3), Vec3(0, 0, -1)});
         CHECK(chord.hit);
         CHECK(chord.entry == 2);
         CHECK(chord.exit == 4);
@@ -93,9 +93,20 @@ TEST_CASE("chord: of two faces with one t the entry faces the ray") {
     for (const Real side : {Real(-1), Real(1)})
         for (const Real aslant : {Real(0), Real(0.1)}) {
             const ObjectRay ray{Vec3(-aslant, 0, far * side), Vec3(aslant, 0, -far * side)};
-            const Chord<Real> cube = Cube::chord(ray), cylinder = Cylinder::chord(ray);
+            const Chord<Real> cube = Cube::chordOf(ray), cylinder = Cylinder::chordOf(ray);
             CHECK(cube.entry == cube.exit);
             CHECK(cube.entryFace == (side > 0 ? 4 : 5));
             CHECK(cylinder.entryFace == (side > 0 ? 1 : 2));
         }
+}
+
+// The eye may be nearer to the base than a rounding of the cone's size.
+TEST_CASE("chord: a cone's base is where the ray's own origin sees it") {
+    const Real near = unitRoundoff * unitRoundoff;
+    for (const Real side : {Real(-1), Real(1)}) {
+        const ObjectRay ray{Vec3(Real(0.3), Real(0.2), side * near), Vec3(Real(0.1), 0, -side)};
+        const Chord<Real> chord = Cone::chordOf(ray);
+        CHECK((side < 0 ? chord.entryFace : chord.exitFace) == 1);
+        CHECK((side < 0 ? chord.entry : chord.exit) == near);
+    }
 }

@@ -204,6 +204,26 @@ TEST_CASE("range: a flat sphere of a few pixels is the disc that it looks like")
             CHECK(differingPixels(picture(1e-7, Precision::Double), picture(thickness, precision), 1) == 0);
 }
 
+// A shadow that is 10^15 times as large as what casts it: the way back to the light has to be known as well
+// as the picture is.
+TEST_CASE("range: a shadow on a wall that is far away") {
+    const auto picture = [](double distance, Precision precision) {
+        SceneMaker maker = perspective();
+        maker.scene.camera.eye = {3, 0, 5};
+        maker.material(glm::dvec3(0.1)).color_diffuse = glm::dvec3(0.8);
+        maker.shape(Type::Cube, {"", {}, TransformDescription::Rotation{37, {1, 2, 3}}, {}, {}});
+        maker.shape(Type::Plane, {"", glm::dvec3(0, 0, -distance), {}, {}, {}});
+        maker.light({0.1, 0.2, 5});
+        return bytesOf(maker.scene, edge, precision);
+    };
+    const ByteImage expected = picture(1e5, Precision::Extended);
+    for (const double distance : {1e7, 1e11, 1e13, 1e15})
+        for (const Precision precision : {Precision::Float, Precision::Double}) {
+            INFO(distance << ", " << static_cast<int>(precision));
+            CHECK(differingPixels(expected, picture(distance, precision), 1) <= 1);
+        }
+}
+
 // An octahedron whose vertices are of this size and whose transform takes it back, and one tiny triangle.
 TEST_CASE("range: a mesh of any unit is the same picture to the byte") {
     const auto picture = [](int exponent, Precision precision) {

@@ -117,3 +117,30 @@ TEST_CASE("parity: a rim or an edge met in a single point is met") {
         CHECK(missed == 0);
     }
 }
+
+// From afar, too: past a rim or an edge by more than the line's own rounding there is nothing.
+TEST_CASE("parity: a distant solid is not fatter than its lines are rounded") {
+    const Material material;
+    Random random(7);
+    const long double far = std::scalbn(1.0L, 2 * std::numeric_limits<Real>::digits / 3);
+    const long double rounding = 4 * far * static_cast<long double>(unitRoundoff);
+    for (const Kind kind : {Kind::Cylinder, Kind::Cone, Kind::Cube}) {
+        const auto shape = makeShape(kind, Affine{}, material);
+        int met = 0, missed = 0;
+        for (int i = 0; i < 1000; ++i) {
+            const Wide rim =
+                kind == Kind::Cube ? Wide(1, random.between(-1, 1), -1) : circle(random.uniform());
+            const Wide outwards = kind == Kind::Cube ? Wide(1, 0, 0) : rim, way = outwards + Wide(0, 0, 1);
+            for (const int side : {-1, 1}) {
+                const Wide target = rim + side * rounding * outwards;
+                const Vec3 origin(target - far * way);
+                const bool valid = shape->rayIntersect({origin, Vec3(target - Wide(origin)), {}}).valid;
+                met += valid && side > 0;
+                missed += !valid && side < 0;
+            }
+        }
+        INFO(nameOf(kind));
+        CHECK(met == 0);
+        CHECK(missed == 0);
+    }
+}

@@ -40,24 +40,18 @@ struct Cone : Solid<Cone> {
     static constexpr const char* faces[] = {"body", "bottom"};
 
     template <class T>
-    static Chord<T> chord(const ObjectRayT<T>& ray) {
-        const T squared = glm::dot(ray.direction, ray.direction);
-        if (all(isSafeSquare(squared))) return chordOfSafeSquare(ray.origin, ray.direction, squared);
-        return laneByLane<Chord<T>>(chordOfAnySize, ray.origin, ray.direction);
+    static Chord<T> chord(const Vec3T<T>& origin, const Vec3T<T>& direction) {
+        return inSafeUnits(origin, direction, [](const auto& o, const auto& d, const auto& squared) {
+            return chordOfSafe(o, d, squared);
+        });
     }
 
-    // As UnitBall has them.
-    static Chord<Real> chordOfAnySize(const Vec3& origin, const Vec3& direction);
     template <class T>
-    static Chord<T> chordOfSafeSquare(const Vec3T<T>& origin, const Vec3T<T>& direction, const T& squared) {
+    static Chord<T> chordOfSafe(const Vec3T<T>& origin, const Vec3T<T>& direction, const T& squared) {
         // From the closest approach to the middle of the axis, so that the coefficients are of order 1
         // (Haines et al.).
-        const Vec3T<T> fromMiddle = origin - Vec3T<T>(T(0), T(0), T(Real(0.5)));
-        T shift = -glm::dot(fromMiddle, direction) / squared;
-        Vec3T<T> closest = origin + shift * direction;
-        T last = shift;
-        const Truth<T> distant = glm::dot(fromMiddle, fromMiddle) > T(distantSquared);
-        if (any(distant)) shift += moveCloser(distant, closest, direction, squared, last);
+        const T shift = -glm::dot(origin - Vec3T<T>(T(0), T(0), T(Real(0.5))), direction) / squared;
+        const Vec3T<T> closest = origin + shift * direction;
         const Vec3T<T> p(closest.x, closest.y, T(1) - closest.z), d(direction.x, direction.y, -direction.z);
 
         const ConeRoots<T> roots(p, d);
@@ -66,11 +60,13 @@ struct Cone : Solid<Cone> {
         // Of a steep line the part in the nappe below the apex.
         chord.entry = select(roots.steep, select(down, roots.high, T(-infinity)), chord.entry);
         chord.exit = select(roots.steep, select(down, T(infinity), roots.low), chord.exit);
-        // w = 0 is no face but the apex, which belongs to the body.
-        clipAxis(chord, p.z, d.z, 0, 1, 0, 1, (p.z >= T(0)) & (p.z < T(1)));
-        closeChord(chord, last);
-        chord.entry += shift;
-        chord.exit += shift;
+        // w = 0 is no face but the apex, which belongs to the body. The base's t comes from the ray's own
+        // origin: that may be nearer to the base than the shift is rounded by.
+        const T toApex = (T(0) - p.z) / d.z, toBase = (T(0) - origin.z) / direction.z;
+        clipAxis(chord, d.z, toApex, toBase - shift, 0, 1, (p.z >= T(0)) & (p.z < T(1)));
+        closeChord(chord, shift);
+        chord.entry = select(chord.entryFace == T(1), toBase, chord.entry + shift);
+        chord.exit = max(chord.entry, select(chord.exitFace == T(1), toBase, chord.exit + shift));
         return chord;
     }
 

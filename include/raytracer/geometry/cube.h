@@ -10,12 +10,13 @@ struct Cube : Solid<Cube> {
     static constexpr const char* faces[] = {"x = 1", "x = -1", "y = 1", "y = -1", "z = 1", "z = -1"};
 
     template <class T>
-    static Chord<T> chord(const ObjectRayT<T>& ray) {
+    static Chord<T> chord(const Vec3T<T>& from, const Vec3T<T>& along) {
         Chord<T> chord{Truth<T>(T(0) == T(0)), T(-infinity), T(infinity), T(0), T(0)};
         for (int axis = 0; axis < 3; ++axis) {
-            const T &origin = ray.origin[axis], &direction = ray.direction[axis];
+            const T &origin = from[axis], &direction = along[axis];
             const auto highFace = static_cast<Real>(2 * axis);
-            clipAxis(chord, origin, direction, -1, 1, highFace + 1, highFace, abs(origin) <= T(1));
+            clipAxis(chord, direction, (T(-1) - origin) / direction, (T(1) - origin) / direction,
+                     highFace + 1, highFace, abs(origin) <= T(1));
         }
         closeChord(chord);
         return chord;

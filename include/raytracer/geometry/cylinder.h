@@ -10,21 +10,24 @@ struct Cylinder : Solid<Cylinder> {
     static constexpr const char* faces[] = {"body", "top", "bottom"};
 
     // The body as a ball in the plane, then between the caps.
+    // The body as a ball in the plane, then between the caps.
     template <class T>
-    static Chord<T> chord(const ObjectRayT<T>& ray) {
-        const Vec2T<T> origin(ray.origin.x, ray.origin.y);
-        Vec2T<T> direction(ray.direction.x, ray.direction.y);
+    static Chord<T> chord(const Vec3T<T>& from, const Vec3T<T>& way) {
+        const Vec2T<T> origin(from.x, from.y);
+        Vec2T<T> direction(way.x, way.y);
         // A line along the axis never meets the body.
         const Truth<T> along = (direction.x == T(0)) & (direction.y == T(0));
         direction.x = select(along, T(1), direction.x);
-        Chord<T> chord = UnitBall()(origin, direction);
+        Chord<T> chord = inSafeUnits(origin, direction, [](const auto& o, const auto& d, const auto& a) {
+            return ballChord(o, d, a);
+        });
         if (any(along)) {
             chord.hit = (chord.hit & !along) | (along & (glm::dot(origin, origin) < T(1)));
             chord.entry = select(along, T(-infinity), chord.entry);
             chord.exit = select(along, T(infinity), chord.exit);
         }
-        clipAxis(chord, ray.origin.z, ray.direction.z, 0, 1, 2, 1,
-                 (ray.origin.z > T(0)) & (ray.origin.z < T(1)));
+        const T &z = from.z, &dz = way.z;
+        clipAxis(chord, dz, (T(0) - z) / dz, (T(1) - z) / dz, 2, 1, (z > T(0)) & (z < T(1)));
         closeChord(chord);
         return chord;
     }

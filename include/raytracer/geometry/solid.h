@@ -69,6 +69,21 @@ struct Solid : Equation<Kind> {
         return mayTouch(transform.pointToObject(point), transform.objectError(point, pointError));
     }
 
+    // The part of any line inside the solid. Of one that comes from afar by its point that is closest to the
+    // solid: all faces have the roundings of that one point, and so no seams.
+    template <class T>
+    static Chord<T> chordOf(const ObjectRayT<T>& ray) {
+        if (!any(glm::dot(ray.origin, ray.origin) > T(distantSquared)))
+            return Kind::chord(ray.origin, ray.direction);
+        return inSafeUnits(ray.origin, ray.direction, [](auto origin, const auto& direction, const auto& a) {
+            const auto shift = moveCloser(origin, direction, a);
+            auto chord = Kind::chord(origin, direction);
+            chord.entry += shift;
+            chord.exit += shift;
+            return chord;
+        });
+    }
+
     // What a chord means for a ray: entry or exit, or neither because the ray starts there.
     template <class T>
     static void meet(const Shape& shape, const RayT<T>& ray, HitQueryT<T>& query) {
@@ -84,7 +99,7 @@ struct Solid : Equation<Kind> {
             }
         }
         query.count();
-        const Chord<T> chord = Kind::chord(object);
+        const Chord<T> chord = chordOf(object);
         const Truth<T> never = T(0) < T(0);
         if (leavesThis) return query.offerFace(!never, max(T(0), chord.exit), shape, chord.exitFace, never);
 

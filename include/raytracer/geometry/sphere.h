@@ -11,8 +11,9 @@ struct Sphere : Solid<Sphere> {
     static constexpr bool isBall = true;
 
     template <class T>
-    static Chord<T> chord(const ObjectRayT<T>& ray) {
-        return UnitBall()(ray.origin, ray.direction);
+    static Chord<T> chord(const Vec3T<T>& origin, const Vec3T<T>& direction) {
+        return inSafeUnits(origin, direction,
+                           [](const auto& o, const auto& d, const auto& a) { return ballChord(o, d, a); });
     }
 
     template <class T>

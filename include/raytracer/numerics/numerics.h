@@ -16,7 +16,8 @@
 // of |o|^2 u, the rest is of the order of 1. From the point of the line that is closest to the centre, b = 0
 // and c is of the order of 1 wherever there is a hit, and what is left is the error of that point, |o| u
 // (Haines, Gunther and Akenine-Moller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
-// ch. 7). For sphere and cylinder from farSquared on, for the cone always (chord.h).
+// ch. 7). For sphere and cylinder from farSquared on, for the cone always, for each solid from distantSquared
+// on (chord.h).
 //
 // Boxes, in float. The distance of a plane, (plane - origin) / direction, takes four roundings: of the
 // direction, of its inverse, of the difference, of the product. Entry and exit are compared, each wrong by
@@ -70,8 +71,11 @@ inline constexpr Real coincidenceWindow = 1 / powerOfTwo(std::numeric_limits<Rea
 // From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at
 // most a fifth of the digits in the textbook's discriminant.
 inline constexpr Real farSquared = powerOfTwo(std::numeric_limits<Real>::digits / 5);
-// From this squared distance on, the rounding error of a move to the shape takes half of its digits.
-inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits);
+// From this squared distance on, an origin is moved to the point of its line that is closest to the solid: the
+// slack of closeChord, 16 units in the last place of the distance, is then still far below a pixel.
+inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits * 3 / 4);
+// A line passes a solid by where its closest point is more than this squared part of a move away from it.
+inline constexpr Real passingSquared = powerOfTwo(std::numeric_limits<Real>::digits);
 
 // The most that a hit may be wrong by, of the picture's width there (a pixel of 4096), and on a sphere,
 // a cone or a cylinder's side of that one's size.
