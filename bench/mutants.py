@@ -27,7 +27,7 @@ tree = work / "tree"
 mutated_files = ["src/tracer/ray_color.h", "include/raytracer/tracer/shading.h", "src/tracer/shading.cpp",
                  "src/tracer/camera.cpp", "src/tracer/tile.cpp", "include/raytracer/tracer/pixel_estimate.h",
                  "include/raytracer/geometry/*.h",
-                 "src/geometry/chord.cpp", "src/geometry/transform.cpp",
+                 "src/geometry/transform.cpp",
                  "include/raytracer/tracer/sample_sequence.h"]
 # Pattern, replacement. clang-format sets blanks around binary operators, so brackets of templates are no
 # comparisons.
