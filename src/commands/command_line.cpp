@@ -174,7 +174,7 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
     if (hasValue) return given_.push_back({option, line[at].substr(equals + 1), rest_.size()});
     if (at + 1 == line.size() || find(line[at + 1])) refuse(name, option->expected, "nothing");
     const std::string& text = line[++at];
-    if (text.starts_with('=') && (text.size() > 1 || at + 1 < line.size())) {
+    if (text.starts_with('=') && (text.size() > 1 ? !option->isText : at + 1 < line.size())) {
         const std::string value = text.size() > 1 ? text.substr(1) : line[at + 1];
         if (option->read) option->read(value);  // says what it expects
         throw UsageError("unexpected \"=\"; write " + name + " " + value);

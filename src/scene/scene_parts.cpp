@@ -130,8 +130,9 @@ CameraDescription readCamera(JsonView view, KnownKeys& keys) {
     const JsonObject json = keys.check(view, known);
     CameraDescription camera;
     camera.type = static_cast<CameraDescription::Type>(json["type"].choice(types));
-    const bool isPerspective = camera.type == CameraDescription::Type::Perspective;
-    if (isPerspective || json.find("focal_length")) camera.focal_length = positive(json["focal_length"]);
+    if (camera.type == CameraDescription::Type::Perspective)
+        camera.focal_length = positive(json["focal_length"]);
+    else if (const auto unused = json.find("focal_length")) unused->number();
     readFrame(json, camera);
     readFilm(json, camera);
     return camera;
