@@ -135,6 +135,9 @@ Real nearestToLight(const Scene& scene, std::size_t step) {
     return nearest;
 }
 
+// The most that a hit may be wrong by, of that distance.
+constexpr Real mostShadowError = 1 / powerOfTwo(std::numeric_limits<Real>::digits / 5);
+
 // What is small, such as a wire, shows less of an error that is a part of its size.
 constexpr Real mostSmallError = 64 * mostPositionError;
 
@@ -146,13 +149,14 @@ bool isSharp(const Scene& scene) {
     RenderCounts counts;
     const RenderContext context{&options, nullptr, &counts};
     const std::size_t step = scene.shapes.size() / (rays * rays) + 1;
-    const Real nearest = nearestToLight(scene, step);
+    const Real nearest = nearestToLight(scene, step) * (mostShadowError / mostPositionError);
     const auto isSharpAt = [&](const Vec2& uv, const Real& most, const Real& leastSize) {
         const Ray ray = scene.camera.getRay(uv);
         const Intersection hit = scene.closestIntersection(ray, context);
         if (!hit.valid || hit.shape->transform().largestScale() < leastSize * scene.camera.width(hit.t))
             return true;
-        return isPlaced(ray, hit, std::min(pictureWidth(scene, ray, hit), nearest), most);
+        const Real width = std::min(pictureWidth(scene, ray, hit), nearest);
+        return isPlaced(ray, hit, width, most);
     };
     for (int y = 0; y < rays; ++y)
         for (int x = 0; x < rays; ++x) {
