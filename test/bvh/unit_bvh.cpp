@@ -155,6 +155,24 @@ TEST_CASE("what lies in a mirror 10^15 times larger is the same with and without
         CHECK(picture(scene, Precision::Double, {Accelerator::Bvh, 0, set}, 100).pixels == without.pixels);
 }
 
+// A flat solid, aslant to an orthographic camera, so that some rays of a packet come from farther than
+// distantSquared, in its thickness, and some from nearer.
+TEST_CASE("a solid from which rays are distant and near is the same with and without a tree") {
+    for (const double limit : {std::ldexp(1.0, 9), std::ldexp(std::sqrt(2.0), 19)})  // of float and double
+        for (const ShapeType type :
+             {ShapeType::Sphere, ShapeType::Cylinder, ShapeType::Cone, ShapeType::Cube}) {
+            SceneDescription scene = stage(false);
+            scene.camera.type = CameraDescription::Type::Orthographic;
+            scene.camera.eye = limit * glm::dvec3(-1, 0, 1);
+            scene.camera.look = {1, 0.1, -1};
+            scene.camera.film_left = scene.camera.film_bottom = -limit;
+            scene.camera.film_right = scene.camera.film_top = limit;
+            for (LightDescription& light : scene.lights) light.position *= limit;
+            addShape(scene, type, {"", {}, {}, glm::dvec3(limit, limit, 1), {}}, 0);
+            checkAll(scene, 36);
+        }
+}
+
 TEST_CASE("many solids are the same with and without a tree") {
     for (const bool glass : {false, true}) {
         Random random(7);
