@@ -8,7 +8,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// Whether it scales alike in all directions, to within 1/256: close enough for culling by FloatBox::ball.
+// Whether the map scales all directions equally, to within 1/256: close enough for culling by FloatBox::ball.
 bool isUniform(const Mat3& m) {
     const Mat3 squares = glm::transpose(m) * m;
     Real off = 0;
@@ -22,7 +22,7 @@ struct Box {
     Vec3 low, high;
 };
 
-// Around the shape, mapped by a linear map and a translation.
+// Around the shape, mapped by `linear` and `translation`.
 Box boxAround(const Shape& shape, const Mat3& linear, const Vec3& translation) {
     const MeshData* mesh = shape.type() == ShapeType::Mesh ? &shape.triangles().data() : nullptr;
     const Mat3 rows = glm::transpose(linear);
@@ -54,14 +54,13 @@ Intersection Shape::rayIntersect(const Ray& ray) const {
     return query.found() ? surfaceAt(ray, query.nearest()) : Intersection{};
 }
 
-// Widened by what the arithmetic of `intersect` may be off by.
+// The box is widened by a bound on the error of a hit that `intersect` computes.
 bool Shape::bounds(FloatBox& box) const {
-    constexpr Real worst =
-        1 << 20;  // a worse one would widen the whole tree's rays: better no box for this one
+    constexpr Real worst = 1 << 20;  // a worse one would widen every ray in the tree: this shape has no box
     const Real conditioning = transform_.conditioning();
     if (!(conditioning <= worst)) return false;
-    // A hit may lie off the surface by as much as a root of the roundoff (at a cone's apex), in units of the
-    // shape's size; and by some roundings of the numbers that place it.
+    // A hit may be off the surface by the square root of the roundoff (at a cone's apex), relative to the
+    // shape's size, and by some roundings of the coordinates that place the shape.
     const Box object = boxAround(*this, Mat3(1), Vec3(0)),
               world = boxAround(*this, transform_.linear(), transform_.translation());
     const Mat3 sizes = abs(transform_.linear());

@@ -6,7 +6,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// So many boxed shapes are as fast in a list (Notes.txt).
+// Up to this many boxed shapes a list is as fast as a tree (Notes.txt).
 constexpr std::size_t mostListedShapes = 3;
 
 }  // namespace

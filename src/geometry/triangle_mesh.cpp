@@ -15,7 +15,7 @@ bool repeats(const MeshData& mesh) {
     });
 }
 
-// Within float, if that is what Real is: infinities have no fraction.
+// Clamped to the range of Real, which may be float: the fraction of an infinity is NaN.
 Real finite(double u) {
     constexpr auto largest = static_cast<double>(
         std::min<long double>(std::numeric_limits<Real>::max(), std::numeric_limits<double>::max()));
@@ -88,7 +88,8 @@ LineHit<Real> TriangleMesh::meetLine(const ObjectRay& line, std::uint32_t triang
     return intersectLine(ShearedRayT<Real>(line, shearAxes(line.direction)), corners<Real>(triangle));
 }
 
-// The roundings of the watertight test, and of float positions, which the tree has as they were.
+// Covers the roundings of the watertight test. Where Real is float, also those of the positions: the tree has
+// them unrounded.
 Real TriangleMesh::slackFrom(Real farthestOrigin) const {
     return 64 * writtenRoundoff * std::max(farthestOrigin, largest_);
 }

@@ -1,4 +1,4 @@
-// The part of a line inside a convex solid: what the solids' chords are made of.
+// The chord of a line in a convex solid, and the parts that the solids compute theirs from.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// The part of a line inside a convex solid, in t of the ray. A face is a number of T, so that it is chosen as
-// the t are.
+// The part of a line inside a convex solid, as an interval of the ray's t. A face is stored as a T, so that
+// `select` chooses it with the same masks as t.
 template <class T>
 struct Chord {
     Truth<T> hit;
-    T entry, exit;  // entry <= exit where hit; exit is meaningful for a line through the inside regardless
+    T entry, exit;  // entry <= exit where hit; exit also serves a ray known to start inside, hit or not
     T entryFace, exitFace;
 };
 template <class T>
@@ -36,9 +36,9 @@ T radius(const Vec3T<T>& p) {
     return sqrt(p.x * p.x + p.y * p.y);
 }
 
-// Narrows the chord to the part between two planes across an axis, of t `toLow` and `toHigh`. Ties keep the
-// face that is there, which the caller has put there because it comes first. A line that does not move along
-// this axis is in or out as a whole (`within`).
+// Clips the chord to the slab between two planes perpendicular to an axis, which the line meets at t `toLow`
+// and `toHigh`. In a tie the chord keeps the face that it has: callers clip by the preferred face first. A
+// line parallel to the planes is inside or outside of the slab as a whole (`within`).
 template <class T>
 void clipAxis(Chord<T>& chord, const T& direction, const T& toLow, const T& toHigh, Real lowFace,
               Real highFace, const Truth<T>& within) {
@@ -56,10 +56,11 @@ void clipAxis(Chord<T>& chord, const T& direction, const T& toLow, const T& toHi
     chord.exit = select(earlier, exit, chord.exit);
 }
 
-// Solids are closed: an edge or a rim that is met in a single point counts, though the roundings of the two
-// faces' t (of a quotient, of a quadratic's root) may have put the exit there before the entry. Of two faces
-// with one t, as those of a thin solid from afar, the entry faces the ray. shift: how far along the line the
-// origin of t has been moved, which has its own rounding.
+// Solids are closed: a line that only touches an edge or a rim hits it. Rounding of the two faces' t (a
+// quotient, a root of a quadratic) may have put the exit before the entry there, so some slack is allowed.
+// Such a chord becomes the single point `entry`, with the face that faces the ray. The same serves a thin
+// solid seen from afar, whose two faces have one t. shift: how far along the line the origin of t has been
+// moved; the slack also covers the rounding of that move.
 template <class T>
 void closeChord(Chord<T>& chord, const T& shift = T(0)) {
     const T slack = T(gamma(16)) * max(abs(shift), max(abs(chord.entry), abs(chord.exit)));
@@ -69,10 +70,11 @@ void closeChord(Chord<T>& chord, const T& shift = T(0)) {
     chord.exit = select(single, chord.entry, chord.exit);
 }
 
-// |origin + t direction| = 1, by the textbook; with two components, the same for the cylinder. Its
-// discriminant loses digits with the square of the origin's distance, so a far origin is first moved to
-// the point of closest approach, where nothing cancels (Haines et al., Precision Improvements for Ray/Sphere
-// Intersection, Ray Tracing Gems, ch. 7). a: the direction's squared length, which is safe.
+// Solves |origin + t direction| = 1 by the quadratic formula: the unit sphere, or with two components the
+// cylinder's body. The discriminant loses digits with the square of the origin's distance. A far origin is
+// therefore first moved to the line's point of closest approach, where nothing cancels (Haines et al.,
+// Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7). a: the direction's squared
+// length, which must be safe (isSafeSquare).
 template <int n, class T>
 Chord<T> ballChord(glm::vec<n, T, glm::defaultp> origin, const glm::vec<n, T, glm::defaultp>& direction,
                    const T& a) {
@@ -86,7 +88,7 @@ Chord<T> ballChord(glm::vec<n, T, glm::defaultp> origin, const glm::vec<n, T, gl
     }
     const T discriminant = b * b - a * c;
     const Truth<T> hit = discriminant >= T(0);
-    if (!any(hit)) {  // as if the root were 0
+    if (!any(hit)) {  // as below, with a root of 0
         const T closest = shift + (-b + T(0)) / a;
         return {hit, closest, closest, T(0), T(0)};
     }
@@ -94,9 +96,10 @@ Chord<T> ballChord(glm::vec<n, T, glm::defaultp> origin, const glm::vec<n, T, gl
     return {hit, shift + (-b - root) / a, shift + (-b + root) / a, T(0), T(0)};
 }
 
-// chordOf(origin, direction, its squared length), for any direction. Where its squared length is not safe,
-// such as a shadow ray's to a light 1e-200 away, by the same direction in other units: the largest component
-// is then in [1, 2). A direction that is zero or not finite has no line.
+// Calls chordOf(origin, direction, squared length of the direction), for a direction of any length. Where the
+// squared length over- or underflows, such as of a shadow ray to a light 1e-200 away, the direction is first
+// scaled by a power of two, so that its largest component is in [1, 2). A direction that is zero or not
+// finite has no chord.
 template <int n, class T, class ChordOf>
 Chord<T> inSafeUnits(const glm::vec<n, T, glm::defaultp>& origin,
                      const glm::vec<n, T, glm::defaultp>& direction, ChordOf chordOf) {
@@ -123,11 +126,11 @@ Chord<T> inSafeUnits(const glm::vec<n, T, glm::defaultp>& origin,
     return laneByLane<Chord<T>>(alone, origin, direction);
 }
 
-// Moves an origin, where it is distant, to the point of the line that is closest to zero, and returns how
-// far along the line. squared: the direction's squared length. A move leaves its own rounding error: along
-// the line of a shape that is 1e-20 thick, a distance of many thicknesses. Each further one leaves that part
-// of what the one before has left. A line is as near as it comes where a move is below half of the digits of
-// its distance, and passes the shape by.
+// Moves a distant origin to the line's point closest to zero, and returns the t of that move. squared: the
+// direction's squared length. A move leaves a rounding error along the line: for a shape that is 1e-20 thick,
+// many thicknesses. The next move reduces that error by as many digits again; `moves` are enough for Real's
+// whole range of exponents. Where a move is shorter than the distance that is left by half of the digits, no
+// further one brings the line closer: it passes the shape by.
 template <class T>
 T moveCloser(Vec3T<T>& origin, const Vec3T<T>& direction, const T& squared) {
     constexpr int moves = 2 * std::numeric_limits<Real>::max_exponent / std::numeric_limits<Real>::digits;

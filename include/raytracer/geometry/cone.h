@@ -5,30 +5,31 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// x^2 + y^2 - w^2 = 0 with w = 1 - z, the height below the apex: A t^2 + 2 B t + C = 0.
+// Where a line meets the double cone x^2 + y^2 - w^2 = 0, with w = 1 - z the depth below the apex: the roots
+// of A t^2 + 2 B t + C = 0.
 template <class T>
 struct ConeRoots {
-    Truth<T> real;   // a point of the line is on the double cone
+    Truth<T> real;   // the line meets the double cone
     Truth<T> steep;  // A < 0: the line runs inside one nappe, then outside, then inside the other
     T low, high;     // the roots, low <= high
 
-    // Of the line p + t d, w in place of z.
+    // For the line p + t d, whose third coordinate is w instead of z.
     ConeRoots(const Vec3T<T>& p, const Vec3T<T>& d) {
         const T a = d.x * d.x + d.y * d.y - d.z * d.z;
         const T b = p.x * d.x + p.y * d.y - p.z * d.z;
         const T r = radius(p), c = (r - p.z) * (r + p.z);
-        // B^2 - A C by Lagrange's identity for this form: products of differences instead of a difference of
-        // products.
+        // B^2 - A C, which would cancel, as m.x^2 + m.y^2 - m.z^2 with m = p x d (Lagrange's identity for
+        // this form), in factors.
         const Vec3T<T> m = glm::cross(p, d);
         const T h = sqrt(m.x * m.x + m.y * m.y);
         const T discriminant = (h - abs(m.z)) * (h + abs(m.z));
         const T root = sqrt(max(discriminant, T(0)));
         const T q = -(b + copysign(root, b));
         steep = a < T(0);
-        // a == 0: the first is infinite, on the side where the line stays outside.
+        // a == 0: `first` is infinite, on the side where the line stays inside.
         const T first = q / a, second = c / q;
         const Truth<T> touching = q == T(0);  // both roots are 0
-        // A steep line always passes the level of the apex, outside.
+        // A steep line always has roots: where it crosses the plane w = 0 of the apex, it is not inside.
         real = ((discriminant >= T(0)) | steep) & ((!touching) | !(a == T(0)));
         low = select(touching, T(0), min(first, second));
         high = select(touching, T(0), max(first, second));
@@ -48,8 +49,8 @@ struct Cone : Solid<Cone> {
 
     template <class T>
     static Chord<T> chordOfSafe(const Vec3T<T>& origin, const Vec3T<T>& direction, const T& squared) {
-        // From the closest approach to the middle of the axis, so that the coefficients are of order 1
-        // (Haines et al.).
+        // Starts from the line's point closest to the middle of the axis, so that the coefficients are of
+        // order 1 (Haines et al., as in ballChord).
         const T shift = -glm::dot(origin - Vec3T<T>(T(0), T(0), T(Real(0.5))), direction) / squared;
         const Vec3T<T> closest = origin + shift * direction;
         const Vec3T<T> p(closest.x, closest.y, T(1) - closest.z), d(direction.x, direction.y, -direction.z);
@@ -57,11 +58,12 @@ struct Cone : Solid<Cone> {
         const ConeRoots<T> roots(p, d);
         const Truth<T> down = d.z > T(0);
         Chord<T> chord{roots.real, roots.low, roots.high, T(0), T(0)};
-        // Of a steep line the part in the nappe below the apex.
+        // A steep line is inside both nappes: the chord is its part in the nappe below the apex.
         chord.entry = select(roots.steep, select(down, roots.high, T(-infinity)), chord.entry);
         chord.exit = select(roots.steep, select(down, T(infinity), roots.low), chord.exit);
-        // w = 0 is no face but the apex, which belongs to the body. The base's t comes from the ray's own
-        // origin: that may be nearer to the base than the shift is rounded by.
+        // The slab 0 <= w <= 1. The plane w = 0 is not a face: it meets the solid only at the apex, which
+        // belongs to the body. The base's t is computed from the ray's own origin, which may be nearer to the
+        // base than the rounding error of the shift.
         const T toApex = (T(0) - p.z) / d.z, toBase = (T(0) - origin.z) / direction.z;
         clipAxis(chord, d.z, toApex, toBase - shift, 0, 1, (p.z >= T(0)) & (p.z < T(1)));
         closeChord(chord, shift);
@@ -82,7 +84,7 @@ struct Cone : Solid<Cone> {
         return {error.x + error.y + error.z, error.z};
     }
 
-    // At the base or at the apex.
+    // The farthest point is on the rim of the base or at the apex.
     static Real support(const Vec3& n) { return max(radius(n), n.z); }
 
     template <class T>
@@ -93,7 +95,7 @@ struct Cone : Solid<Cone> {
         p = withinCircle(p, body);
         if (body) p = w * p;
         Vec3T<T> normal(T(0), T(0), T(-1));
-        if (body) {  // at the apex it's up
+        if (body) {  // the normal at the apex is +z
             const Truth<T> below = w > T(0);
             normal = {select(below, p.x, T(0)), select(below, p.y, T(0)), select(below, w, T(1))};
         }

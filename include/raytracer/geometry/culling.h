@@ -1,4 +1,4 @@
-// How a query uses a tree: what it culls by, and what is done where the rays of a packet part.
+// How a query searches a tree: with which ray or beam, and how the rays of a packet go on alone.
 #pragma once
 
 #include "raytracer/bvh/bvh.h"
@@ -6,8 +6,8 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// What a tree is searched with: a ray, or the beam of several. slackFrom gives BvhRay::slack for rays that
-// start no farther than this from zero along any axis.
+// What a tree is searched with: a ray, or for a packet the beam that bounds its rays. slackFrom(distance)
+// gives BvhRay::slack for rays that start no farther than `distance` from zero along any axis.
 template <class SlackFrom>
 BvhRay cullingRay(const Vec3& origin, const Vec3& direction, SlackFrom slackFrom) {
     const auto slack = static_cast<double>(slackFrom(maxComponent(abs(origin))));
@@ -29,14 +29,14 @@ BvhBeam cullingRay(const Vec3T<T>& origin, const Vec3T<T>& direction, SlackFrom 
     return beam;
 }
 
-// Whether there are further primitives that could matter to the query.
+// Moves on to the next primitives that could matter to the query; false where there are none.
 template <class T>
 bool nextPrimitives(BvhCursor& cursor, const HitQueryT<T>& query) {
     return !query.done() && cursor.next(static_cast<double>(greatest(query.limit())));
 }
 
-// Each lane's ray by itself, where a tree cannot be searched with all of them: intersect(lane, ray, query of
-// one).
+// Traces each lane's ray on its own, where the rays of a packet cannot go on together. Calls intersect(lane,
+// ray, query of that ray).
 template <class T, class Intersect>
 void meetAlone(const RayT<T>& ray, HitQueryT<T>& query, Intersect intersect) {
     forEach<T>(query.active(), [&](int lane) {

@@ -9,13 +9,12 @@ struct Cylinder : Solid<Cylinder> {
     static constexpr ShapeType type = ShapeType::Cylinder;
     static constexpr const char* faces[] = {"body", "top", "bottom"};
 
-    // The body as a ball in the plane, then between the caps.
-    // The body as a ball in the plane, then between the caps.
+    // The chord of the body, as of a circle in x and y, clipped by the caps.
     template <class T>
     static Chord<T> chord(const Vec3T<T>& from, const Vec3T<T>& way) {
         const Vec2T<T> origin(from.x, from.y);
         Vec2T<T> direction(way.x, way.y);
-        // A line along the axis never meets the body.
+        // A line parallel to the axis never meets the body.
         const Truth<T> along = (direction.x == T(0)) & (direction.y == T(0));
         direction.x = select(along, T(1), direction.x);
         Chord<T> chord = inSafeUnits(origin, direction, [](const auto& o, const auto& d, const auto& a) {

@@ -1,19 +1,20 @@
-// What a traversal is looking for, and the best it has seen: for one ray, or for each of several.
+// What a traversal is looking for, and the hit that it has so far: for one ray, or for each ray of a packet.
 //
-// The picture does not depend on the order in which hits are offered, so that a tree, a list and any number
-// of lanes give the same one. Of hits at exactly one t, and of any hits before a light, the first offered
-// stays: Scene::firstOfCoincident then asks for the nearest of those that t cannot tell apart, and where they
-// coincide for the first listed.
+// The picture does not depend on the order in which hits are offered, so a tree, a list and any number of
+// lanes give the same one. Of two hits with exactly the same t, the one listed first in the scene file wins.
+// A query for any hit keeps the first one offered: only its existence counts. Hits whose t differ by no more
+// than rounding are decided afterwards, by Scene::firstOfCoincident: the nearest of them wins, and where
+// their surfaces coincide the one listed first.
 #pragma once
 
 #include "raytracer/geometry/shape.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// Whether a's shape stands first in the scene file, or within one shape a's primitive first.
+// Whether `a` comes before `b` in the scene file: by shape, and within one shape by primitive.
 bool isListedBefore(const Hit& a, const Hit& b);
 
-// The end of a shadow ray: the light, at t = 1. Surfaces that the light itself lies on cast no shadow.
+// The end of a shadow ray: the light, at t = 1. A surface that the light lies on casts no shadow there.
 struct RayEnd {
     Vec3 position{0};
 };
@@ -21,31 +22,31 @@ struct RayEnd {
 template <class T>
 class HitQueryT {
   public:
-    // For the active lanes: the nearest hit of all.
+    // Asks for the nearest hit, in the active lanes.
     explicit HitQueryT(LaneBits active = allLanesOf<T>)
         : active_(active), limit_(select(maskOf<T>(active), T(std::numeric_limits<Real>::max()), T(-1))) {}
 
-    // The nearest hit before t = 1; with `any`, any of them.
+    // Asks for the nearest hit before t = 1; with `any`, for any such hit.
     HitQueryT(const RayEnd& end, bool any, LaneBits active = allLanesOf<T>)
         : active_(active),
           limit_(select(maskOf<T>(active), T(1 - unitRoundoff), T(-1))),
           end_(&end),
           any_(any) {}
 
-    // Of a ray alone: what `query` still asks of one of its lanes.
+    // For a single ray: what `query` still asks in one of its lanes.
     template <class U>
     HitQueryT(const HitQueryT<U>& query, int lane)
         : active_(1), limit_(laneOf(query.limit_, lane)), end_(query.end_), any_(query.any_) {}
 
-    // Of a ray alone: the first shape in the scene file, and of it the first primitive, that goes through
-    // `point` (known to within pointError) and is hit at the t of `nearest`, but for rounding. Starts from
-    // `nearest` itself.
+    // For a single ray: of all hits that have the t of `nearest`, up to rounding, and whose surfaces go
+    // through `point` (known to within pointError), the one listed first in the scene file. `nearest` itself
+    // is the first candidate.
     HitQueryT(const Hit& nearest, const Vec3& point, const Vec3& pointError)
         : active_(1), limit_(nearest.t * (1 + coincidenceWindow)), point_(&point), pointError_(&pointError) {
         set(0, nearest);
     }
 
-    // Of a ray alone: the nearest hit with t <= limit.
+    // For a single ray: the nearest hit with t <= limit.
     static HitQueryT upTo(Real limit) {
         HitQueryT query;
         query.limit_ = limit;
@@ -54,20 +55,20 @@ class HitQueryT {
 
     LaneBits active() const { return active_; }
 
-    // Hits beyond this t are of no interest: what a traversal may cull by. Below 0 in a lane that wants none.
+    // Hits beyond this t do not matter, so a traversal may cull by it. Below 0 in a lane that wants no hit.
     const T& limit() const { return limit_; }
 
-    // No further hit can change the answer.
+    // Whether no further hit can change the answer.
     bool done() const { return any_ && found_ == active_; }
 
-    // The lanes that have hit something, and the answer of each.
+    // The lanes that have a hit, and the answer of one lane.
     LaneBits found() const { return found_; }
     Hit nearest(int lane = 0) const {
         return {laneOf(nearest_, lane), shape_[lane], laneOf(primitive_, lane), (entering_ >> lane & 1) != 0};
     }
 
-    // The lanes in which another hit lies so near to the nearest one that the two might coincide: ask for the
-    // first of them.
+    // The lanes in which another hit was so near to the nearest one that the two surfaces may coincide there.
+    // Scene::firstOfCoincident decides them.
     LaneBits contended() const { return any_ ? 0 : contended_; }
     void set(int lane, const Hit& hit) {
         found_ |= bitOf(lane);
@@ -77,8 +78,8 @@ class HitQueryT {
         entering_ = hit.entering ? entering_ | bitOf(lane) : entering_ & ~bitOf(lane);
     }
 
-    // Those of these lanes that met the same face of the same shape as the first of them, from the same side;
-    // of a mesh, any triangle.
+    // Of these lanes, those that hit the same face of the same shape as the first of them, from the same
+    // side. On a mesh any triangle will do.
     LaneBits coherent(LaneBits lanes) const {
         if constexpr (laneCountOf<T> == 1) return lanes;
         const int first = firstLane(lanes);
@@ -91,7 +92,7 @@ class HitQueryT {
         return lanes & same & (entering_ >> first & 1 ? entering_ : ~entering_);
     }
 
-    // The answers of coherent lanes; the others hold what the first of those has.
+    // The answers of coherent lanes; the other lanes are filled with the answer of the first coherent one.
     HitT<T> hits(LaneBits coherent) const {
         const int first = firstLane(coherent);
         const HitT<T> hit{nearest_, shape_[first], primitive_, (entering_ >> first & 1) != 0};
@@ -99,7 +100,8 @@ class HitQueryT {
         return {filled(hit.t, coherent), hit.shape, filled(hit.primitive, coherent), hit.entering};
     }
 
-    // A shape's hits: where `hit`, and t is not beyond the limit. A face is a number of T.
+    // Offer a shape's hits, in the lanes where `hit` holds and t is not beyond the limit. offerFace has the
+    // face's number in each lane as a T.
     void offer(Truth<T> hit, const T& t, const Shape& shape, std::uint32_t primitive, Truth<T> entering) {
         consider(bits(hit & (t <= limit_)), t, shape, bits(entering), [&](int) { return primitive; });
     }
@@ -107,14 +109,14 @@ class HitQueryT {
         if constexpr (laneCountOf<T> == 1) {
             offer(hit, t, shape, static_cast<std::uint32_t>(face), entering);
         } else {
-            // By way of what registers can convert.
+            // A conversion to a signed integer is one instruction.
             consider(bits(hit & (t <= limit_)), t, shape, bits(entering), [&](int lane) {
                 return static_cast<std::uint32_t>(static_cast<std::int32_t>(laneOf(face, lane)));
             });
         }
     }
 
-    // The answer for a lane that was asked for alone.
+    // Offers the answer for a lane that was traced alone.
     void offer(int lane, const HitQueryT<Real>& alone) {
         tests += alone.tests;
         if (alone.found_ == 0) return;
@@ -124,7 +126,7 @@ class HitQueryT {
                  [&](int) { return hit.primitive; });
     }
 
-    // How many hits, at the t of the nearest but for rounding, do not go through its point.
+    // The number of hits that have the t of the nearest, up to rounding, but are not at its point.
     unsigned apart() const { return apart_; }
 
     // Intersection tests made, for --stats.
@@ -160,7 +162,7 @@ class HitQueryT {
         }
     }
 
-    // The lanes whose hit is where the light itself lies on the surface.
+    // The lanes whose hit is at the light, on a surface that the light lies on.
     template <class PrimitiveOf>
     LaneBits throughEnd(LaneBits which, const T& t, const Shape& shape, PrimitiveOf primitiveOf) const {
         LaneBits result = 0;
@@ -170,7 +172,7 @@ class HitQueryT {
         return result;
     }
 
-    // The lanes, of those that have a hit, whose new one is not before that; and which of them are contended.
+    // Of the lanes that have a hit already, those whose new hit is not nearer. Marks the contended ones.
     LaneBits notNearer(LaneBits again, const T& t) {
         if (again == 0) return 0;
         const T window = T(1 + coincidenceWindow);
@@ -178,7 +180,7 @@ class HitQueryT {
         return again & bits(!(t < nearest_));
     }
 
-    // Of two hits at the same t the one that is listed before is taken, in whichever order they are offered.
+    // The lanes whose new hit has exactly the t of the nearest one, but is listed before it.
     template <class PrimitiveOf>
     [[gnu::noinline, gnu::cold]] LaneBits listedBefore(LaneBits contended, const T& t, const Shape& shape,
                                                        PrimitiveOf primitiveOf) const {

@@ -1,4 +1,4 @@
-// What surfaces are made of, and the lights: the numbers of Phong's model in Real.
+// Materials and lights: the numbers of Phong's model, in Real.
 #pragma once
 
 #include "raytracer/numerics/types.h"
@@ -14,7 +14,7 @@ struct Material {
     bool refractive = false;
     Color color_refract{1};
     Real index_of_refraction = 1;
-    const Texture* diffuse_texture = nullptr;  // null: none is used
+    const Texture* diffuse_texture = nullptr;  // null: no texture
 };
 
 struct Light {

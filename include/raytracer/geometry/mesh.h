@@ -1,4 +1,4 @@
-// A mesh of triangles; its faces are numbered in the order of the file.
+// A mesh of triangles, which are its faces, numbered in the order of the file.
 #pragma once
 
 #include "raytracer/geometry/culling.h"
@@ -12,7 +12,7 @@ struct Mesh {
 
     static std::string faceName(std::size_t triangle) { return "triangle " + std::to_string(triangle); }
 
-    // Of the box around it.
+    // Of the bounding box, which contains the mesh.
     static Real support(const MeshData& mesh, const Vec3& n) {
         const Vec3 low(mesh.low), high(mesh.high);
         return n.x * (n.x > 0 ? high : low).x + n.y * (n.y > 0 ? high : low).y +
@@ -24,7 +24,7 @@ struct Mesh {
         return {.u = repeats, .v = repeats};
     }
 
-    // By the cross product, not of unit length.
+    // The cross product of two edges: not of unit length.
     template <class T>
     static Vec3T<T> normalOf(const std::array<Vec3T<T>, 3>& corner) {
         return glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
@@ -47,8 +47,8 @@ struct Mesh {
         meetInObject(shape, ray, toObject(shape, ray), query);
     }
 
-    // The same for a ray of which it is known where it starts in object space: of a packet that parts this is
-    // found for all together.
+    // The same for a ray that is known in object space already: when a packet's rays go on alone, all of them
+    // have been transformed together.
     static void meetAt(const Shape& shape, const Ray& ray, const ObjectRay& object, HitQuery& query);
     template <class T>
     static void meetInObject(const Shape& shape, const RayT<T>& ray, const ObjectRayT<T>& object,
@@ -92,7 +92,7 @@ struct Mesh {
         const T* weight = line.weight;
         const Vec3T<T> p = weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2];
         IntersectionT<T> intersection = shape.place(hit, p, normalOf(corner));
-        // p is a sum that may cancel: its error goes with its terms.
+        // p is a sum that may cancel, so its error is proportional to the magnitudes of its terms.
         const Vec3T<T> terms =
             abs(weight[0] * corner[0]) + abs(weight[1] * corner[1]) + abs(weight[2] * corner[2]);
         intersection.positionError += shape.transform().pointError(terms);
@@ -105,10 +105,10 @@ struct Mesh {
     }
 
   private:
-    // A ray that leaves this mesh starts off its triangle's plane, on its own side, and within the edges, by
-    // more than the point may be wrong: from there the exact test of the line tells truly what it enters and
-    // leaves. On the point itself, at an edge, rounding would decide, and a ray into the mesh might pass it
-    // by.
+    // The ray in object space. The origin of a ray that leaves this mesh is moved: off its triangle's plane,
+    // to the side on which the ray runs, and away from the triangle's edges, by more than the error of the
+    // point. From there the exact line test is right about what the ray enters and leaves. From the point
+    // itself, at an edge, rounding would decide, and a ray into the mesh might miss it.
     template <class T>
     static ObjectRayT<T> toObject(const Shape& shape, const RayT<T>& ray) {
         ObjectRayT<T> object = shape.transform().toObject(ray);
@@ -126,8 +126,9 @@ struct Mesh {
             weight[i] = glm::dot(glm::cross(next - object.origin, last - object.origin), up);
             edge[i] = sqrt(glm::dot(next - last, next - last));
         }
-        // The distance from an edge is its weight over its length. A few margins, so that dihedral angles may
-        // be sharp; no more than there is where the triangle is smaller than its error.
+        // The distance from an edge is the edge's weight over its length. The origin is moved to at least
+        // eight margins from each edge, since dihedral angles may be sharp. A third of the area is the weight
+        // at the centroid: the most that a triangle smaller than its error has.
         const T longest = maxComponent(edge), least = min(T(8) * margin * longest, area / T(3));
         for (int i = 0; i < 3; ++i) weight[i] = max(weight[i], least);
         object.origin = (weight.x * corner[0] + weight.y * corner[1] + weight.z * corner[2]) /
@@ -137,8 +138,8 @@ struct Mesh {
         return object;
     }
 
-    // The t of a camera's ray: one that starts on the triangle, whose corners then lie before and behind it,
-    // meets it there.
+    // The t of a camera ray's hit. If the ray starts on the triangle, t is 0. Then the corners lie on both
+    // sides of the origin, so the terms of the rounded t cancel: only where they do is the origin tested.
     template <class T>
     static T fromOrigin(const Shape& shape, const RayT<T>& ray, std::uint32_t triangle,
                         const LineHit<T>& line) {

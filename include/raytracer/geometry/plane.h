@@ -22,7 +22,7 @@ struct Plane : Equation<Plane> {
         query.count();
         const ObjectRayT<T> object = shape.transform().toObject(ray);
         T t = -object.origin.z / object.direction.z;
-        if (!ray.departure.shape) {  // one that starts on the plane meets it there
+        if (!ray.departure.shape) {  // a camera ray that starts on the plane hits it there
             const T terms = shape.transform().pointTerms(ray.origin).z;
             const Truth<T> near = abs(object.origin.z) <= T(coincidenceWindow) * terms;
             if (any(near))

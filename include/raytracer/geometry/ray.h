@@ -8,10 +8,9 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 class Shape;
 
-// Where a ray starts when it starts on a surface. With it a ray never meets again the point that it leaves,
-// and no offset along the ray is needed: the shape that it leaves is ruled out by geometry
-// (Shape::intersect), another shape that goes through the same point by the bound on where that point can be
-// (Shape::touches).
+// The point of a surface that a ray starts on. With it, a ray never hits that point again, and needs no
+// offset along the ray. Geometry excludes the shape that the ray leaves (Shape::intersect). The error bound
+// of the point excludes any other shape that goes through it (Shape::touches).
 template <class T>
 struct DepartureT {
     const Shape* shape = nullptr;  // null for a ray from the camera: every hit with t >= 0 counts
@@ -20,9 +19,9 @@ struct DepartureT {
     Vec3T<T> positionError{0};  // bound on |origin - surface|, for each axis, in world units
 };
 
-// The points origin + t * direction, t >= 0, in world space. The direction is not of unit length: t counts in
-// its units. With Lanes for T, several rays that start together: from one camera, or from one shape on the
-// same side.
+// The points origin + t * direction, t >= 0, in world space. The direction need not have unit length: t is in
+// units of the direction. With Lanes for T, the rays of a packet, which start together: at one camera, or on
+// one shape on the same side.
 template <class T>
 struct RayT {
     Vec3T<T> origin{0};

@@ -1,8 +1,8 @@
 // A shape in a scene, and its surface at a hit.
 //
-// Two stages. `intersect` finds hits and offers them to a HitQuery as {t, shape, primitive}; `surfaceAt`
-// computes position, normal, texture coordinate and error bound once, for the hit that won. What is different
-// from one type of shape to another stands in a file of its own (sphere.h, ...); shapes.h lists them.
+// Intersection has two stages. `intersect` finds hits and offers them to a HitQuery as {t, shape, primitive}.
+// `surfaceAt` computes position, normal, texture coordinate and error bound once, for the hit that won. Each
+// type of shape has a file of its own (sphere.h, ...); shapes.h lists them.
 #pragma once
 
 #include <cstdint>
@@ -25,17 +25,17 @@ struct HitT {
     T t = infinity;
     const Shape* shape = nullptr;  // null: nothing hit
     Primitive<T> primitive{};
-    bool entering = false;  // it meets the exterior side: known by geometry, not by a rounded normal
+    bool entering = false;  // the ray hits the exterior side: known by geometry, not by a rounded normal
 };
 using Hit = HitT<Real>;
 
-// A hit, complete. All in world space.
+// A complete hit, in world space.
 template <class T>
 struct IntersectionT {
     bool valid = false;
     T t{0};                // in units of the ray's direction
-    Vec3T<T> position{0};  // on the surface: put back onto it in object space
-    Vec3T<T> normal{0};    // unit length, to the shape's exterior whatever side the ray comes from
+    Vec3T<T> position{0};  // on the surface: projected onto it in object space
+    Vec3T<T> normal{0};    // unit length, towards the exterior, whichever side the ray comes from
     Vec2T<T> texCoord{0};  // (u, v), v up; only where the material has a texture
     const Material* material = nullptr;
 
@@ -60,14 +60,14 @@ Intersection laneOf(const IntersectionT<T>& hit, int lane) {
             laneOf(hit.positionError, lane)};
 }
 
-// Whether a face's texture goes round, so that behind its last column (row) the first one follows.
+// Whether a face's texture wraps around: its last column (u) or row (v) is followed by the first.
 struct Periodic {
     bool u = false, v = false;
 };
 
 class Shape {
   public:
-    // A mesh has triangles, nothing else has.
+    // `triangles`: of a mesh, and only of a mesh.
     Shape(ShapeType type, const Transform& transform, const Material& material, std::uint32_t index,
           std::shared_ptr<const TriangleMesh> triangles = nullptr)
         : transform_(transform),
@@ -76,19 +76,20 @@ class Shape {
           index_(index),
           type_(type) {}
 
-    // Offers to the query the hits with t >= 0 that could matter to it: a convex shape its nearest, a mesh
-    // one for each triangle. Never the point that the ray leaves (Departure): a ray that leaves a convex
-    // solid outwards does not meet it again, one that enters it comes out exactly once, a plane or triangle
-    // never meets its own ray; and of another shape that goes through the ray's origin (touches) the root at
-    // the origin is dropped. A ray of the camera that starts on the shape meets it there
-    // (on a solid that is not 1 / coincidenceWindow times smaller than its distance from the frame's origin).
+    // Offers to the query the hits with t >= 0 that could matter to it: of a convex shape the nearest, of a
+    // mesh one for each triangle. Never offers the point that the ray leaves (Departure). A ray that leaves a
+    // convex solid outwards does not hit it again. A ray that enters a convex solid leaves it exactly once. A
+    // plane or triangle is never hit by a ray that leaves it. If another shape goes through the ray's origin
+    // (touches), its root at the origin is dropped. A camera ray that starts on the shape hits it there
+    // (unless it is a solid 1 / coincidenceWindow times smaller than its distance from the frame's origin).
     void intersect(const Ray& ray, HitQueryT<Real>& query) const;
 
     // The surface at a hit that `intersect` offered for this ray.
     Intersection surfaceAt(const Ray& ray, const Hit& hit) const;
 
-    // The same two for one ray or several, the second for hits on one face from one side (shapes.h). Whether
-    // those hits can be worked on together besides: of some meshes not.
+    // The same two for one ray or a packet (shapes.h). `surface` takes hits on one face, from one side.
+    // areCoherent: whether it can also compute them together; on a mesh it cannot where the rays need
+    // different ShearAxes.
     template <class T>
     void meet(const RayT<T>& ray, HitQueryT<T>& query) const;
     template <class T>
@@ -100,8 +101,8 @@ class Shape {
     // the plane of that primitive, for a mesh).
     bool touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const;
 
-    // A box around every point that `intersect` may take for a point of this shape, in world space; false
-    // where there is none.
+    // Finds a box, in world space, around every point that `intersect` may compute on this shape. False where
+    // there is none.
     bool bounds(FloatBox& box) const;
 
     Periodic periodic(std::uint32_t primitive) const;
@@ -113,11 +114,12 @@ class Shape {
     const Transform& transform() const { return transform_; }
     const Material& material() const { return *material_; }
     const TriangleMesh& triangles() const { return *triangles_; }
-    // Place in the scene file: the first of coincident shapes wins.
+    // The place in the scene file: of coincident shapes the first wins.
     std::uint32_t index() const { return index_; }
     bool wantsTexCoord() const { return material_->diffuse_texture != nullptr; }
 
-    // The point of an object-space surface, in the world: the common part of every surface.
+    // Brings a point and a normal of the surface from object space to the world: the part of `surface` that
+    // all types have in common.
     template <class T>
     IntersectionT<T> place(const HitT<T>& hit, const Vec3T<T>& pointObject,
                            const Vec3T<T>& normalObject) const {

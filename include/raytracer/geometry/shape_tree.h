@@ -1,4 +1,4 @@
-// Which shapes of a scene a ray has to be tried on: those whose boxes it meets, and those that have none.
+// The shapes of a scene that a ray must be tested with: those whose boxes it meets, and those without a box.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ class ShapeTree {
   public:
     ShapeTree() = default;
 
-    // Points to the shapes. Without a tree, or where it would not pay, they are a list.
+    // Keeps pointers to the shapes. Without a tree, or where it would not pay, they are a list.
     ShapeTree(std::span<const Shape> shapes, const BuildOptions& options);
 
     // Offers to the query every hit that could matter to it (Shape::intersect); for one ray or several.
@@ -26,15 +26,15 @@ class ShapeTree {
     template <class T>
     void meetBoxed(const RayT<T>& ray, HitQueryT<T>& query) const;
 
-    // BvhRay::slack for rays from no farther than this: the roundings of the way to object space and back, as
-    // far as they go with the distance from the ray's origin.
+    // BvhRay::slack for rays that start no farther than this from zero: a bound on the rounding errors of the
+    // transforms to object space and back, as far as they grow with the distance from the ray's origin.
     Real slackFrom(Real farthestOrigin) const {
         return slackFactor_ * (farthestOrigin + static_cast<Real>(bvh_.frame().extent));
     }
 
     const Shape* shapes_ = nullptr;
-    std::vector<const Shape*> list_;    // first: what they hit shortens the ray for the tree
-    std::vector<std::uint32_t> boxed_;  // the others' places in shapes_, by which the tree names them
+    std::vector<const Shape*> list_;    // tested first: their hits shorten the ray for the tree
+    std::vector<std::uint32_t> boxed_;  // indices in shapes_ of the others: their names in the tree
     Bvh bvh_;
     Real slackFactor_ = 0;  // BvhRay::slack for a distance of 1
 };

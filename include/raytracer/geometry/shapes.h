@@ -1,4 +1,4 @@
-// The types of shape: what there is of each is found by way of this list.
+// The list of the types of shape, and the dispatch by type.
 #pragma once
 
 #include "raytracer/geometry/cone.h"
@@ -14,7 +14,7 @@ template <class... Kinds>
 struct KindList {};
 using AllKinds = KindList<Sphere, Plane, Cylinder, Cone, Cube, Mesh>;
 
-// function(Kind()) of the one that has this type.
+// Calls function(Kind()) for the Kind of this type.
 template <class Function, class First, class... Rest>
 decltype(auto) visit(ShapeType type, Function function, KindList<First, Rest...>) {
     if constexpr (sizeof...(Rest) > 0)
@@ -26,8 +26,7 @@ decltype(auto) visit(ShapeType type, Function function) {
     return visit(type, function, AllKinds());
 }
 
-// How far a shape reaches in a direction, in object space: the largest n . p of its points p. A mesh has
-// data.
+// The support function of a shape, in object space: the largest n . p of its points p. `mesh`: a mesh's data.
 inline Real support(ShapeType type, const MeshData* mesh, const Vec3& n) {
     return visit(type, [&](auto kind) {
         if constexpr (kind.type == ShapeType::Mesh) return kind.support(*mesh, n);

@@ -1,13 +1,19 @@
-// What shapes with an equation have in common; and more of that, the convex solids.
+// What the shapes with an equation have in common (Equation), and what the convex solids among them add
+// (Solid).
 //
-// Every type of shape has what shapes.h and shape.cpp call: `type`, `isBall`, `faceName`, `support` (how far
-// it reaches in a direction), `meet`, `touches`, `areCoherent`, `surface`, `periodic`. `Equation` gives
-// `isBall`, `faceName`, `areCoherent`, `surface` and `periodic` to a type with `faces` (their names in the
-// order of the assignment), `onSurface` (the point of its surface at a computed hit) and `texCoord`. `Solid`
-// gives `meet` and `touches`, too, to a convex type with `chord` (the part of a line inside it), `offsets`
-// (for each face a signed measure of a point's distance from it, negative inside, the greatest at most the
-// Euclidean distance) and `offsetErrors` (what these are off by, where the point is off by that much along
-// each axis). All in object space.
+// Every type of shape has `type`, `isBall`, `faceName`, `support` (the largest n . p of its points p),
+// `meet`, `touches`, `areCoherent`, `surface` and `periodic`; visit() of shapes.h calls them.
+//
+// `Equation` gives `isBall`, `faceName`, `areCoherent`, `surface` and `periodic` to a type that has
+//   - `faces`, their names in the order of the assignment;
+//   - `onSurface`, the surface's point at a computed hit;
+//   - `texCoord`.
+// `Solid` also gives `meet` and `touches` to a convex type that has
+//   - `chord`, the part of a line inside it;
+//   - `offsets`, for each face a signed measure of a point's distance from it, negative inside. The greatest
+//     is at most the Euclidean distance;
+//   - `offsetErrors`, the errors of these if the point has the given error along each axis.
+// All in object space.
 #pragma once
 
 #include <array>
@@ -17,7 +23,7 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// A point of a surface and the normal there, which is not of unit length.
+// A point of a surface and the normal there, which need not have unit length.
 template <class T>
 struct SurfacePoint {
     Vec3T<T> point, normal;
@@ -25,7 +31,7 @@ struct SurfacePoint {
 
 template <class Kind>
 struct Equation {
-    static constexpr bool isBall = false;  // FloatBox::ball, where the transform scales alike
+    static constexpr bool isBall = false;  // FloatBox::ball, where the transform is uniform
 
     static std::string faceName(std::size_t face) { return Kind::faces[face]; }
 
@@ -36,7 +42,7 @@ struct Equation {
         return true;
     }
 
-    // Of rays that all meet the same face.
+    // For rays that all hit the same face.
     template <class T>
     static IntersectionT<T> surface(const Shape& shape, const RayT<T>& ray, const HitT<T>& hit) {
         const std::uint32_t face = faceOf(hit.primitive);
@@ -50,7 +56,7 @@ struct Equation {
 
 template <class Kind>
 struct Solid : Equation<Kind> {
-    // Whether a point that is off by at most `error` may be on the surface: outside no face, and on one.
+    // Whether a point known to within `error` may be on the surface: outside of no face, and on at least one.
     template <class T>
     static Truth<T> mayTouch(const Vec3T<T>& point, const Vec3T<T>& error) {
         const auto offsets = Kind::offsets(point), errors = Kind::offsetErrors(error);
@@ -69,8 +75,8 @@ struct Solid : Equation<Kind> {
         return mayTouch(transform.pointToObject(point), transform.objectError(point, pointError));
     }
 
-    // The part of any line inside the solid. Of one that comes from afar by its point that is closest to the
-    // solid: all faces have the roundings of that one point, and so no seams.
+    // The part of any line inside the solid. A distant ray is first moved to the line's point closest to the
+    // solid. All faces then share the rounding error of that one point, so there are no seams between them.
     template <class T>
     static Chord<T> chordOf(const ObjectRayT<T>& ray) {
         if (!any(glm::dot(ray.origin, ray.origin) > T(distantSquared)))
@@ -84,7 +90,8 @@ struct Solid : Equation<Kind> {
         });
     }
 
-    // What a chord means for a ray: entry or exit, or neither because the ray starts there.
+    // Finds the ray's hit by the chord of its line: the entry or the exit, but not an end at which the ray
+    // starts.
     template <class T>
     static void meet(const Shape& shape, const RayT<T>& ray, HitQueryT<T>& query) {
         const bool leavesThis = ray.departure.shape == &shape;
@@ -108,8 +115,8 @@ struct Solid : Equation<Kind> {
         Truth<T> hit = chord.hit & (chord.exit >= T(0)) & !(first > query.limit());
         if (!any(hit)) return;
         if (ray.departure.shape) {
-            // Where one of the chord's ends is the ray's origin, it is the one nearer to it, and only the
-            // other counts.
+            // If the ray starts on the surface, its origin is the chord's end that is nearer to it. Only the
+            // other end can be a hit.
             const Truth<T> starts = hit & touches(shape, ray.origin, ray.departure.positionError);
             hit = hit & !(starts & (abs(chord.exit) < abs(chord.entry)));
             entering = entering & !starts;
@@ -119,8 +126,8 @@ struct Solid : Equation<Kind> {
     }
 
   private:
-    // A ray of the camera that starts on the surface meets it there: by its origin, the same for all of them.
-    // The rounded t of a chord lies on either side of 0.
+    // A camera ray that starts on the surface hits it there. The origin alone decides, so all rays from it
+    // agree; the rounded t of a chord may lie on either side of 0.
     static bool meetOrigin(const Shape& shape, const Ray& ray, const ObjectRay& object, HitQuery& query) {
         const Transform& transform = shape.transform();
         const Vec3 error = transform.objectError(ray.origin, transform.writtenError(ray.origin));
@@ -157,14 +164,14 @@ Vec2T<T> capTexCoord(const Vec3T<T>& p) {
     return {(p.x + T(1)) / T(2), (p.y + T(1)) / T(2)};
 }
 
-// Of a body round about the z axis, or of its caps.
+// Of the body of a cylinder or cone, or of a cap.
 template <class T>
 Vec2T<T> roundTexCoord(const Vec3T<T>& p, bool body) {
     return body ? Vec2T<T>(turn(p), p.z) : capTexCoord(p);
 }
 
-// Puts a point back onto the unit sphere; one without z, onto the circle. By one Newton step for 1 / sqrt
-// where that is exact to rounding.
+// Projects a point onto the unit sphere; with z = 0, onto the unit circle. Near it, one Newton step for 1 /
+// sqrt is exact to rounding.
 template <class T>
 Vec3T<T> ontoUnit(const Vec3T<T>& p) {
     const T squared = glm::dot(p, p);
@@ -173,15 +180,15 @@ Vec3T<T> ontoUnit(const Vec3T<T>& p) {
     return all(close) ? near : select(close, near, normalized(p));
 }
 
-// Rounding may put the hit of a ray that comes from very far into the very centre, where there is no
-// direction outwards: then any.
+// Replaces the centre, where no outward direction exists, by another point. Rounding may put the hit of a ray
+// from very far away there.
 template <class T>
 Vec3T<T> offCenter(const Vec3T<T>& p) {
     const Truth<T> center = (p.x == T(0)) & (p.y == T(0)) & (p.z == T(0));
     return {select(center, T(1), p.x), p.y, p.z};
 }
 
-// Of cylinder and cone: a cap's point is within the rim, a body's on the circle.
+// Of a cylinder or cone: puts a point of a cap within the rim, and one of the body onto the circle.
 template <class T>
 Vec3T<T> withinCircle(const Vec3T<T>& p, bool body) {
     const Truth<T> onto = body ? T(0) == T(0) : glm::dot(p, p) > T(1);

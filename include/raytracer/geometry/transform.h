@@ -6,8 +6,8 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// A ray in object space, with the t of the ray in the world. Where the transform's scale is 1e-200 its
-// direction's square overflows: who squares it checks that (isSafeSquare).
+// A ray in object space; t is that of the ray in the world. The square of the direction may overflow, as
+// where the transform's scale is 1e-200: code that squares it checks for that (isSafeSquare).
 template <class T>
 struct ObjectRayT {
     Vec3T<T> origin{0};
@@ -32,7 +32,8 @@ class Transform {
         return product(inverse_, world - Vec3T<T>(translation_));
     }
 
-    // What pointToObject adds up, without signs: where that is much less, it has cancelled.
+    // The sums that pointToObject computes, with every term's magnitude. A result much smaller than this has
+    // cancelled.
     template <class T>
     Vec3T<T> pointTerms(const Vec3T<T>& world) const {
         return absoluteProduct(inverse_, world - Vec3T<T>(translation_));
@@ -43,17 +44,18 @@ class Transform {
         return product(linear_, object) + Vec3T<T>(translation_);
     }
 
-    // A bound, for each axis in world units, on how far pointToWorld(p) is from the true image of a point p
-    // that lies on its surface to within a few roundings of its own coordinates: the matrix product, its
-    // rounded entries and the roundings of p (gamma_8), the sum and the rounded translation (gamma_2).
+    // A bound, for each axis in world units, on the distance of pointToWorld(p) from the true image of p, for
+    // a point p that lies on its surface to within a few roundings of its own coordinates. gamma_8: the
+    // matrix product, the matrix's rounded entries and the roundings of p. gamma_2: the sum and the rounded
+    // translation.
     template <class T>
     Vec3T<T> pointError(const Vec3T<T>& object) const {
         return T(gamma(8)) * absoluteProduct(linear_, object) + Vec3T<T>(gamma(2) * abs(translation_));
     }
 
-    // A bound, for each axis in object units, on the error of pointToObject(world) when `world` is uncertain
-    // by worldError: the roundings of difference and product (gamma_5) and this transform's own rounded
-    // numbers (gamma_2).
+    // A bound, for each axis in object units, on the error of pointToObject(world), where `world` has the
+    // error worldError. gamma_5: the difference, the matrix product and the rounded entries of the inverse.
+    // gamma_2: the rounded translation.
     template <class T>
     Vec3T<T> objectError(const Vec3T<T>& world, const Vec3T<T>& worldError) const {
         const Vec3T<T> uncertain = worldError + T(gamma(5)) * abs(world - Vec3T<T>(translation_)) +
@@ -61,26 +63,27 @@ class Transform {
         return absoluteProduct(inverse_, uncertain);
     }
 
-    // How far, for each axis in world units, a point that the author wrote may be from where it was meant to
-    // be, seen from this transform: as many roundings as in objectError, of what both were written with.
+    // A bound, for each axis in world units, on the error that a point written by the scene's author has
+    // relative to this transform. Counts as many roundings as objectError, but of the numbers as they were
+    // written (writtenRoundoff).
     template <class T>
     Vec3T<T> writtenError(const Vec3T<T>& world) const {
         return T(5 * writtenRoundoff) * abs(world - Vec3T<T>(translation_)) +
                Vec3T<T>(2 * writtenRoundoff * abs(translation_));
     }
 
-    // How much larger, at most, an error can become on the way to object space and back: the largest sum of a
-    // row of |linear| |inverse|. At most 3 for any rotation times a scale, at most 1 without a rotation.
+    // The factor by which an error can grow, at most, on the way to object space and back: the largest row
+    // sum of |linear| |inverse|. At most 3 for any rotation times a scale, at most 1 without a rotation.
     Real conditioning() const;
 
-    // The world direction of a surface normal: inverse transpose, not of unit length, the sign kept under
+    // A surface normal in the world, by the inverse transpose. Not of unit length. Its sign is kept under
     // mirroring.
     template <class T>
     Vec3T<T> normalToWorld(const Vec3T<T>& object) const {
         return product(object, inverse_);
     }
 
-    // The largest numbers on the way to object space, and back from there.
+    // The largest numbers on the way to object space (`finest`) and on the way back.
     Real finest() const { return largest(inverse_); }
     Real farthest() const { return std::max(largestScale(), maxComponent(abs(translation_))); }
     Real largestScale() const { return largest(linear_); }

@@ -20,7 +20,7 @@ struct ShearAxes {
 };
 ShearAxes shearAxes(const Vec3& direction);
 
-// The axes of every one of these lanes' tests; false where they differ.
+// Finds the axes for these lanes; false where they differ.
 template <class T>
 bool commonAxes(const Vec3T<T>& direction, LaneBits lanes, ShearAxes& axes) {
     axes = shearAxes(laneOf(direction, firstLane(lanes)));
@@ -48,15 +48,15 @@ struct ShearedRayT {
     T shearX, shearY, scaleZ;
 };
 
-// Where the line meets the triangle: t, and the weights of its corners. Exact about the inside: of the
-// triangles around an edge or a vertex of a closed mesh that the line passes through, it meets as many as if
-// it passed by an infinitesimal to the side.
+// Where the line meets the triangle: t, and the barycentric weights of the corners. Inside or outside is
+// exact: of the triangles around an edge or a vertex of a closed mesh, a line through that edge or vertex
+// hits as many as a line that passes an infinitesimal distance beside it.
 template <class T>
 struct LineHit {
     Truth<T> hit;
-    Truth<T> entering;  // it comes from where the corners are counter-clockwise
+    Truth<T> entering;  // the line comes from the side where the corners are counter-clockwise
     T t;
-    T terms;  // of t, without their signs
+    T terms;  // the sum of the magnitudes of t's terms
     T weight[3];
 };
 
@@ -65,10 +65,11 @@ struct LineHit {
 // Edelsbrunner and Mucke 1990.)
 int sideOfEdge(Real px, Real py, Real qx, Real qy);
 
-// Whether the origin is within a triangle of these corners, on an edge of which it seems to be.
+// Whether the origin is within the triangle of these corners, where a rounded edge function is 0.
 bool isWithin(const Vec3& x, const Vec3& y);
 
-// On which side of its edges the origin is, twice the area that it spans with each: 0 only where it is on it.
+// The edge functions at the origin: for each edge, twice the signed area of its triangle with the origin. 0
+// only where the origin is on the edge's line.
 Vec3 exactEdges(const Vec3& x, const Vec3& y);
 
 template <class T>
@@ -80,7 +81,7 @@ LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3
         y[i] = relative[ray.axes.y] - ray.shearY * relative[ray.axes.z];
         z[i] = ray.scaleZ * relative[ray.axes.z];
     }
-    // All three edges must have the origin on the same side. A rounded difference that is not zero has the
+    // The origin must be on the same side of all three edges. A rounded difference that is not zero has the
     // right sign.
     T u = x.z * y.y - y.z * x.y, v = x.x * y.z - y.x * x.z, w = x.y * y.x - y.y * x.x;
     LineHit<T> result;
@@ -93,7 +94,7 @@ LineHit<T> intersectLine(const ShearedRayT<T>& ray, const std::array<Vec3T<T>, 3
             return Real(isWithin(cornersX, cornersY));
         };
         result.hit = result.hit & ((!edge) | (laneByLane<T>(within, x, y) > T(0)));
-        // A sliver may be seen so closely that all three were rounded to zero.
+        // All three edge functions of a sliver may have been rounded to zero.
         const Vec3T<T> exact = laneByLane<Vec3T<T>>(exactEdges, x, y);
         u = select(edge, exact.x, u), v = select(edge, exact.y, v), w = select(edge, exact.z, w);
     }
@@ -114,20 +115,20 @@ class TriangleMesh {
 
     const MeshData& data() const { return *data_; }
     std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(data_->triangleCount()); }
-    // The corners of a triangle, or of each ray's own.
+    // The corners of a triangle, or of each lane's triangle.
     template <class T>
     std::array<Vec3T<T>, 3> corners(const Primitive<T>& triangle) const;
-    // Where its corners have these weights. Beyond 0 and 1 the image repeats.
+    // The texture coordinate where the corners have these weights. The image repeats beyond 0 and 1.
     Vec2 texCoord(std::uint32_t triangle, const Vec3& weights) const;
     bool repeatsTexture() const { return repeatsTexture_; }
 
     // Where a line in object space meets one of the triangles.
     LineHit<Real> meetLine(const ObjectRay& line, std::uint32_t triangle) const;
 
-    const Bvh& bvh() const { return bvh_; }  // empty where all triangles are to be tried
+    const Bvh& bvh() const { return bvh_; }  // empty: all triangles must be tested
 
-    // How far off a computed hit of a ray from no farther than this may be in object space: what
-    // BvhRay::slack is.
+    // BvhRay::slack for rays that start no farther than this from zero: a bound on the error of a computed
+    // hit, in object space.
     Real slackFrom(Real farthestOrigin) const;
 
   private:
@@ -137,8 +138,8 @@ class TriangleMesh {
     }
 
     std::shared_ptr<const MeshData> data_;
-    std::vector<Vec3> positions_;  // only where Real is not what data_ has
-    Real largest_;                 // of its coordinates, without their signs
+    std::vector<Vec3> positions_;  // only where Real is not double, which data_ has
+    Real largest_;                 // the largest magnitude of a coordinate
     bool repeatsTexture_;          // some texture coordinate is beyond 0 and 1
     Bvh bvh_;
 };
