@@ -8,13 +8,13 @@
 namespace raytracer {
 namespace {
 
-// A number as an unevaluated sum, whose low part is much smaller: in the table, at most half a unit in the
-// last place of high.
+// A number as an unevaluated sum of two (double-double). `low` is much smaller than `high`: in the table, at
+// most half a unit in its last place.
 struct Sum {
     double high, low;
 };
 
-// atan(k / 16), by Taylor's series in integers of 200 bits.
+// atan(k / 16), computed with Taylor's series in integers of 200 bits.
 constexpr int arcSteps = 16;
 constexpr Sum arcTangents[arcSteps + 1] = {
     {0, 0},
@@ -45,9 +45,9 @@ Sum add(const Sum& a, const Sum& b) {
 }
 Sum subtract(const Sum& a, const Sum& b) { return add(a, {-b.high, -b.low}); }
 
-// atan(small / large) for 0 <= small <= large: with c = k / 16 close to the quotient,
-// atan(c) + atan(r), r = (small - c large) / (large + c small), |r| <= 1/32, whose series ends where it is
-// rounded.
+// atan(small / large) for 0 <= small <= large. With c = k / 16 close to the quotient, it is atan(c) +
+// atan(r), r = (small - c large) / (large + c small), |r| <= 1/32. The series for atan(r) stops where its
+// next term is below the rounding error.
 Sum arcTangentOfQuotient(double small, double large) {
     const long k = std::lround(arcSteps * (small / large));
     const double c = static_cast<double>(k) / arcSteps;
@@ -58,7 +58,7 @@ Sum arcTangentOfQuotient(double small, double large) {
     return add(arcTangents[k], {r, series});
 }
 
-// Both times the power of two that keeps products of them away from over- and underflow.
+// Scales both by one power of two, so that products of them neither over- nor underflow.
 void bringIntoRange(double& small, double& large) {
     if (large == std::numeric_limits<double>::infinity()) {
         small = small == large ? 1 : 0;
@@ -83,7 +83,7 @@ double arcTangent(double y, double x) {
     return std::copysign(angle.high + angle.low, y);
 }
 
-// The half angle's sine and cosine are sqrt((1 - z) / 2) and sqrt((1 + z) / 2).
+// By the half angle, whose sine and cosine are sqrt((1 - z) / 2) and sqrt((1 + z) / 2).
 double arcCosine(double z) { return 2 * arcTangent(std::sqrt(1 - z), std::sqrt(1 + z)); }
 
 }  // namespace raytracer

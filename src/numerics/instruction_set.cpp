@@ -14,10 +14,10 @@ namespace {
 #define RAYTRACER_TEXT(...) #__VA_ARGS__
 #define RAYTRACER_TEXT_OF(...) RAYTRACER_TEXT(__VA_ARGS__)
 
-// "scalar,sse2" and so on.
+// Such as "scalar,sse2".
 constexpr std::string_view builtSets = RAYTRACER_TEXT_OF(RAYTRACER_INSTRUCTION_SETS);
 
-// What every processor of its kind has needs no line here.
+// A set that every processor of its architecture has needs no line here.
 bool isSupported([[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
     if (nameOf(set) == "avx2") return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

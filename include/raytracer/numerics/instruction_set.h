@@ -1,6 +1,6 @@
-// The instruction sets of vector registers that this program has code for, and which of them is used.
+// The vector instruction sets that this program has code for, and which of them is used.
 //
-// CMakeLists.txt lists them and compiles what is written with Lanes (lanes.h) once for each. Pictures are the
+// CMakeLists.txt lists them and compiles the code that uses Lanes (lanes.h) once for each. Pictures are the
 // same with any of them.
 #pragma once
 
@@ -9,19 +9,19 @@
 
 namespace raytracer {
 
-// Each is better than the one before. `scalar` is plain C++.
+// From the least to the best. `scalar` is plain C++.
 enum class InstructionSet { RAYTRACER_INSTRUCTION_SETS };
 
-// Those that this processor has, the best last.
+// The sets that this processor has, the best last.
 std::vector<InstructionSet> supportedInstructionSets();
 
-// As CMakeLists.txt has it: "avx2".
+// The name in CMakeLists.txt, such as "avx2".
 std::string_view nameOf(InstructionSet set);
 
-// The one of this name among these; the best for an empty name. Throws Error for any other.
+// The set of this name, if this processor has it; its best one for an empty name. Throws Error for any other.
 InstructionSet supportedInstructionSet(std::string_view name);
 
-// The one that the environment variable RAYTRACER_SIMD names, or else the best. Throws Error where it names
+// The set that the environment variable RAYTRACER_SIMD names, or else the best. Throws Error where it names
 // none that this processor has.
 InstructionSet defaultInstructionSet();
 

@@ -1,6 +1,6 @@
-// The processor's vector registers, for lanes.h: what the instruction set calls its operations. Compiled once
-// for each instruction set (CMakeLists.txt), into a namespace of its own. What a set has no instruction for
-// is plain C++.
+// The operations on vector registers that lanes.h is built on, by the intrinsics of each instruction set.
+// Compiled once for each instruction set (CMakeLists.txt), into a namespace of its own. An operation without
+// an intrinsic here is plain C++.
 #pragma once
 
 #include <algorithm>
@@ -30,15 +30,15 @@ inline constexpr int widestRegister = 32;
 inline constexpr int widestRegister = 16;
 #endif
 
-// How lanes lie in registers.
+// How the lanes of one number type are laid out in registers.
 template <class Number>
 struct RegistersOf {
     static constexpr int lanes = std::min(widestRegister / static_cast<int>(sizeof(Number)), laneCount),
                          count = laneCount / lanes;
     using Register [[gnu::vector_size(lanes * sizeof(Number))]] = Number;
-    using Bits = decltype(Register{} < Register{});  // of each lane all bits or none
+    using Bits = decltype(Register{} < Register{});  // for each lane all bits or none
 #if defined(RAYTRACER_LANES_avx512)
-    using Mask = __mmask8;  // of lane i the bit 1 << i
+    using Mask = __mmask8;  // lane i is the bit 1 << i
     static_assert(lanes == 8);
 #else
     using Mask = Bits;
@@ -53,7 +53,8 @@ using FourDoubles [[gnu::vector_size(32)]] = double;
 using FloatsBits = RegistersOf<float>::Bits;
 using DoublesBits = RegistersOf<double>::Bits;
 
-// Plain C++, on GCC's and Clang's vectors; of the functions of one name, an instruction set's own is taken.
+// Plain C++, on the vector types of GCC and Clang. Where an instruction set has an overload of its own below,
+// that one is taken.
 
 template <class Register>
 inline Register sqrtOf(Register x) {
@@ -72,7 +73,7 @@ template <class Register>
 inline auto isEqual(Register x, Register y) {
     return x == y;
 }
-// A mask's bits: lane i's is 1 << i. Of a vector its lanes' signs.
+// A mask as bits: lane i is the bit 1 << i. The lanes of a vector mask count by their sign.
 template <class Mask>
 inline unsigned bitsOf(Mask m) {
     unsigned bits = 0;
@@ -94,7 +95,7 @@ template <class Mask, class Register>
 inline Register choose(Mask m, Register yes, Register no) {
     return reinterpret_cast<Register>((reinterpret_cast<Mask>(yes) & m) | (reinterpret_cast<Mask>(no) & ~m));
 }
-// The smaller of two, the second where they are equal or one is NaN; and the larger.
+// The smaller, or the larger, of two; the second where they are equal or one is NaN.
 template <class Register>
 inline Register smaller(Register x, Register y) {
     return choose(isLess(x, y), x, y);
@@ -103,7 +104,7 @@ template <class Register>
 inline Register larger(Register x, Register y) {
     return choose(isLess(y, x), x, y);
 }
-// x y + z and x y - z, rounded once or twice.
+// x y + z and x y - z, rounded once where the processor has fma, else twice.
 template <class Register>
 inline Register multiplyAdd(Register x, Register y, Register z) {
     return x * y + z;
@@ -168,7 +169,7 @@ inline FourDoubles smaller(FourDoubles x, FourDoubles y) { return _mm256_min_pd(
 
 #endif
 
-#if defined(RAYTRACER_LANES_avx2) || defined(RAYTRACER_LANES_avx512)  // eight floats in both
+#if defined(RAYTRACER_LANES_avx2) || defined(RAYTRACER_LANES_avx512)  // both have eight floats
 
 inline Floats sqrtOf(Floats x) { return _mm256_sqrt_ps(x); }
 inline Floats smaller(Floats x, Floats y) { return _mm256_min_ps(x, y); }
@@ -176,8 +177,8 @@ inline Floats larger(Floats x, Floats y) { return _mm256_max_ps(x, y); }
 inline Floats multiplyAdd(Floats x, Floats y, Floats z) { return _mm256_fmadd_ps(x, y, z); }
 inline Floats multiplySubtract(Floats x, Floats y, Floats z) { return _mm256_fmsub_ps(x, y, z); }
 
-// As larger and smaller where one is not negative: the numbers are in the order of their bits as integers.
-// (From AVX2 on, processors compare integers faster than floats.)
+// larger and smaller, for pairs of which at least one is not negative: these have the same order as their
+// bits read as integers. (From AVX2 on, processors compare integers faster than floats.)
 inline Floats later(Floats x, Floats y) {
     return reinterpret_cast<Floats>(
         _mm256_max_epi32(reinterpret_cast<__m256i>(x), reinterpret_cast<__m256i>(y)));
@@ -187,7 +188,7 @@ inline Floats earlier(Floats x, Floats y) {
         _mm256_min_epi32(reinterpret_cast<__m256i>(x), reinterpret_cast<__m256i>(y)));
 }
 
-// The first of these numbers, one for each lane. (GCC 12 would convert eight by halves.)
+// The first of these numbers, one for each lane. (GCC 12 would convert eight in two halves.)
 inline Floats integers(const std::uint16_t* numbers) {
     return _mm256_cvtepi32_ps(
         _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(numbers))));
@@ -206,7 +207,8 @@ inline Floats integers(const std::uint16_t* numbers) {
 
 #endif
 
-// As > where one is not negative; and the highest bit of each lane of x << below.
+// isLater: x > y, for pairs of which at least one is not negative. topBits: for each lane the highest bit of
+// x << below.
 #if defined(RAYTRACER_LANES_avx512)
 inline __mmask8 isLater(Floats x, Floats y) {
     return _mm256_cmpgt_epi32_mask(reinterpret_cast<__m256i>(x), reinterpret_cast<__m256i>(y));

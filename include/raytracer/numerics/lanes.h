@@ -1,8 +1,8 @@
-// Eight numbers side by side in the processor's vector registers: of a tree's boxes in float, of a packet's
-// rays in Real (ray_lanes.h).
+// Eight numbers side by side in the processor's vector registers: floats for the boxes of a tree, Reals for
+// the rays of a packet (ray_lanes.h).
 //
-// Every operation is IEEE's on each lane by itself, so a lane's number has the very bits that Number would
-// have; multiplyAdd and multiplySubtract alone are rounded once where the processor can, twice elsewhere.
+// Every operation is IEEE's in each lane, so a lane has the very bits that a single Number would have. The
+// exceptions are multiplyAdd and multiplySubtract: they are rounded once where the processor can, else twice.
 // This file is compiled once for each instruction set, into a namespace of its own (lane_registers.h).
 #pragma once
 
@@ -145,7 +145,7 @@ struct LanesOf {
         };
         return detail::partwise<LanesOf>(one, magnitude, sign);
     }
-    // As std::max and std::min have it: the first where they are equal or one is NaN.
+    // As std::max and std::min: the first where they are equal or one is NaN.
     friend LanesOf max(const LanesOf& a, const LanesOf& b) {
         return detail::partwise<LanesOf>([](Register x, Register y) { return detail::larger(y, x); }, a, b);
     }
@@ -176,7 +176,7 @@ struct LanesOf {
     static Bits signBit() { return reinterpret_cast<Bits>(-Register{}); }
 };
 
-// As max, min and > where of two lanes one is not negative.
+// max, min and >, for pairs of lanes of which at least one is not negative.
 inline LanesOf<float> later(const LanesOf<float>& a, const LanesOf<float>& b) {
     return detail::partwise<LanesOf<float>>([](auto x, auto y) { return detail::later(x, y); }, a, b);
 }
@@ -196,7 +196,7 @@ inline LanesOf<float> integers(const std::uint16_t* numbers) {
     return result;
 }
 
-// The highest bit of each word, but for `below`.
+// For each word, the highest bit after a shift to the left by `below`.
 inline LaneBits topBits(const std::uint32_t (&words)[laneCount], int below) {
     MaskOf<float> mask;
     for (int i = 0; i < mask.parts; ++i) {

@@ -1,33 +1,35 @@
-// Rounding errors and the arithmetic that is built to survive them. A tolerance that a picture depends on is
-// here, or counts its roundings by gamma where they happen; trees, which only discard, have margins too.
+// Bounds on rounding errors, and arithmetic that keeps to them. A tolerance that a picture depends on is
+// defined here, or counts its roundings with gamma where they happen. Trees only discard: their margins are
+// their own.
 //
-// Every bound here is relative: a multiple of the unit roundoff of Real and of the magnitudes that went into
-// a result. None is a length, so none prefers a unit of length.
+// Every bound is relative: a multiple of Real's unit roundoff u and of the magnitudes that went into a
+// result. None is a length, so none prefers a unit of length.
 //
-// Sums and products. One operation gives fl(x op y) = (x op y)(1 + d), |d| <= u; n of them one after the
-// other are wrong by gamma_n of the result (Higham, Accuracy and Stability of Numerical Algorithms,
-// lemma 3.1), a sum by gamma_n of what its terms are without their signs. So a bound counts roundings. For M
-// p + t with M and t rounded themselves and p right to three roundings: 1 + 3 for the factors, 1 for the
-// product, 2 for the sum of the three, 1 for the sum with t, so gamma_8 |M||p| + gamma_2 |t|
-// (Transform::pointError; after pbrt, "Managing Rounding Error"). In the same way: Transform::objectError,
-// Shape::touches, closeChord, directLight, Mesh::toObject.
+// Sums and products. One operation gives fl(x op y) = (x op y)(1 + d), |d| <= u. After n operations in a row
+// the error is at most gamma_n times the result (Higham, Accuracy and Stability of Numerical Algorithms,
+// lemma 3.1); that of a sum is at most gamma_n times the sum of its terms' magnitudes. So a bound counts
+// roundings. For M p + t, with M and t rounded themselves and p right to three roundings: 1 + 3 for the
+// factors, 1 for the product, 2 for the sum of three products, 1 for the sum with t, so gamma_8 |M||p| +
+// gamma_2 |t| (Transform::pointError; after pbrt, "Managing Rounding Error"). The same is done in
+// Transform::objectError, Mesh::touches, closeChord, directLight and Mesh::toObject.
 //
-// Quadrics far from the ray's origin o. In b^2 - a c, with c = |o|^2 - 1, nearly all cancels: the errors are
-// of |o|^2 u, the rest is of the order of 1. From the point of the line that is closest to the centre, b = 0
-// and c is of the order of 1 wherever there is a hit, and what is left is the error of that point, |o| u
-// (Haines, Gunther and Akenine-Moller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
-// ch. 7). For sphere and cylinder from farSquared on, for the cone always, for each solid from distantSquared
-// on (chord.h).
+// Quadrics far from the ray's origin o. In b^2 - a c, with c = |o|^2 - 1, nearly all digits cancel: its error
+// is of the order of |o|^2 u, its value of the order of 1. At the line's point closest to the centre, b = 0,
+// and c is of the order of 1 wherever there is a hit. What is left is the error of that point, |o| u (Haines,
+// Gunther and Akenine-Moller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, ch. 7).
+// Sphere and cylinder start from that point from farSquared on, the cone always, and every solid from
+// distantSquared on (chord.h).
 //
 // Boxes, in float. The distance of a plane, (plane - origin) / direction, takes four roundings: of the
-// direction, of its inverse, of the difference, of the product. Entry and exit are compared, each wrong by
-// gamma_4, so one is to be made larger by (1 + gamma_4) / (1 - gamma_4) < 1 + 2^-20 (Ize, Robust BVH Ray
-// Traversal, JCGT 2(2), 2013, who has three roundings and hence two units in the last place; as there, it
-// costs nothing, being in the inverse: BvhTraversal::growth). The origin's rounding goes with its distance
-// from zero, not with the plane's from it: it widens the origin (BvhRay::slack, bvh_prepare.h).
+// direction, its inverse, the difference and the product. Entry and exit are compared, each with an error of
+// gamma_4, so one must be enlarged by (1 + gamma_4) / (1 - gamma_4) < 1 + 2^-20 (Ize, Robust BVH Ray
+// Traversal, JCGT 2(2), 2013, with three roundings and hence two units in the last place). As there, it costs
+// nothing: the inverse includes it (BvhTraversal::growth). The rounding error of the origin is relative to
+// its distance from zero, not to the plane's distance from it: it widens the origin (BvhRay::slack,
+// bvh_prepare.h).
 //
-// Triangles. Which side of an edge the line passes by is found exactly, so that two triangles never disagree
-// about the edge that they share: differenceOfProducts (Woop, Benthin and Wald, Watertight Ray/Triangle
+// Triangles. On which side of an edge the line passes is found exactly, so two triangles never disagree about
+// the edge that they share: differenceOfProducts (Woop, Benthin and Wald, Watertight Ray/Triangle
 // Intersection, JCGT 2(1), 2013).
 #pragma once
 
@@ -48,7 +50,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // u: the largest relative error of one correctly rounded operation.
 inline constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
-// Of a number that the scene's author wrote as a decimal: it has become a double.
+// The same for a number that the scene's author wrote as a decimal, which has become a double.
 inline constexpr Real writtenRoundoff = std::max(unitRoundoff, static_cast<Real>(0x1p-53));
 inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
@@ -63,40 +65,42 @@ constexpr Real gamma(int n) {
     return static_cast<Real>(n) * unitRoundoff / (1 - static_cast<Real>(n) * unitRoundoff);
 }
 
-// Two hits whose t differ by less than this factor might be one place where two surfaces coincide, so they
-// are checked more closely (HitQuery). Half of the digits: far above the rounding error of any t that is
-// worth its name, far below what a picture shows. It decides nothing but whether to check.
+// Two hits whose t differ by less than this factor may be one point where two surfaces coincide, so they are
+// examined more closely (HitQuery). Half of the digits: far above the rounding error of any useful t, far
+// below what a picture shows. It decides only what to examine.
 inline constexpr Real coincidenceWindow = 1 / powerOfTwo(std::numeric_limits<Real>::digits / 2);
 
-// From this squared distance (in units of the shape) on, an origin is far from a quadric: nearer ones lose at
-// most a fifth of the digits in the textbook's discriminant.
+// From this squared distance on (in units of the shape), an origin is far from a quadric. Nearer ones lose at
+// most a fifth of the digits in the discriminant of the quadratic formula.
 inline constexpr Real farSquared = powerOfTwo(std::numeric_limits<Real>::digits / 5);
-// From this squared distance on, an origin is moved to the point of its line that is closest to the solid: the
-// slack of closeChord, 16 units in the last place of the distance, is then still far below a pixel.
+// From this squared distance on, an origin is moved to the line's point that is closest to the solid. The
+// slack of closeChord, 16 roundings of the distance, is still far below a pixel there.
 inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits * 3 / 4);
-// A line passes a solid by where its closest point is more than this squared part of a move away from it.
+// A line passes a solid by where the squared distance of its closest point is more than this times the square
+// of the last move (moveCloser).
 inline constexpr Real passingSquared = powerOfTwo(std::numeric_limits<Real>::digits);
 
-// The most that a hit may be wrong by, of the picture's width there (a pixel of 4096), and on a sphere,
-// a cone or a cylinder's side of that one's size.
+// The largest error of a hit, relative to the picture's width at the hit: a pixel of 4096. On a sphere, a
+// cone or a cylinder's side also relative to the shape's size.
 inline constexpr Real mostPositionError = 1 / powerOfTwo(12);
-// A camera that is this many sizes of the shapes away sees them to within that part of their size; one whose
-// rays are sums of numbers this many widths of its picture large, to that part of its width.
+// At this distance, in sizes of the shapes, a camera still sees them to within mostPositionError of their
+// size. With rays that are sums of numbers this large, in widths of its picture, it sees to within
+// mostPositionError of that width.
 inline constexpr Real farthestEye = powerOfTwo(std::numeric_limits<Real>::digits) * mostPositionError;
-// What a scene's numbers may be for Real to see it (buildScene). From the finest unit of a shape to the
-// farthest point, so that the rounding error of a coordinate in either is a normal number; lengths that are
-// squared are checked where they are (isSafeSquare). The brightest colour, so that an eighth of the
-// exponents lets eight factors meet.
+// Limits for a scene's numbers to fit Real (buildScene). widestRange: from the finest unit of a shape to the
+// farthest point, so that the rounding error of a coordinate in either unit is a normal number. Lengths that
+// are squared are checked at that place (isSafeSquare). brightestFactor: the brightest colour. It has an
+// eighth of the exponents, so a product of eight factors does not overflow.
 inline constexpr Real widestRange =
     powerOfTwo(std::numeric_limits<Real>::max_exponent - std::numeric_limits<Real>::digits);
 inline constexpr Real brightestFactor = powerOfTwo(std::numeric_limits<Real>::max_exponent / 8);
-// No ray's colour or weight is more: a thousand reflections that brighten would end in infinity, and black
-// times that is no number.
+// Rays' colours and weights are clamped to this. A thousand reflections with factors above 1 would end in
+// infinity, and infinity times black is NaN.
 inline constexpr Real brightestColor = powerOfTwo(std::numeric_limits<Real>::max_exponent / 2 - 1);
 
-// The words in which a formula is written once for one ray and for several: a Real is a packet of one lane
-// (ray_lanes.h has the same for Lanes). Comparisons of T give a Truth<T>, a choice is a select, and a branch
-// is taken where any of the rays asks for it.
+// The functions with which a formula is written once for one ray and for several: a Real is a packet of one
+// lane (ray_lanes.h has the same for Lanes). A comparison of two T gives a Truth<T>, `select` chooses by one,
+// and a branch is taken where any of the lanes needs it.
 template <class T>
 using Truth = decltype(std::declval<T>() < std::declval<T>());
 inline bool any(bool truth) { return truth; }
@@ -107,7 +111,7 @@ inline Real abs(Real x) { return std::abs(x); }
 inline Real copysign(Real magnitude, Real sign) { return std::copysign(magnitude, sign); }
 inline Real max(Real a, Real b) { return std::max(a, b); }
 inline Real min(Real a, Real b) { return std::min(a, b); }
-inline Real greatest(Real x) { return x; }  // of the lanes
+inline Real greatest(Real x) { return x; }  // of all lanes
 
 template <class T>
 inline constexpr int laneCountOf = 1;
@@ -147,7 +151,7 @@ void setLane(V& to, int, const V& value) {
     to = value;
 }
 
-// function(arguments), each ray's by itself: for what is rare, or has no form for several.
+// Calls function(arguments) for each lane on its own: for what is rare, or has no form for several lanes.
 template <class Result, class Function, class... Arguments>
 Result laneByLane(Function function, const Arguments&... arguments) {
     if constexpr (laneCountOf<Result> == 1) {
@@ -163,8 +167,7 @@ template <class T>
 Vec3T<T> select(const Truth<T>& truth, const Vec3T<T>& yes, const Vec3T<T>& no) {
     return {select(truth, yes.x, no.x), select(truth, yes.y, no.y), select(truth, yes.z, no.z)};
 }
-// Lanes that are not in use hold what the first one in use has, so that nothing out of the ordinary happens
-// in them.
+// Lanes that are not in use get the number of the first one that is, so that nothing unusual happens in them.
 inline Real filled(Real x, LaneBits) { return x; }
 template <class T>
 Vec3T<T> filled(const Vec3T<T>& v, LaneBits used) {
@@ -187,7 +190,8 @@ template <class T>
 Vec3T<T> withinBrightest(const Vec3T<T>& c) {
     return within(T(brightestColor), c);
 }
-// What leaves the core. Extended's colours may be beyond double: no more than the products of two may be.
+// Colours that leave the core. Those of extended precision may exceed double. Clamped so that even a product
+// of two fits double.
 template <class T>
 Vec3T<T> withinDouble(const Vec3T<T>& c) {
     return within(T(powerOfTwo(std::min(500, std::numeric_limits<Real>::max_exponent / 2 - 1))), c);
@@ -197,7 +201,7 @@ inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 inline Mat3 abs(const Mat3& m) { return Mat3(abs(m[0]), abs(m[1]), abs(m[2])); }
 
-// m v; and v m, the transposed matrix's product.
+// m v.
 template <class T>
 Vec3T<T> product(const Mat3& m, const Vec3T<T>& v) {
     return {m[0].x * v.x + m[1].x * v.y + m[2].x * v.z, m[0].y * v.x + m[1].y * v.y + m[2].y * v.z,
@@ -210,21 +214,22 @@ Vec3T<T> absoluteProduct(const Mat3& m, const Vec3T<T>& v) {
             abs(m[0].y * v.x) + abs(m[1].y * v.y) + abs(m[2].y * v.z),
             abs(m[0].z * v.x) + abs(m[1].z * v.y) + abs(m[2].z * v.z)};
 }
+// v m: the transposed matrix's product.
 template <class T>
 Vec3T<T> product(const Vec3T<T>& v, const Mat3& m) {
     return {m[0].x * v.x + m[0].y * v.y + m[0].z * v.z, m[1].x * v.x + m[1].y * v.y + m[1].z * v.z,
             m[2].x * v.x + m[2].y * v.y + m[2].z * v.z};
 }
 
-// Whether a sum of squares has lost no digits by under- or overflow, nor will products of it.
+// Whether a sum of squares, and products of it, lose no digits by under- or overflow.
 template <class T>
 Truth<T> isSafeSquare(const T& squared) {
     constexpr Real small = std::numeric_limits<Real>::min() / (unitRoundoff * unitRoundoff);
     return (squared > T(small)) & (squared < T(1 / small));
 }
 
-// v / |v|, at any magnitude: where the squared length is not safe, v is first brought to the order of 1 by a
-// power of two. The zero vector stays zero.
+// v / |v| at any magnitude. Where the squared length is not safe, v is first scaled to the order of 1 by a
+// power of two. Zero and infinite vectors give zero.
 Vec3 normalizedOfAnySize(const Vec3& v);
 template <class T>
 Vec3T<T> normalized(const Vec3T<T>& v) {
@@ -242,9 +247,9 @@ inline Vec3 normalizedOfAnySize(const Vec3& v) {
     return scaled * (1 / std::sqrt(glm::dot(scaled, scaled)));
 }
 
-// x^n for x in [0, 1] and n >= 0, by squares for the digits of n before the binary point and square roots for
-// those behind it: the same bits on every machine (libm's pow is not). The relative error is of the order of
-// n units in the last place, as much as half a unit in x makes.
+// x^n for x in [0, 1] and n >= 0: by squares for the bits of n before the binary point, by square roots for
+// those behind it. Gives the same bits on every machine (libm's pow does not). The relative error is of the
+// order of n units in the last place, as much as an error of half a unit in x causes.
 template <class T>
 T power(T x, Real n) {
     constexpr Real mostWhole = 16777216;  // 2^24: every such whole number is exact in every Real
@@ -263,10 +268,10 @@ T power(T x, Real n) {
     return result;
 }
 
-// a * b - c * d with the exact sign, unless a product underflows: rounding is monotone, so unequal rounded
-// products are in the order of the exact ones; where they are equal, their rounding errors, exact by fma, are
-// all of the difference. The exact fallback is Woop, Benthin and Wald's (section 3.3), who have the next
-// larger type for it: there is none for every Real.
+// a * b - c * d with the exact sign, unless a product underflows. Rounding is monotone, so products that
+// differ after rounding have the order of the exact ones. Where they are equal, the difference is that of
+// their rounding errors, which fma gives exactly. The exact fallback is Woop, Benthin and Wald's (section
+// 3.3). They use the next larger type, which not every Real has.
 inline Real differenceOfProducts(Real a, Real b, Real c, Real d) {
     const Real ab = a * b, cd = c * d;
     if (ab != cd) return ab - cd;

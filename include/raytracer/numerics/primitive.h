@@ -7,7 +7,7 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// For each ray a number of a face or triangle.
+// Of each ray's face or triangle.
 template <class T>
 struct PrimitiveOf {
     using type = std::uint32_t;
@@ -23,6 +23,6 @@ void forEachLane(std::uint32_t primitive, Function function) {
 }
 inline std::uint32_t faceOf(std::uint32_t primitive) {
     return primitive;
-}  // of rays that all meet the same face
+}  // for rays that all hit the same face
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -1,5 +1,5 @@
-// Lanes of Real, one for each ray of a packet, and the words of numerics.h and primitive.h for them. Only
-// what is compiled for each instruction set includes it.
+// Lanes of Real, one for each ray of a packet, with the functions of numerics.h and primitive.h for them.
+// Included only by files that are compiled once for each instruction set.
 #pragma once
 
 #include "raytracer/numerics/lanes.h"
@@ -15,7 +15,7 @@ using Mask = MaskOf<Real>;
 
 inline Lanes lanesOf(const Real (&numbers)[laneCount]) { return Lanes::load(numbers); }
 
-// The least lanes of three, one after the other; the fourth number means nothing.
+// Stores the least lane of each component; to[3] has no meaning.
 template <class Number>
 inline void storeLeast(const Vec3T<LanesOf<Number>>& v, double (&to)[4]) {
     if constexpr (sizeof(LanesOf<Number>) == 2 * sizeof to && widestRegister >= static_cast<int>(sizeof to)) {
@@ -51,7 +51,7 @@ void setLane(glm::vec<n, Lanes, glm::defaultp>& v, int lane, const glm::vec<n, R
     for (int i = 0; i < n; ++i) setLane(v[i], lane, value[i]);
 }
 
-// The number of each ray's face or triangle.
+// The number of the face or triangle in each lane.
 struct LanePrimitives {
     std::uint32_t of[laneCount];
 };
@@ -87,6 +87,6 @@ inline constexpr int laneCountOf<Lanes> = laneCount;
 }  // namespace RAYTRACER_PRECISION_NAMESPACE
 }  // namespace raytracer
 
-// A Lanes is a number to GLM.
+// GLM takes a Lanes for a number.
 template <>
 class std::numeric_limits<raytracer::Lanes> : public std::numeric_limits<raytracer::Real> {};

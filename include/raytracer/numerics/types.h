@@ -1,9 +1,8 @@
 // The number type of the core, chosen at compile time.
 //
 // The core's sources are compiled three times, for float, double and long double, each into an inline
-// namespace of its own, so that one binary holds all three without a template parameter in the code.
-// `renderer.h` is the interface that picks one at run time. A file that does not say which (a test) gets
-// double.
+// namespace of its own. So one binary holds all three without a template parameter in the code. `renderer.h`
+// is the interface that chooses one at run time. A file that does not choose (a test) gets double.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -25,7 +24,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 using Real = RAYTRACER_REAL;
 
-// T is Real, or Lanes (ray_lanes.h): the same numbers of several rays, side by side.
+// T is Real, or Lanes (ray_lanes.h): one number for each of several rays, side by side.
 template <class T>
 using Vec2T = glm::vec<2, T, glm::defaultp>;
 template <class T>

@@ -1,5 +1,5 @@
-// Four numbers that are added and compared together, by GCC's and Clang's vectors on any processor: three
-// axes' and one that is not used.
+// Vectors of four numbers, by the vector types of GCC and Clang on any processor: one number for each axis,
+// and one to spare.
 #pragma once
 
 #include <cstdint>
