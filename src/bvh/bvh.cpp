@@ -10,8 +10,7 @@ namespace raytracer {
 
 namespace {
 
-// Boxes further out than this are not put into a tree: products of three of its lengths and a count stay
-// finite.
+// The largest coordinate of a box in a tree: surface areas times numbers of primitives stay finite.
 constexpr float largestCoordinate = 0x1p40f;
 
 template <InstructionSet... sets>
@@ -69,7 +68,7 @@ void BvhCursor::start(const Bvh& bvh) {
 
 bool BvhCursor::next(double limit) {
     if (state_.depth == 0) return false;
-    // Rounded up; the factor is far more than the roundings of product and conversion.
+    // Rounded up: the factor is far more than the roundings of the product and the conversion.
     const double scaled =
         std::clamp(limit * tScale_ * (1 + 0x1p-20), 0.0, double{std::numeric_limits<float>::max()});
     return kernel_->advance(state_, static_cast<float>(scaled));

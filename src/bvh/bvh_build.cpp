@@ -1,6 +1,6 @@
-// Building the tree: top down, straight to eight children: the child with the largest surface is split
-// (bvh_split.h) until there are eight. The top is built by one thread that lets all of them bin; what lies
-// below is shared out among them.
+// Builds a tree from the top down, directly with eight children a node: the child with the largest surface
+// area is split (bvh_split.h) until there are eight. One thread builds the top, and lets all threads bin. The
+// subtrees below it are shared out among the threads.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -36,13 +36,13 @@ class BvhBuilder {
     void build(const MeshData& mesh);
 
   private:
-    // A subtree under construction, with references of its own that relocate() makes global.
+    // A subtree under construction. Its references are its own, until joinTasks() makes them global.
     struct Part {
         LargeVector<BvhNode> nodes;
         LargeVector<std::uint32_t> words;
     };
 
-    // A range of the top's that a thread will build, and where its root is to be entered.
+    // A range below the top that one thread builds into `part`, and the root that this gives.
     struct Task {
         Range range;
         int depth;
@@ -106,7 +106,7 @@ void BvhBuilder::build(const MeshData& mesh) {
         const glm::dvec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
         Float4 low{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z), 0},
             high{static_cast<float>(to.x), static_cast<float>(to.y), static_cast<float>(to.z), 0};
-        // An ulp or two outwards, and something for 0.
+        // One or two units in the last place outwards, and a little for 0.
         const auto outwards = [](Float4 v) { return (v < 0 ? -v : v) * 0x1p-23f + 0x1p-100f; };
         return PrimitiveReference{low - outwards(low), high + outwards(high)};
     });
@@ -142,13 +142,13 @@ void BvhBuilder::buildTree(std::uint32_t count, const MakeReference& makeReferen
     assemble(top, root);
 }
 
-// Address space, a little more than trees have taken: vectors that grow are in memory twice.
+// Reserves a little more address space than trees have taken: a vector that grows is in memory twice.
 void BvhBuilder::reserveFor(std::size_t count, Part& part) const {
     part.nodes.reserve(count / (bvh_.frame_.triangles ? 16 : 3) + 1);
     if (bvh_.frame_.triangles) part.words.reserve(8 * count + BvhBlock::words);
 }
 
-// Puts the parts one after another. In the top, a child with leafBit is a task's number.
+// Joins the parts. In the top, a child with leafBit is a task's number.
 void BvhBuilder::assemble(Part& top, std::uint32_t root) {
     bvh_.root_ = root;
     bvh_.hasRoot_ = true;
@@ -248,7 +248,7 @@ std::uint32_t BvhBuilder::takeSingly(const Range& range, Range (&children)[8]) c
     return range.size();
 }
 
-// A leaf of boxes is the primitive's number; of triangles, a block with their corners.
+// In a tree of boxes, a leaf is the name of its primitive; in one of triangles, a block with their corners.
 std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
     if (!bvh_.frame_.triangles) {
         const std::uint32_t box = references_[range.begin].primitive();
@@ -270,7 +270,7 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
             const glm::dvec3 point = framePoint(3 * primitives[i] + corner);
             for (std::uint32_t axis = 0; axis < 3; ++axis) {
-                // Not below 0, for the box is rounded outwards.
+                // Not below 0, since the box is rounded outwards.
                 const double step = (point[axis] - static_cast<double>(block.base[axis])) * scale + 0.5;
                 grid[(3 * corner + axis) * count + i] = static_cast<std::uint16_t>(std::min(step, 65535.0));
             }

@@ -1,5 +1,6 @@
-// The traversal's inner loops. Compiled once for each instruction set, into a namespace of its own; nothing
-// may be compiled here that another file might share, or it would run where the instruction set is not.
+// The traversal's inner loops, compiled once for each instruction set, into a namespace of its own. Nothing
+// may be compiled here that another file might share: the linker keeps one copy of it, which may then run on
+// a processor without the instruction set.
 #include "bvh_kernel.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ inline namespace RAYTRACER_PRECISION_NAMESPACE {
 inline namespace RAYTRACER_LANES_NAMESPACE {
 namespace {
 
-// A ray's numbers, spread over the lanes; what stays in registers on the way through the nodes.
+// A ray's numbers, broadcast to all lanes. They stay in registers during the traversal.
 struct SpreadRay {
     FloatLanes nearInverse[3], farInverse[3], nearOffset[3], farOffset[3], limit;
     const char* nearPlane[3];  // of the node at place 0
@@ -36,8 +37,8 @@ inline SpreadRay spread(const BvhTraversal& s, float limit) {
     return ray;
 }
 
-// The distances, at least +0, at which the ray enters the children's boxes, and for which of them that is
-// before it leaves. With an origin that is finite and an inverse that is finite and not zero, no NaN can
+// Returns the children whose boxes the ray enters before it leaves them, and the distances, at least +0, at
+// which it enters. With an origin that is finite and an inverse that is finite and not zero, no NaN can
 // occur: empty slots give +-infinity.
 inline LaneBits hitChildren(const SpreadRay& ray, std::uint32_t place, FloatLanes& distance) {
     const std::size_t node = std::size_t{place} * bvhUnit;
@@ -54,13 +55,14 @@ inline LaneBits hitChildren(const SpreadRay& ray, std::uint32_t place, FloatLane
     return allLanes ^ bits(isLater(distance, earlier(earlier(far[0], far[1]), earlier(far[2], ray.limit))));
 }
 
-// A stack entry: the distance's bits above the child. Distances are not negative (nor -0), so entries are in
-// the order of distance.
+// A stack entry: the bits of the distance above the child. Distances are not negative (nor -0), so the order
+// of entries is that of distances.
 inline std::uint64_t entryOf(const BvhNode& node, const float (&distances)[8], int lane) {
     return std::uint64_t{std::bit_cast<std::uint32_t>(distances[lane])} << 32 | node.child[lane];
 }
 
-// Puts the children that are hit on the stack but for the nearest, which is returned. hits: at least two.
+// Pushes the children that are hit, farthest first, except for the nearest, which it returns. hits: at least
+// two.
 inline std::uint64_t sortChildren(BvhTraversal& s, const BvhNode& node, const float (&distances)[8],
                                   LaneBits hits) {
     const std::uint64_t a = entryOf(node, distances, std::countr_zero(hits));
@@ -83,7 +85,7 @@ inline std::uint64_t sortChildren(BvhTraversal& s, const BvhNode& node, const fl
     return nearest;
 }
 
-// All of them.
+// Pushes all children that are hit, the nearest last.
 inline void pushChildren(BvhTraversal& s, const BvhNode& node, const FloatLanes& distance, LaneBits hits) {
     float distances[8];
     store(distance, distances);
@@ -94,7 +96,8 @@ inline void pushChildren(BvhTraversal& s, const BvhNode& node, const FloatLanes&
     }
 }
 
-// A beam's primitives are tried together, whatever their order: takes those among the children that are hit.
+// Takes all leaves among the children that are hit, and pushes the nodes. For beams: their primitives are
+// tested together, in any order.
 inline bool findLeaves(BvhTraversal& s, const BvhNode& node, const FloatLanes& distance, LaneBits hits) {
     const LaneBits leaves = hits & topBits(node.child, 0);
     if (leaves == 0) return false;
@@ -107,7 +110,7 @@ inline bool findLeaves(BvhTraversal& s, const BvhNode& node, const FloatLanes& d
 
 enum class Step { Down, None, Found };
 
-// From a node to the nearest of its children that the ray meets; the others are put on the stack.
+// Steps from a node to the nearest of its children that the ray hits, and pushes the others.
 inline Step stepDown(BvhTraversal& s, const SpreadRay& ray, std::uint32_t& child) {
     FloatLanes distance;
     LaneBits hits = hitChildren(ray, child, distance);

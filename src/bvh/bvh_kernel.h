@@ -1,4 +1,4 @@
-// The traversal's inner loops, which bvh_kernel.cpp has for each instruction set.
+// The traversal's inner loops, which bvh_kernel.cpp defines for each instruction set.
 #pragma once
 
 #include "raytracer/bvh/bvh.h"
@@ -6,7 +6,8 @@
 namespace raytracer {
 
 struct BvhKernel {
-    // Make ready for a ray or a beam. The factor from its t to the traversal's; 0 where it can't be used.
+    // Prepare for a ray or a beam. Return the factor from its t to the traversal's, or 0 where the tree
+    // cannot be used.
     double (*prepareRay)(BvhTraversal& s, const BvhFrame& frame, const BvhRay& ray);
     double (*prepareBeam)(BvhTraversal& s, const BvhFrame& frame, const BvhBeam& beam);
     // BvhCursor::next, with the limit in the traversal's units.

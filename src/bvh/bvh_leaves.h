@@ -1,5 +1,5 @@
-// The part of bvh_kernel.cpp, which alone includes it, that looks at leaves: balls, and triangles eight at a
-// time.
+// The part of bvh_kernel.cpp that tests leaves: balls, and triangles eight at a time. Only that file includes
+// it.
 #pragma once
 
 #include <bit>
@@ -17,11 +17,11 @@ namespace {
 
 using FloatLanes = LanesOf<float>;
 
-// Of the children that are balls, those that the ray's line might meet: |c|^2 |d|^2 - (c.d)^2 <= r^2 |d|^2
-// with c the way to the centre. The left side is wrong by 14 roundings of |c|^2 |d|^2, c itself by four of
-// |c| + |origin|, which r is made larger by: what is relative to |c| only matters to the square's seventh
-// digit. The radius, half the box, is at most 2^-7 less than what a ball around the box's middle needs, which
-// is not the ball's own.
+// Of the children that are balls, those that the ray's line might hit: |c|^2 |d|^2 - (c.d)^2 <= r^2 |d|^2,
+// with c the vector to the centre. The error of the left side is at most 14 roundings of |c|^2 |d|^2. That of
+// c is at most four roundings of |c| + |origin|, which is added to r; the part relative to |c| changes the
+// square in its seventh digit only. The radius r is half of the box's largest side. It is at most 2^-7 too
+// small for a ball around the box's middle, which need not be the centre of the ball itself.
 inline LaneBits hitBalls(const BvhTraversal& s, const BvhNode& node) {
     FloatLanes squared = 0, along = 0, radius = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -39,11 +39,11 @@ inline LaneBits hitBalls(const BvhTraversal& s, const BvhNode& node) {
     return ~bits(reach < squared * length - along * along);
 }
 
-// A block's triangles seen along the line (sheared as by Woop, Benthin and Wald, Watertight Ray/Triangle
-// Intersection, 2013), on the block's grid, where every corner is within 2^17 of the line because the line
-// passes through the block's box.
+// A block's triangles seen along the line (sheared as in Woop, Benthin and Wald, Watertight Ray/Triangle
+// Intersection, 2013), in steps of the block's grid. Every corner is within 2^17 of the line, because the
+// line passes through the block's box.
 struct SeenTriangles {
-    double scale, depth;  // of the grid; of the line's start above the block's base
+    double scale, depth;  // grid steps per unit; the line's start above the block's base, in steps
     FloatLanes x[3], y[3];
 };
 
@@ -69,29 +69,31 @@ struct SeenTriangles {
     return seen;
 }
 
-// How far the line passes by the edge from corner a to corner b, times its length.
+// The edge function: the signed distance of the line from the edge from corner a to corner b, times the
+// edge's length.
 inline FloatLanes edge(const SeenTriangles& t, int a, int b) {
     return multiplySubtract(t.x[b], t.y[a], t.y[b] * t.x[a]);
 }
 
-// A coordinate is wrong by e: half a step of the grid in it and half in the depth, roundings (of numbers
-// below 2^18, so less than 1/16 in all), and what the hit itself may be off by.
+// The error of a coordinate, in steps: half a step of the grid in itself and half in the depth, roundings (of
+// numbers below 2^18, so less than 1/16 in all), and the error of the hit itself.
 inline float coordinateError(const BvhTraversal& s, const SeenTriangles& t) {
     return static_cast<float>(1.07 + 2 * s.slack * t.scale);
 }
 
-// Those of the triangles that a ray's line is surely outside of. NaN (an overflow) is not.
+// The triangles that a ray's line surely misses. NaN (an overflow) is not a miss.
 inline LaneBits missedByRay(const BvhTraversal& s, const SeenTriangles& t) {
-    // The products' error is 4 e 2^17 + 2 e^2, and their own roundings, 2^12 at most.
+    // e: the error of a coordinate. That of the products is 4 e 2^17 + 2 e^2, and their own roundings, 2^12
+    // at most.
     const float e = coordinateError(s, t), error = e * (0x1p19f * 1.01f + 4 * e);
     const FloatLanes u = edge(t, 1, 2), v = edge(t, 2, 0), w = edge(t, 0, 1);
     const FloatLanes least = min(u, min(v, w)), most = max(u, max(v, w));
     return bits(least < -error) & bits(error < most);
 }
 
-// Those that all of a beam's lines are surely outside of. They run beside its middle: by up to `beside` where
-// they pass the block's base, which moves all three corners alike and so counts by an edge's length only, and
-// by up to `parting` more on their way through the block.
+// The triangles that all of a beam's lines surely miss. A line differs from the middle one by up to `beside`
+// at the block's base. This moves all three corners alike, so it counts only in proportion to an edge's
+// length. On its way through the block the line differs by up to `parting` more.
 inline LaneBits missedByBeam(const BvhTraversal& s, const SeenTriangles& t) {
     const auto beside =
         static_cast<float>((s.originHalf * t.scale + s.shearHalf * std::abs(t.depth)) * (1 + 0x1p-20));

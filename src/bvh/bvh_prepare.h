@@ -1,4 +1,4 @@
-// The part of bvh_kernel.cpp, which alone includes it, that makes a ray or a beam ready for a traversal.
+// The part of bvh_kernel.cpp that prepares a ray or a beam for a traversal. Only that file includes it.
 #pragma once
 
 #include <algorithm>
@@ -18,17 +18,17 @@ namespace {
 
 constexpr double roundoff = 0x1p-24;  // of float
 
-// A ray from further out than this, in the tree's frame, would overflow.
+// The traversal of a ray from farther away than this, in the tree's frame, would overflow.
 constexpr double largestOrigin = 0x1p60;
 
-// The least component of a normalised direction, so that its inverse is finite and 0 * infinity = NaN cannot
-// occur. What it turns the ray by is allowed for in the origin's box.
+// The least component of a normalised direction: with it the inverse is finite, and 0 * infinity = NaN cannot
+// occur. The ray turns a little by that, for which the origin's box is enlarged.
 constexpr double leastDirection = 0x1p-40;
 
 // A beam that may meet more primitives than this is slower than its rays one by one (Notes.txt).
 constexpr double manyPrimitives = 128;
 
-// Four numbers of a vector: three axes', and one that is not used.
+// Operations on three axes' numbers; the fourth is not used.
 inline Double4 lesser(Double4 a, Double4 b) { return a < b ? a : b; }
 inline Double4 greater(Double4 a, Double4 b) { return a > b ? a : b; }
 inline Long4 signBits() { return Long4{} + std::numeric_limits<std::int64_t>::min(); }
@@ -40,17 +40,18 @@ inline Double4 withSign(Double4 x, Long4 sign) {
 }
 inline double greatest(Double4 x) { return std::max(x[0], std::max(x[1], x[2])); }
 
-// A beam in the tree's frame: where its rays start, and their direction's size along each axis and signs,
-// which are the same for all. A single ray's low and high are the same.
+// A beam in the tree's frame: a box of the rays' origins, and for each axis the least and the greatest
+// magnitude of their directions, and the sign, which is the same for all. A single ray has equal low and
+// high, least and most.
 struct FrameBeam {
     Double4 low, high, least, most;
     Long4 sign;
 };
 
-// What the distances of a node's planes are reckoned with. Of the planes that the rays enter by, the nearest
-// t of all is that of the nearest origin and the fastest direction; of those that they leave by, the farthest
-// t is that of the farthest origin and the slowest direction. (Where such a t is negative another one is
-// farther, but then the box is behind.) `margin`: how much larger to make the box of origins.
+// Sets the numbers for the distances of a node's planes. At the planes that the rays enter by, the least t is
+// that of the nearest origin and the fastest direction. At those that they leave by, the greatest t is that
+// of the farthest origin and the slowest direction. (Where such a t is negative another one is greater, but
+// then the box is behind.) `margin`: how much to enlarge the box of origins.
 [[gnu::always_inline]] inline void setSlabs(BvhTraversal& s, const FrameBeam& beam, double tScale,
                                             Double4 margin) {
     const Double4 atLeast = Double4{} + leastDirection;
@@ -69,10 +70,10 @@ struct FrameBeam {
     for (std::uint32_t axis = 0; axis < 3; ++axis) s.nearPlane[axis] = 2 * axis + (beam.sign[axis] != 0);
 }
 
-// The factor from the beam's t to the traversal's; 0 where it can't be used.
+// Returns the factor from the beam's t to the traversal's, or 0 where the tree cannot be used.
 [[gnu::always_inline]] inline double prepareInFrame(BvhTraversal& s, const BvhFrame& frame,
                                                     const FrameBeam& beam, double slack) {
-    // NaN compares false, or spreads through the sum where a comparison has passed it over.
+    // A NaN makes the comparisons below false; where one would ignore it, the sum `all` is NaN.
     const Double4 distance = greater(magnitude(beam.low), magnitude(beam.high));
     const double longest = greatest(beam.most), farthest = greatest(distance);
     const Double4 every = magnitude(beam.low) + magnitude(beam.high) + beam.least + beam.most;
@@ -82,18 +83,17 @@ struct FrameBeam {
           s.slack <= largestOrigin))
         return 0;
 
-    // The direction is brought to a length of 1 to 2 along its longest axis by a power of two.
+    // A power of two scales the direction, so that its largest component is in [1, 2).
     const double tScale = std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) >> 52 << 52);
-    // The slack; four times what leastDirection may do; four roundings of the origin: its own, that of the
-    // origin times the inverse, that of a plane times the inverse where multiplyAdd rounds twice, and one to
-    // spare.
+    // The slack; four times the effect of leastDirection; four roundings of the origin: its own, that of
+    // origin times inverse, that of plane times inverse where multiplyAdd rounds twice, and one to spare.
     const double spread = s.slack + 0x1p-38 * (farthest + frame.extent * frame.scale);
     setSlabs(s, beam, tScale, spread + 4 * roundoff * distance);
     if (frame.balls) s.ballMargin = static_cast<float>(spread + 0x1p-19 * farthest);
     return tScale;
 }
 
-// For triangles: which axis is which, the line's origin and shears.
+// For triangles: chooses the axes, and computes the line's origin and shears.
 inline void shearLine(BvhTraversal& s, Double4 origin, Double4 way, Double4 size) {
     std::memcpy(s.origin, &origin, sizeof origin);
     s.z = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
@@ -104,17 +104,17 @@ inline void shearLine(BvhTraversal& s, Double4 origin, Double4 way, Double4 size
     s.shearY = way[s.y] * perZ;
 }
 
-// Of a beam's middle line; the others' shears are within shearHalf of it, and they start within originHalf of
-// its start.
+// The same for a beam's middle line. The other lines have shears within shearHalf of its shears, and origins
+// within originHalf of its origin.
 inline void shearBeam(BvhTraversal& s, const FrameBeam& beam) {
     const Double4 middle = (beam.least + beam.most) * 0.5, half = (beam.most - beam.least) * 0.5;
     const Double4 apart = (beam.high - beam.low) * 0.5;
     shearLine(s, (beam.low + beam.high) * 0.5, withSign(middle, beam.sign), middle);
-    // a / b with a off by da, b by db: (da + |a / b| db) / (b - db).
+    // The error of a / b, with errors da and db: (da + |a / b| db) / (b - db).
     const double slowest = 1 / (beam.least[s.z] * (1 - 0x1p-40));
     const double shear = std::max(std::abs(s.shearX), std::abs(s.shearY));
     s.shearHalf = (std::max(half[s.x], half[s.y]) + shear * half[s.z]) * slowest;
-    // A depth that is off shifts the line by the shear.
+    // A difference in depth moves the line by the shear times that.
     s.originHalf = std::max(apart[s.x], apart[s.y]) + (shear + s.shearHalf) * apart[s.z];
 }
 
@@ -156,8 +156,8 @@ inline double prepareBeam(BvhTraversal& s, const BvhFrame& frame, const BvhBeam&
     const Double4 a = magnitude(wayLow), b = magnitude(wayHigh);
     const FrameBeam inFrame{low, high, lesser(a, b), greater(a, b), sign};
 
-    // Were the primitives a surface spread evenly over the tree's frame, the beam would meet the share of
-    // them that its cross section, at the frame's far end, has in the frame's.
+    // An estimate: of primitives spread evenly over a surface across the tree's frame, the beam hits the
+    // fraction that its cross section at the frame's far end is of the frame's cross section.
     const double extent = frame.extent * frame.scale, longest = greatest(inFrame.most);
     const double reach = greatest(magnitude(low)) + extent;
     const double width =

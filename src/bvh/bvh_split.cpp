@@ -9,10 +9,11 @@ namespace raytracer {
 namespace {
 
 constexpr int mostBins = 16;
-// Fewer than this need only half of the bins; for more, the longest axis will do. 16 and 64 change the
-// instructions of mesh and stress_test by -0.4 and +0.4 % (callgrind, 300 px).
+// Fewer primitives than this have half of the bins along all three axes; more have all bins along the longest
+// axis only. With 16 and 64 instead, the instructions for mesh and stress_test change by -0.4 and +0.4 %
+// (callgrind, 300 px).
 constexpr std::uint32_t fewPrimitives = 32;
-constexpr int medianDepth = 24;  // from here on halves, so that the depth is bounded: BvhTraversal::stackSize
+constexpr int medianDepth = 24;  // from here on halves, to bound the depth (BvhTraversal::stackSize)
 
 int longest(Float4 size) {
     return size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
@@ -23,14 +24,14 @@ int longest(Float4 size) {
 // Which bin a centre falls into.
 struct RangeSplitter::Binning {
     int count = mostBins / 2;
-    int firstAxis = 0, lastAxis = 2;  // between which a plane is looked for
+    int firstAxis = 0, lastAxis = 2;  // the axes along which a plane is looked for
     Float4 low, scale;
 
     explicit Binning(const Range& range) : low(range.centers.low) {
         const Float4 size = range.centers.high - range.centers.low;
         if (range.size() >= fewPrimitives) count = mostBins, firstAxis = lastAxis = longest(size);
         const float bins =
-            static_cast<float>(count) * (1 - 0x1p-20f);  // keeps the highest centre in the last one
+            static_cast<float>(count) * (1 - 0x1p-20f);  // keeps the highest centre in the last bin
         for (int axis = 0; axis < 4; ++axis)
             scale[axis] = size[axis] > 0 ? std::min(bins / size[axis], 0x1p100f) : 0;
     }
@@ -70,8 +71,8 @@ void RangeSplitter::split(const Range& range, int depth, bool onAllThreads, Rang
     else halve(range, left, right);
 }
 
-// Neighbours mostly fall into the same bin: in three sets of bins, none waits for the one before to be
-// stored.
+// Neighbours in the range mostly fall into the same bin. They use three sets of bins in turn, so that none
+// must wait until the one before it is stored. (The sets of the other two axes are free.)
 void RangeSplitter::binAlongOne(std::uint32_t begin, std::uint32_t end, const Binning& binning,
                                 Bins& bins) const {
     const int axis = binning.firstAxis;
@@ -99,7 +100,7 @@ void RangeSplitter::bin(std::uint32_t begin, std::uint32_t end, const Binning& b
     }
 }
 
-// None where all centres coincide.
+// No plane (axis -1) where all centres coincide.
 RangeSplitter::Plane RangeSplitter::best(const Range& range, const Binning& binning,
                                          bool onAllThreads) const {
     Bins bins(binning.count);
@@ -138,10 +139,11 @@ RangeSplitter::Plane RangeSplitter::best(const Range& range, const Binning& binn
     return best;
 }
 
-// Without branches, which a processor would foresee half of the time only (Lomuto's way).
+// Lomuto's scheme, without a branch: a processor would mispredict half of them.
 void RangeSplitter::partition(const Range& range, const Binning& binning, const Plane& plane, Range& left,
                               Range& right) const {
-    // What is added to a centre, so that it stays within the bounds of the side that it is not on.
+    // Added to a centre on the wrong side: its box becomes inverted and infinite, so it does not enlarge the
+    // bounds of that side.
     constexpr float infinite = BuildBox::infinite;
     constexpr Float4 beyond[2] = {{0, 0, 0, 0}, {infinite, infinite, infinite, infinite}};
     const auto bin = static_cast<float>(plane.bin), low = float{binning.low[plane.axis]},

@@ -1,6 +1,5 @@
-// Where a range of primitives is best split in two, and the splitting: what the tree's builder
-// (bvh_build.cpp) does again and again. By the surface area heuristic over bins (Wald, On fast Construction
-// of SAH-based Bounding Volume Hierarchies, 2007).
+// Finds where a range of primitives is best split in two, and splits it, for bvh_build.cpp. By the surface
+// area heuristic with bins (Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007).
 #pragma once
 
 #include <bit>
@@ -27,7 +26,7 @@ struct BuildBox {
     }
 };
 
-// A primitive to be sorted in: its box, and its number in the bits of low[3].
+// A primitive in the build: its box, and its number as the bits of low[3].
 struct PrimitiveReference {
     Float4 low, high;
     BuildBox box() const { return {low, high}; }
@@ -37,7 +36,7 @@ struct PrimitiveReference {
     float twiceCenter(int axis) const {
         return reinterpret_cast<const float*>(&low)[axis] + reinterpret_cast<const float*>(&high)[axis];
     }
-    // Twice the box's middle. Without the number, which as a denormal would be slow to add.
+    // Twice the box's centre. Leaves out the number in low[3]: as a denormal it would be slow to add.
     Float4 center() const {
         const Int4 mask{-1, -1, -1, 0};
         return std::bit_cast<Float4>(std::bit_cast<Int4>(low) & mask) + high;
@@ -60,14 +59,15 @@ class RangeSplitter {
     RangeSplitter(LargeVector<PrimitiveReference>& references, int threads, std::uint32_t leafSize)
         : references_(references), threads_(threads), leafSize_(leafSize) {}
 
-    // At the plane between two bins with the least surface area times full leaves on both sides; from a
-    // certain depth on, or where all centres coincide, into halves. Sorts the references of the range.
+    // Splits the range, and sorts its references accordingly. Splits at the plane between two bins where the
+    // sum of surface area times number of leaves, over both sides, is least. From a certain depth on, or
+    // where all centres coincide, splits into halves.
     void split(const Range& range, int depth, bool onAllThreads, Range& left, Range& right) const;
 
   private:
     struct Plane {
         int axis = -1;
-        int bin = 0;  // the first of the right side
+        int bin = 0;  // the first bin of the right side
         float cost = BuildBox::infinite;
         BuildBox left, right;
     };
@@ -77,7 +77,7 @@ class RangeSplitter {
     Plane best(const Range& range, const Binning& binning, bool onAllThreads) const;
     void bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const;
     void binAlongOne(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const;
-    // The surface of so many primitives times the leaves that they fill.
+    // Half of the surface area, times the number of leaves that so many primitives fill.
     float cost(const BuildBox& box, std::uint32_t count) const {
         const std::uint32_t leaves = (count + leafSize_ - 1) / leafSize_;
         return box.halfArea() * static_cast<float>(leaves);

@@ -42,7 +42,7 @@ std::vector<Coded> coded(std::span<const glm::vec3> points) {
 
 }  // namespace
 
-// A radix sort, digit by digit from the least.
+// A radix sort, from the least significant digit on.
 std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points) {
     if (points.empty()) return {};
     std::vector<Coded> order = coded(points), sorted(points.size());

@@ -1,12 +1,12 @@
-// How trees are built, and by which instructions they and packets of rays are worked on.
+// How trees are built, and the instruction set for trees and packets of rays.
 #pragma once
 
 #include "raytracer/numerics/instruction_set.h"
 
 namespace raytracer {
 
-// How the shapes that a ray meets are found: by trees (bvh.h), or, as the check, by trying all. The picture
-// is the same.
+// How the shapes that a ray hits are found: by trees (bvh.h), or, as a check, by testing all of them. The
+// picture is the same.
 enum class Accelerator { None, Bvh };
 
 struct BuildOptions {

@@ -1,4 +1,4 @@
-// An order in which what is near in space is near in the order.
+// An order of points in which neighbours in space are near each other.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,7 @@
 
 namespace raytracer {
 
-// The points' indices along a Morton curve (Morton 1966): of equal ones the first stays first. Points must be
-// finite.
+// The points' indices along a Morton curve (Morton 1966). The order is stable. Points must be finite.
 std::vector<std::uint32_t> spatialOrder(std::span<const glm::vec3> points);
 
 }  // namespace raytracer
