@@ -44,8 +44,8 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     eye_ = Vec3(frame.pointToFrame(camera.eye));
 }
 
-// point - eye = k (x u + y v + forward), or, orthographic, x u + y v + k forward, by Cramer's rule. Numbers
-// that are too large or too small for that compare false.
+// Solves point - eye = k (x u + y v + forward) or, orthographic, point - eye = x u + y v + k forward, by
+// Cramer's rule. Where numbers are too large or too small for that, the comparisons are false.
 std::optional<Vec2> Camera::uvOf(const Vec3& point) const {
     const Vec3 offset = point - eye_, across = glm::cross(u_, v_);
     const Real volume = glm::dot(across, forward_), k = glm::dot(offset, across) / volume;

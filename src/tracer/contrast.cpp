@@ -19,7 +19,7 @@ struct ColorRange {
     }
 };
 
-// Of three pixels side by side.
+// Finds, for each pixel of a row, the range of its own colour and its neighbours' in the row.
 void measureRow(std::span<const glm::dvec3> colors, std::span<ColorRange> ranges) {
     std::ranges::fill(ranges, ColorRange());
     for (std::size_t x = 0; x < colors.size(); ++x) {

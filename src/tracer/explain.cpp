@@ -68,7 +68,7 @@ class Recorder final : public Observer {
     RayExplanation take() { return std::move(open_.front()); }
 
   private:
-    // Primary rays keep the file's direction but for a power of two; secondary ones are of unit length.
+    // Primary rays have the file's direction, up to a power of two; secondary rays have unit length.
     int directionExponent(RayKind kind) const {
         return kind == RayKind::Primary ? scene_->camera.directionExponent() : 0;
     }
@@ -78,8 +78,8 @@ class Recorder final : public Observer {
     }
 
     const Scene* scene_;
-    LightExplanation light_;            // whose shadow ray comes first
-    std::vector<RayExplanation> open_;  // the ray being followed, under those that led to it
+    LightExplanation light_;            // the light in progress: `shadow` comes before `light`
+    std::vector<RayExplanation> open_;  // the ray in progress, after those that led to it
 };
 
 }  // namespace

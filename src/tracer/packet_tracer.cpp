@@ -1,6 +1,6 @@
-// Packets (packet_tracer.h). Compiled once for each instruction set, into a namespace of its own; nothing but
-// templates on Lanes may be compiled here that another file might share, or it would run where the
-// instruction set is not.
+// Packets (packet_tracer.h), compiled once for each instruction set, into a namespace of its own. Except for
+// templates on Lanes, nothing may be compiled here that another file might share: the linker keeps one copy
+// of it, which may then run on a processor without the instruction set.
 #include "raytracer/tracer/packet_tracer.h"
 
 #include "raytracer/numerics/ray_lanes.h"

@@ -9,11 +9,11 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// Fills in the points' colours.
+// Fills in the points' colours, by a packet or one point at a time.
 void traceAll(const Scene& scene, PointPacket& points, const RenderContext& context);
 
-// Calls take(owner, color, trace) for each point that is added, in that order; for the last ones in finish().
-// Each colour is its point's own, but neighbouring points are faster.
+// Calls take(owner, color, trace) for each point, in the order in which they were added; for the last ones in
+// finish(). A colour depends on its own point only, but neighbouring points are faster.
 template <class Take>
 class PointStream {
   public:

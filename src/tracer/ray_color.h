@@ -2,17 +2,17 @@
 //
 //   K_R I_R + K_T I_T + sum over lights (K_A I_AL + [K_D I_L (N.L) + K_S I_L (V.R)^n] S_L)
 //
-// T is Real for one ray, Lanes for a packet of them: each lane's colour has the bits that its ray has alone.
-// The rays of a packet go on together while at least three of them meet the same face of the same shape from
-// the same side (of a mesh, any triangle); the others go on alone. scene.cpp compiles this for Real and has
-// what is not a template; packet_tracer.cpp compiles it for Lanes.
+// T is Real for one ray, Lanes for a packet: a lane's colour has the bits that its ray has alone. The rays of
+// a packet go on together while at least three of them hit the same face of the same shape from the same side
+// (on a mesh, any triangle). The others go on alone. scene.cpp compiles this for Real, and has what is not a
+// template; packet_tracer.cpp compiles it for Lanes.
 #pragma once
 
 #include "raytracer/tracer/scene.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// tell(observer, lane), where there are observers.
+// Calls tell(observer, lane) for the active lanes, if there are observers.
 template <class T, class Tell>
 void observe(LaneBits active, const RenderContext& context, Tell tell) {
     if (context.samples->observer)
@@ -35,8 +35,8 @@ ColorT<T> Scene::rayColor(const RayT<T>& ray, LaneBits active, const RayPath& pa
     return color;
 }
 
-// Of each active lane the nearest hit; where another one is within rounding of it, the first listed of those
-// that go through the same point.
+// Finds the nearest hit of each active lane; where other hits are within rounding of it, the first listed of
+// those at the same point.
 template <class T>
 void Scene::closestHits(const RayT<T>& ray, HitQueryT<T>& query, const RenderContext& context) const {
     tree.meet(ray, query);

@@ -1,4 +1,4 @@
-// Watches rayColor for a point and keeps what each ray brings.
+// Records what each ray behind a point contributes.
 #pragma once
 
 #include "raytracer/tracer/ray_tree.h"
@@ -16,12 +16,12 @@ class RayTreeObserver final : public Observer {
     void terminate(RayKind, TerminationReason) override {}
     void leave(const Color& color) override;
 
-    // The point's tree, to the end of what is there; another point comes next.
+    // Appends the point's tree to `trees`, and is ready for another point.
     void moveTo(RayTrees& trees);
 
   private:
     std::vector<RayTreeNode> rays_;
-    std::vector<std::size_t> open_;  // the ray being followed, after those that led to it
+    std::vector<std::size_t> open_;  // the ray in progress, after those that led to it
     int max_recursion_ = 0;
 };
 

@@ -16,11 +16,12 @@ namespace {
 
 constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
 
-// What pilot samples may cast: the outcome is the same for any number of threads, whose work together is at
-// most theirs times as much.
+// The rays that pilot samples may cast together, which is also the limit of each thread. So the outcome is
+// the same for any number of threads, and n threads cast at most n times as many.
 std::uint64_t mostRaysOf(std::span<const glm::dvec2> points) { return mostRaysOfSample * points.size(); }
 
-// Does every job, on options.threads threads: each makes its work with workOf(context), and calls work(job).
+// Does every job, on options.threads threads. Each thread makes its `work` by workOf(context), and calls
+// work(job).
 template <class WorkOf>
 RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::size_t jobs,
                       ProgressListener* progress, std::uint64_t mostRays, WorkOf workOf) {
@@ -51,7 +52,7 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::siz
     };
     try {
         onTracingThreads(static_cast<std::uint32_t>(jobs), options, workOnJobs);
-    } catch (const TooManyRays&) {  // of one thread
+    } catch (const TooManyRays&) {  // with the counts of one thread
         throw TooManyRays(all());
     }
     if (all().onwards() > mostRays) throw TooManyRays(all());

@@ -1,4 +1,4 @@
-// Pictures of a scene, or what is seen at some points, on several threads.
+// Renders pictures of a scene, or the colours at some points, on several threads.
 #pragma once
 
 #include "raytracer/tracer/renderer.h"
@@ -7,11 +7,11 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// onThreads, with the stack that rays of options.max_recursion need. Throws Error where no thread has it.
+// As onThreads, with the stack that options.max_recursion needs. Throws Error where no thread can have it.
 void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
                       const std::function<void(JobQueue&)>& work);
 
-// As Renderer has them (renderer.h).
+// Renderer's functions (renderer.h), for a scene in this precision.
 RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
                            ProgressListener* progress, const FirstSamples* first);
 RenderCounts renderPoints(const Scene& scene, const RenderOptions& options,

@@ -23,8 +23,9 @@ Intersection Scene::closestIntersection(const Ray& ray, const RenderContext& con
     return query.found() ? query.nearest().shape->surfaceAt(ray, query.nearest()) : Intersection{};
 }
 
-// Of surfaces that lie apart t may be the same number, rounded. Whether one of them is before `nearest` is
-// seen from there, back along the ray. It counts if the ray itself, rounded, meets its shape.
+// Surfaces that lie apart may have the same rounded t. A ray from `nearest` back along `ray` shows whether a
+// surface lies before it. That surface counts if `ray` itself, rounded, hits its shape. Each round goes one
+// surface nearer; `passed` counts the surfaces left behind.
 Hit Scene::firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& context) const {
     for (unsigned passed = 0;; ++passed) {
         const Intersection place = nearest.shape->surfaceAt(ray, nearest);

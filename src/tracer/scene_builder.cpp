@@ -37,8 +37,8 @@ Light buildLight(const LightDescription& description, const SceneFrame& frame) {
 // Shapes that name the same OBJ file share its triangles.
 using MeshCache = std::map<const MeshData*, std::shared_ptr<const TriangleMesh>>;
 
-// The order in which many shapes are made, and so lie in memory: those that are near each other, which the
-// same rays meet, side by side.
+// The order in which shapes are made, and so lie in memory. Many shapes are ordered so that neighbours in
+// space, which the same rays hit, lie side by side.
 std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
     constexpr std::size_t many = 1000;  // fewer stay in a processor's cache
     std::vector<std::uint32_t> order(description.shapes.size());
@@ -47,8 +47,8 @@ std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
     std::vector<glm::vec3> places;
     places.reserve(order.size());
     for (const ShapeDescription& shape : description.shapes) {
-        // A matrix may put the shape elsewhere, and the place may be beyond float: then the order is a worse
-        // one.
+        // A matrix may put the shape elsewhere, and the place may be beyond float: then the order is only a
+        // worse one.
         const glm::vec3 place(description.transforms[shape.transform].translate.value_or(glm::dvec3(0)));
         places.push_back(
             glm::clamp(place, -std::numeric_limits<float>::max(), std::numeric_limits<float>::max()));
@@ -64,7 +64,7 @@ LargeVector<Shape> buildShapes(const SceneDescription& description, const SceneF
     const std::vector<std::uint32_t> order = orderOfMaking(description);
     for (std::size_t i = 0; i < order.size(); ++i) {
         const ShapeDescription& shape = description.shapes[order[i]];
-        // Composed anew: cheaper than to keep what was composed for the frame.
+        // Composed again: cheaper than to keep what chooseFrame composed.
         const Transform transform(frame.toFrame(worldFromObject(description, shape)));
         std::shared_ptr<const TriangleMesh> triangles;
         if (shape.mesh) {
@@ -88,8 +88,8 @@ Real brightestOf(const Scene& scene) {
     return maxComponent(brightest);
 }
 
-// How wide the picture is at a hit. Where the eye touches the shape: the shape's size, or how far the hit's
-// nearest light is.
+// The width of the picture at a hit. Where the eye touches the shape, at least the shape's size or the
+// distance of the nearest light from the hit, whichever is less.
 Real pictureWidth(const Scene& scene, const Ray& ray, const Intersection& hit) {
     const Transform& transform = hit.shape->transform();
     const Real width = scene.camera.width(hit.t);
@@ -100,10 +100,10 @@ Real pictureWidth(const Scene& scene, const Ray& ray, const Intersection& hit) {
     return std::max(least, width);
 }
 
-// Whether it is known well enough where the ray, as its shape sees it, hits. A point of the ray is put onto a
-// sphere, a cone or, along x and y, a cylinder, and of a very flat one it may be anywhere. On a cone an error
-// along one axis becomes one along the others, as it does where a ray leaves a mesh (Mesh::toObject). most:
-// in object space, on such a shape.
+// Whether the position of a hit is known well enough, as its shape sees the ray. Hits are projected onto a
+// sphere, a cone or, along x and y, a cylinder: on a very flat one the result may be anywhere, so the error
+// in object space must be at most `most`. On a cone an error along one axis causes errors along the others.
+// So it does where a ray leaves a mesh (Mesh::toObject).
 bool isPlaced(const Ray& ray, const Intersection& hit, const Real& width, const Real& most) {
     const Transform& transform = hit.shape->transform();
     const ShapeType type = hit.shape->type();
@@ -117,8 +117,8 @@ bool isPlaced(const Ray& ray, const Intersection& hit, const Real& width, const 
     return maxComponent(worldError) <= mostPositionError * width;
 }
 
-// Within what distance of a light there is a whole shape, of every step-th. Its shadow, or its mirror image
-// in the light's room, is as wrong as a ray that comes there from afar is in that distance.
+// The least distance from a light within which a whole shape lies, of every step-th shape. The error of a ray
+// that comes there from afar shows, relative to this distance, in the shape's shadow and in its mirror image.
 Real nearestToLight(const Scene& scene, std::size_t step) {
     Real nearest = infinity;
     for (const Light& light : scene.lights)
@@ -135,14 +135,14 @@ Real nearestToLight(const Scene& scene, std::size_t step) {
     return nearest;
 }
 
-// The most that a hit may be wrong by, of that distance.
+// The most that a hit may be wrong by, relative to that distance.
 constexpr Real mostShadowError = 1 / powerOfTwo(std::numeric_limits<Real>::digits / 5);
 
-// What is small, such as a wire, shows less of an error that is a part of its size.
+// A small shape, such as a wire, shows less of an error relative to its size.
 constexpr Real mostSmallError = 64 * mostPositionError;
 
 // Whether the hits of some camera rays are known well enough: of rays all over the picture, and of rays to
-// some shapes, which may be small.
+// the middle of some shapes, which may be small.
 bool isSharp(const Scene& scene) {
     constexpr int rays = 8;  // along an edge
     const RenderOptions options;
@@ -166,12 +166,12 @@ bool isSharp(const Scene& scene) {
         }
     for (std::size_t i = 0; i < scene.shapes.size(); i += step) {
         const auto uv = scene.camera.uvOf(scene.shapes[i].transform().translation());
-        if (uv && !isSharpAt(*uv, mostSmallError, mostPositionError)) return false;  // but for dust
+        if (uv && !isSharpAt(*uv, mostSmallError, mostPositionError)) return false;  // not of dust
     }
     return true;
 }
 
-// Whether Real's exponents are enough for these numbers.
+// Whether Real's range of exponents is wide enough for the scene's numbers.
 bool fits(const Scene& scene) {
     Real finest = 1, farthest = std::max(Real(1), scene.camera.farthest()), flattest = 1;
     for (const Light& light : scene.lights) farthest = std::max(farthest, maxComponent(abs(light.position)));

@@ -54,7 +54,7 @@ Extent extentOfShapes(const SceneDescription& scene) {
     return extent;
 }
 
-// Of all: the shapes, and the camera.
+// The extent of the shapes and the camera; where that has no size, also of planes and lights.
 Extent extentOf(const SceneDescription& scene, Extent extent) {
     extent.add(scene.camera.eye);
     if (extent.size() > 0) return extent;

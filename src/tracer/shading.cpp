@@ -6,7 +6,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// A column or row, a whole number, kept within the image; of a periodic one from -1 to `count`.
+// A column or row (a whole number) clamped to the image. A periodic one, from -1 to `count`, wraps around.
 std::size_t within(Real place, int count, bool periodic) {
     const auto last = static_cast<Real>(count - 1);
     if (periodic && place < 0) return static_cast<std::size_t>(last);

@@ -13,13 +13,14 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// With a ring of their neighbours, as far as the picture goes.
+// The tile with a ring of neighbouring pixels, as far as they are in the picture.
 PixelRectangle withRing(const PixelRectangle& tile, const ImageSize& size) {
     return {std::max(tile.x0 - 1, 0), std::max(tile.y0 - 1, 0), std::min(tile.x1 + 1, size.width),
             std::min(tile.y1 + 1, size.height)};
 }
 
-// One tile after another, in the same memory: a large allocation for each would go back to the system.
+// Renders one tile after another, in the same memory: a large allocation for each would go back to the
+// system.
 class Tile {
   public:
     Tile(const Scene& scene, const RenderContext& context, const FirstSamples* first, PixelSink& sink)
@@ -69,7 +70,7 @@ class Tile {
         contrasts_ = contrasts(colors_, {sampled_.width(), sampled_.height()}, leastContrast(options_.size));
     }
 
-    // Whether any pixel goes on.
+    // Drops the pixels that are done. Returns whether any others take more samples.
     bool leaveThoseDone(int taken) {
         if (options_.adaptive > 0)
             std::erase_if(active_, [&](const PixelPlace& place) {
@@ -129,11 +130,11 @@ class Tile {
     PixelRectangle tile_{}, sampled_{};
     std::vector<Pixel> pixels_;       // of sampled_
     std::vector<glm::dvec3> colors_;  // of sampled_
-    std::vector<double> contrasts_;   // of sampled_, where it matters
-    std::vector<PixelPlace> active_;  // those that take more samples
+    std::vector<double> contrasts_;   // of sampled_, where adaptive
+    std::vector<PixelPlace> active_;  // the pixels that take more samples
 };
 
-// As Tile does for one sample a pixel; a tenth of the instructions.
+// The same as Tile with one sample a pixel, in a tenth of the instructions.
 void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
                    PixelSink& sink) {
     const auto width = static_cast<std::size_t>(tile.width());

@@ -1,4 +1,4 @@
-// A tile of a picture: its pixels' colours, means of the colours seen at points of them.
+// A tile of a picture: the colours of its pixels, each a mean of the colours at points of the pixel.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// What renders one tile after another, on one thread. Each pixel's colour is its own, wherever the tile lies.
-// `first` may be null.
+// Makes a function that renders one tile after another, on one thread. A pixel's colour does not depend on
+// the tile that it is in. `first` may be null.
 std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, const RenderContext& context,
                                                         const FirstSamples* first, PixelSink& sink);
 

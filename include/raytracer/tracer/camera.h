@@ -9,9 +9,9 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// The assignment's camera: frame v = up, w = -look, u = v x w, taken as given. Positions are in the scene's
-// frame; the film is measured in units of a power of two and directions are scaled by one, so that no
-// magnitude of the file's numbers overflows.
+// The assignment's camera: the frame v = up, w = -look, u = v x w, used as given. Positions are in the
+// scene's frame. Film coordinates and directions are scaled by powers of two, so that no number of the file,
+// however large or small, overflows.
 class Camera {
   public:
     Camera() = default;
@@ -31,24 +31,25 @@ class Camera {
         return perspective_ ? RayT<T>{eye, onFilm + forward, {}} : RayT<T>{eye + onFilm, forward, {}};
     }
 
-    // The film coordinates where a point is seen, about; nothing where it is not in the picture.
+    // The approximate film coordinates at which a point is seen; nothing where it is not in the picture.
     std::optional<Vec2> uvOf(const Vec3& point) const;
 
-    // Along any axis, of the points where its rays start.
+    // The largest coordinate, along any axis, of the points where rays start.
     Real farthest() const;
 
-    // How wide the picture is at t of its rays: as many pixels as along its longer edge, by a pixel's shorter
-    // side.
+    // The width of the picture at t along its rays: the number of pixels along its longer edge, times the
+    // shorter side of a pixel.
     Real width(Real t) const;
 
-    // The largest number that its rays' directions (orthographic: origins) are sums of, in such widths.
+    // The largest number in the sums that make a ray's direction (orthographic: its origin), in units of
+    // width(1).
     Real reach() const;
 
-    // A ray's direction here is the scene file's divided by 2^directionExponent, in the frame's unit.
+    // A ray's direction here, in the frame's unit, is the scene file's divided by 2^directionExponent.
     int directionExponent() const { return directionExponent_; }
 
   private:
-    Vec3 film() const { return Real(2) * (abs(u_) + abs(v_)); }  // its coordinates are at most 2
+    Vec3 film() const { return Real(2) * (abs(u_) + abs(v_)); }  // film coordinates are at most 2
 
     bool perspective_ = true;
     Vec3 eye_{0}, u_{1, 0, 0}, v_{0, 1, 0};

@@ -1,11 +1,11 @@
-// Watches rayColor for one pixel and writes down what it sees.
+// Records the rays behind one pixel while rayColor traces them.
 #pragma once
 
 #include "raytracer/tracer/scene.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// In the scene file's units, whatever frame the scene computes in.
+// The explanation is in the scene file's units.
 RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, int x, int y);
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

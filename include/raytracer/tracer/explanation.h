@@ -19,13 +19,13 @@ struct LightExplanation {
     double N_L = 0, V_R = 0;     // 0 where the light is behind the surface, or mirrored away from the viewer
     glm::dvec3 diffuse{0};       // K_D I_L (N.L), before the shadow
     glm::dvec3 specular{0};      // K_S I_L (V.R)^n, before the shadow
-    bool shadowRayCast = false;  // there was something to take away
+    bool shadowRayCast = false;  // there was light to take away
     std::optional<std::size_t> shadowedBy;  // the shape that it hit first
     glm::dvec3 S_L{1};
     glm::dvec3 sum{0};  // the whole term
 };
 
-// Why a reflective or refractive surface sends no ray on.
+// Why a reflective or refractive surface casts no ray.
 enum class TerminationReason { None, MaxRecursion, Black, Cutoff, TotalInternalReflection };
 
 struct RayExplanation {
@@ -34,7 +34,7 @@ struct RayExplanation {
     glm::dvec3 weight{1};  // what its colour is multiplied by on the way to the pixel
     int max_recursion = 0;
 
-    bool hit = false;  // what follows says where
+    bool hit = false;  // what follows describes the hit
     std::size_t shape = 0;
     std::size_t primitive = 0;  // face in the order of the assignment, or triangle
     bool entering = true;       // the ray meets the exterior side of the normal

@@ -8,7 +8,7 @@
 
 namespace raytracer {
 
-// Calls function(pixels) for each packet's.
+// Calls function(pixels) with the pixels of each packet.
 template <class Function>
 void forEachPacket(const PixelRectangle& pixels, Function function) {
     for (int top = pixels.y0; top < pixels.y1; top += packetHeight)
@@ -17,7 +17,7 @@ void forEachPacket(const PixelRectangle& pixels, Function function) {
                                     std::min(top + packetHeight, pixels.y1)});
 }
 
-// Calls function(x, y) for each, packet by packet.
+// Calls function(x, y) for each pixel, packet by packet.
 template <class Function>
 void forEachInPacketOrder(const PixelRectangle& pixels, Function function) {
     forEachPacket(pixels, [&](const PixelRectangle& packet) {

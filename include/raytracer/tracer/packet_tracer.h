@@ -1,5 +1,5 @@
-// Rays in packets: those that lie together are followed side by side, in the lanes of vector registers. Their
-// colours are Scene::rayColor's own, to the bit; it is only faster.
+// Traces neighbouring rays in packets, side by side in the lanes of vector registers. Their colours are
+// bit-identical to those of Scene::rayColor for each ray alone, only faster.
 #pragma once
 
 #include "raytracer/numerics/packet_size.h"
@@ -7,14 +7,14 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// A few points of the picture, in pixels, (0, 0) at the top left; and what is seen there.
+// A few points of the picture, in pixels, (0, 0) at the top left, and the colours seen there.
 struct PointPacket {
-    static constexpr int width = packetWidth, height = packetHeight;  // pixels that fill it best
+    static constexpr int width = packetWidth, height = packetHeight;  // the pixels that fill it best
     static constexpr int most = width * height, least = 3;            // fewer are faster one at a time
 
     int count = 0;
     alignas(32) Real x[most], y[most];
-    alignas(32) Real color[3][most];  // within double
+    alignas(32) Real color[3][most];  // within the range of double
     SampleTrace samples[most];
 
     void add(Real pointX, Real pointY, Observer* observer = nullptr) {
@@ -34,7 +34,7 @@ struct PacketKernel {
 template <InstructionSet set>
 const PacketKernel& packetKernel();
 
-// The best that Real has up to this set; null where there is none.
+// The kernel of the best set up to this one for which Real has packets; null where there is none.
 const PacketKernel* packetKernel(InstructionSet set);
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

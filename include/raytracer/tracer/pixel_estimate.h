@@ -1,4 +1,4 @@
-// A pixel's colour by its samples so far, and the error that this is estimated to have: when to stop.
+// A pixel's colour from its samples so far, and an estimate of its error, which tells when to stop.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace raytracer {
 
-// How many samples a pixel has taken when it may stop: 1, 4, 8, 16 ... up to the limit.
+// The next number of samples at which a pixel may stop: 1, 4, 8, 16 ... up to the limit.
 inline int nextLevel(int samples, int limit) { return std::min(limit, samples == 1 ? 4 : 2 * samples); }
 
 class PixelEstimate {
@@ -27,12 +27,13 @@ class PixelEstimate {
     glm::dvec3 color() const { return sum_ / static_cast<double>(count_); }
     int samples() const { return count_; }
 
-    // What decides whether the pixel takes more samples: an estimate of the colour's error, of 1, weighted.
-    // The samples' own standard deviation s says how the error falls with n of them: as s / n^3/4, since they
-    // are spread evenly (edges; Mitchell 1996). But n samples that agree may still miss about 1/n of the
-    // pixel, which may differ by as much as its neighbourhood does. `contrast` is that of the 3 x 3 centres
-    // around it. The weight, (16 / n)^1/4 from the second sample on, lets a pixel of many samples keep more
-    // error: there a further sample lowers the picture's squared error, e^2, by only 1.5 e^2 / n.
+    // A weighted estimate of the colour's error (1 is from black to white): while it is too large, the pixel
+    // takes more samples. With n samples of standard deviation s, the error is about s / n^3/4, since they
+    // are spread evenly (for edges; Mitchell 1996). But n samples that agree may still miss about 1/n of the
+    // pixel, and that part may differ by as much as the neighbourhood does: `contrast` is that of the 3 x 3
+    // centres around the pixel. The weight is (16 / n)^1/4 from the second sample on. It lets a pixel of many
+    // samples keep more error, since there a further sample lowers the picture's squared error, e^2, by only
+    // 1.5 e^2 / n.
     double error(double contrast) const {
         if (count_ == 1) return contrast / 4;
         const auto n = static_cast<double>(count_);
@@ -47,7 +48,7 @@ class PixelEstimate {
         return std::sqrt(std::max(0.0, squares) / (3 * std::max(1.0, n - 1)));
     }
 
-    glm::dvec3 sum_{0}, first_{0}, difference_{0};  // the last one: from the first sample, as shown
+    glm::dvec3 sum_{0}, first_{0}, difference_{0};  // difference_: from the first sample, as shown
     double squares_ = 0;
     int count_ = 0;
 };

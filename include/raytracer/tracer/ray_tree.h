@@ -1,5 +1,5 @@
-// The ray trees behind some points of the picture, with each ray's contribution: they give the colours of
-// every smaller max_recursion and larger cutoff without another ray.
+// The ray trees behind some points of the picture, with each ray's contribution. They give the colours for
+// every smaller max_recursion and larger cutoff without tracing another ray.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 namespace raytracer {
 
 struct RayTreeNode {
-    glm::dvec3 light{0};        // of the lights and the ambient light at its hit, times the weight
-    glm::dvec3 weight{1};       // throughput: what the ray's colour is multiplied by in the point's
+    glm::dvec3 light{0};        // of all lights at its hit, with the ambient terms, times the weight
+    glm::dvec3 weight{1};       // throughput: the factor of the ray's colour in the point's colour
     std::uint16_t depth = 0;    // reflections and refractions before this ray
     std::uint16_t shadows = 0;  // shadow rays from its hit
 };

@@ -1,4 +1,4 @@
-// What the user asks of a render, and what it counted.
+// What the user asks of a render, and what a render has counted.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct Terms {
     bool operator==(const Terms&) const = default;
 };
 
-// Of a command line.
+// The most that a command line may ask for.
 inline constexpr int mostRecursion = 1000, mostSamples = 65536;
 
 struct RenderOptions {
@@ -42,11 +42,11 @@ struct RenderOptions {
     PicturePart part{};   // its tiles to render
     int max_recursion = 3;
     Pass pass = Pass::Color;
-    bool shadows = true, refraction = true;  // the terms that are not a matter of the materials' colours
+    bool shadows = true, refraction = true;  // the terms that keepTerms cannot take out of the materials
     int threads = 0;                         // 0: one for each processor
 
     // The knobs that trade speed for accuracy.
-    int samples = 1;      // of a pixel, at the first points of the sequence, box-filtered; 1: its centre
+    int samples = 1;      // for each pixel, at the first points of the sequence, box-filtered; 1: its centre
     double adaptive = 0;  // > 0: a pixel takes `samples` at most, and stops when its weighted error
                           // (pixel_estimate.h) is at most this
     double cutoff =
@@ -61,8 +61,8 @@ struct RenderCounts {
     std::uint64_t tests = 0;
     std::uint64_t limited =
         0;  // pixels that `samples` stopped while their weighted error was above `adaptive`
-    // The most that rays not cast for RenderOptions::cutoff can have changed any one pixel, of the samples
-    // taken: which ones `adaptive` takes it does not know.
+    // An upper bound on the change of any one pixel by the rays that RenderOptions::cutoff has left out, for
+    // the samples that were taken. That `adaptive` might have taken others with them is not included.
     double cutoffBound = 0;
 
     std::uint64_t onwards() const { return reflection + refraction; }

@@ -7,12 +7,13 @@
 
 namespace raytracer {
 
-// Sobol's (0, 2)-sequence, scrambled as by Owen: its points i 2^k to (i + 1) 2^k - 1 lie one in each cell of
-// every grid of 2^j x 2^(k - j) cells. Everything is done on whole numbers, so that it is the same
+// Sobol's (0, 2)-sequence with Owen scrambling: of its points i 2^k to (i + 1) 2^k - 1, one lies in each cell
+// of every grid of 2^j x 2^(k - j) cells. All arithmetic is on whole numbers, so the points are the same
 // everywhere. Scrambling by a hash: Burley, Practical Hash-based Owen Scrambling, JCGT 9 (4), 2020.
 class SampleSequence {
   public:
-    // Sequence 0 is the one of pictures. Its first point is the pixel's centre; that of others is anywhere.
+    // Sequence 0 is the one of pictures. Its first point is the pixel's centre; that of any other is
+    // anywhere.
     explicit SampleSequence(std::uint32_t number = 0)
         : seeds_{hash(2 * (best + number) + 1), hash(2 * (best + number) + 2)} {
         if (number != 0) return;
@@ -27,11 +28,11 @@ class SampleSequence {
   private:
     static constexpr std::uint32_t half = 1U << 31;
     static constexpr std::uint32_t best =
-        51;  // of 400, by the error at random edges; of 60, second on scenes
+        51;  // the best of 400 by the error at random edges; the second of 60 on scenes
 
     static double offset(std::uint32_t x) { return (x >> 8) * 0x1p-24; }  // exact in float too
 
-    // Sobol's second dimension, bits reversed: the polynomial over GF(2) with the bits of i, at 1 + z.
+    // Sobol's second dimension, with its bits reversed: the polynomial over GF(2) with i's bits, at 1 + z.
     static std::uint32_t pascal(std::uint32_t i) {
         i ^= i >> 16 & 0x0000ffffU;
         i ^= i >> 8 & 0x00ff00ffU;
@@ -40,8 +41,9 @@ class SampleSequence {
         return i ^ (i >> 1 & 0x55555555U);
     }
 
-    // Reverses the bits, then flips each one or not, by a hash of those above it (Laine and Karras 2011, with
-    // Burley's constants). x is reversed at first since a product's bits depend on those below.
+    // x: a number of Sobol's with its bits reversed. Reverses them again, and flips each one or not, by a
+    // hash of the bits above it (Laine and Karras 2011, with Burley's constants). The hash comes before the
+    // reversal, since a product's bits depend on those below them.
     std::uint32_t scrambled(std::uint32_t x, int axis) const {
         x += seeds_[axis];
         x ^= x * 0x6c50b47cU;

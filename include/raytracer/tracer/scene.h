@@ -1,4 +1,4 @@
-// A scene in Real, and the recursion that sees it.
+// A scene in Real, and the recursion that finds the colour of a ray.
 #pragma once
 
 #include <limits>
@@ -13,38 +13,38 @@
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// What is known of a ray beside its colour's formula: what its colour is multiplied by on the way to the
-// pixel, and how often it may still be reflected or refracted.
+// The state of the recursion at a ray: the factor of its colour in the pixel's (throughput), and how often it
+// may still be reflected or refracted.
 struct RayPath {
     Color weight{1};
     int max_recursion = 0;
     RayKind kind = RayKind::Primary;
 
-    // Of a ray that a surface sends on and whose colour it multiplies by `factor`.
+    // For a ray that is reflected or refracted, and whose colour is multiplied by `factor`.
     RayPath onwards(RayKind next, const Color& factor) const {
         return {withinBrightest(weight * factor), max_recursion - 1, next};
     }
 };
 
-// Bytes: more than a reflection or refraction takes of a thread's stack (test/tracer/core_stack.cpp measures
-// it): 6 KB for a packet, 2 KB for a ray alone; several times as much where nothing is inlined, or a
-// sanitizer guards it.
+// Bytes of a thread's stack for one reflection or refraction, more than it takes (test/tracer/core_stack.cpp
+// measures it): 6 KB for a packet, 2 KB for a ray alone; several times as much where nothing is inlined, or
+// with a sanitizer.
 inline constexpr std::size_t recursionStack = std::size_t{64} << 10;
 
-// What is kept for a camera ray beside its colour.
+// What is kept for a camera ray besides its colour.
 struct SampleTrace {
     double truncationBound = 0;  // an upper bound on what rays terminated by the cutoff change it by
     Observer* observer = nullptr;
 };
 
-// What a thread follows rays with.
+// What a thread traces rays with.
 struct RenderContext {
     const RenderOptions* options;
     const Color* brightest;  // by max_recursion, Scene::brightestColors; null where there is no cutoff
     RenderCounts* counts;
-    SampleTrace* samples = nullptr;  // of the rays followed now, one for each lane
+    SampleTrace* samples = nullptr;  // of the rays traced now, one for each lane
     std::uint64_t mostRays =
-        std::numeric_limits<std::uint64_t>::max();  // of counts->onwards(), else TooManyRays
+        std::numeric_limits<std::uint64_t>::max();  // in counts->onwards(); beyond it, TooManyRays
 
     RenderContext ofSamples(SampleTrace* which) const {
         return {options, brightest, counts, which, mostRays};
@@ -53,7 +53,8 @@ struct RenderContext {
 
 struct PacketKernel;  // packet_tracer.h
 
-// Made by scene_builder.h. What takes T is for one ray or several (ray_color.h); `active` says which lanes.
+// Made by scene_builder.h. A function with T is for one ray or several (ray_color.h); `active` are the lanes
+// in use.
 struct Scene {
     SceneFrame frame;
     Camera camera;
@@ -64,23 +65,23 @@ struct Scene {
     ShapeTree tree;                                        // of the shapes
     bool hasRefractiveShape = false;
     bool fits = true;  // in Real, as numerics.h has it; where not, the picture may be wrong
-    const PacketKernel* packets = nullptr;  // null: each ray alone
+    const PacketKernel* packets = nullptr;  // null: each ray is traced alone
 
     Scene() = default;
     Scene(const Scene&) = delete;  // shapes point to materials
 
-    // The nearest intersection with t >= 0; where surfaces coincide, with the one listed first.
+    // The nearest intersection with t >= 0; where surfaces coincide, that with the one listed first.
     Intersection closestIntersection(const Ray& ray, const RenderContext& context) const;
 
-    // The colour seen along a ray, and along one whose nearest hit is known.
+    // The colour seen along a ray, and along a ray whose nearest hit is known.
     Color rayColor(const Ray& ray, const RayPath& path, const RenderContext& context) const;
     Color hitColor(const Ray& ray, const Hit& hit, const RayPath& path, const RenderContext& context) const;
     template <class T>
     ColorT<T> rayColor(const RayT<T>& ray, LaneBits active, const RayPath& path,
                        const RenderContext& context) const;
 
-    // Upper bounds on a ray's colour, by the materials' and lights' colours alone: for max_recursion 0, 1,
-    // ...
+    // Upper bounds on a ray's colour for max_recursion 0, 1, ..., from the colours of the materials and
+    // lights alone.
     std::vector<Color> brightestColors(int max_recursion) const;
 
   private:
@@ -105,7 +106,8 @@ struct Scene {
     ColorT<T> refractedColor(const ShadingPointT<T>& point, LaneBits active, const RayPath& path,
                              const RenderContext& context) const;
     static void count(std::uint64_t& kind, unsigned rays, const RenderContext& context);
-    // For all rays that meet the same material alike; and what comes of it.
+    // Why a surface casts no ray onwards: the same for all rays that hit one material. `terminate` records
+    // it.
     TerminationReason terminationReason(const RayPath& onwards, const Color& factor,
                                         const RenderContext& context) const;
     void terminate(LaneBits lanes, const RayPath& onwards, TerminationReason reason,

@@ -15,8 +15,8 @@ namespace raytracer {
 struct SceneFrame {
     int exponent = 0;       // one unit here is 2^exponent of the file's
     ExtendedVec origin{0};  // in the file's units
-    // From the middle of the shapes to the camera, in their size; planes have none. 0 where there are no
-    // others.
+    // The distance of the camera from the middle of the shapes, in units of their size. Planes do not count;
+    // 0 where there are only planes.
     long double eyeDistance = 0;
 
     // A position of the file, in this frame.
@@ -26,7 +26,7 @@ struct SceneFrame {
     Affine toFrame(const Affine& worldFromObject) const;
 };
 
-// Looks at the camera and at every shape of finite size; where these have no extent at all, at planes and
+// Chosen by the camera and every shape of finite size; where these together have no extent, by planes and
 // lights too.
 SceneFrame chooseFrame(const SceneDescription& scene);
 

@@ -12,8 +12,8 @@ using ColorT = Vec3T<T>;
 // The nearest texel.
 Color lookUp(const Texture& texture, const Vec2& texCoord);
 
-// The four texels around, weighted by nearness; beyond the image's edge its last ones or, where it is
-// periodic, those of the opposite edge.
+// The four nearest texels, weighted by nearness. Beyond the image's edge come its last texels again or, where
+// it is periodic, those of the opposite edge.
 Color lookUpBilinear(const Texture& texture, const Vec2& texCoord, const Periodic& periodic);
 
 // A hit as the light model sees it: the symbols of the assignment.
@@ -22,21 +22,20 @@ struct ShadingPointT {
     ShadingPointT(const RayT<T>& ray, const IntersectionT<T>& hit, bool bilinear);
 
     const IntersectionT<T>* hit;
-    Vec3T<T> V;  // unit, towards the ray's origin
-    Vec3T<T> N;  // unit, the normal turned to the side that the ray comes from
-    bool
-        entering;  // the ray meets the exterior side; N is turned by it, though V.N may be 0 but for rounding
+    Vec3T<T> V;     // unit, towards the ray's origin
+    Vec3T<T> N;     // unit, the normal turned to the side that the ray comes from
+    bool entering;  // the ray hits the exterior side; it turns N, since V.N may be 0 up to rounding
     ColorT<T> K_D;  // color_diffuse times the texture's colour
 
-    // The one maker of secondary rays: from this point, on the side that the ray came from or on the other
-    // one.
+    // The only maker of secondary rays: from this point, on the side that the ray came from (Near) or on the
+    // other one (Far).
     enum class Side { Near, Far };
     RayT<T> leave(const Vec3T<T>& direction, Side side) const;
 };
 using ShadingPoint = ShadingPointT<Real>;
 
-// One light's share: K_A I_AL, which always counts, and K_D I_L (N.L) + K_S I_L (V.R)^n, which a shadow takes
-// away.
+// One light's contribution: K_A I_AL, which always counts, and K_D I_L (N.L) + K_S I_L (V.R)^n, which a
+// shadow takes away.
 template <class T>
 struct DirectLightT {
     ColorT<T> ambient{0}, diffuse{0}, specular{0};
@@ -91,8 +90,8 @@ DirectLightT<T> directLight(const ShadingPointT<T>& point, const Light& light) {
     result.ambient = ColorT<T>(material.color_ambient * light.color_ambient);
     result.toLight = Vec3T<T>(light.position) - point.hit->position;
 
-    // A light in the surface's own plane lights nothing; whether it is must not be left to rounding, since
-    // the specular term would jump from nothing to all.
+    // A light in the surface's own plane lights nothing. Rounding must not decide whether a light is in the
+    // plane: the specular term would jump from nothing to all.
     const Vec3T<T> error = point.hit->positionError + T(gamma(4)) * abs(result.toLight);
     const Truth<T> before = glm::dot(point.N, result.toLight) > glm::dot(abs(point.N), error);
     if (!any(before)) return result;
@@ -110,13 +109,13 @@ DirectLightT<T> directLight(const ShadingPointT<T>& point, const Light& light) {
     return result;
 }
 
-// The direction in which the viewer sees a mirror image.
+// The direction of the mirror image that the viewer sees.
 template <class T>
 Vec3T<T> reflectedDirection(const ShadingPointT<T>& point) {
     return mirrored(point.V, point.N);
 }
 
-// By Snell's law; false on total internal reflection.
+// The direction by Snell's law; false on total internal reflection.
 template <class T>
 Truth<T> refractedDirection(const ShadingPointT<T>& point, Vec3T<T>& direction) {
     const Real ior = point.hit->material->index_of_refraction;

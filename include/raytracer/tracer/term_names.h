@@ -1,4 +1,4 @@
-// Terms and passes by name, as a command line and the stages of the course have them.
+// Terms and passes by the names that the command line and the stages of the course use.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ constexpr Pass passNamed(std::string_view name) {
 
 inline constexpr Terms noTerms{false, false, false, false, false, false, false};
 
-// Of a comma-separated list without blanks; of an empty one all.
+// The terms of a comma-separated list without blanks; all of them for an empty one.
 inline Terms termsNamed(const std::string& list) {
     if (list.empty()) return {};
     Terms terms = noTerms;
