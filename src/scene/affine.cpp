@@ -36,7 +36,7 @@ SineCosine sineCosine(double degrees) {
     return {std::sin(radians), std::cos(radians)};
 }
 
-// Scaled first, so that no square overflows or underflows, however wide long double is.
+// Scales first, so that no square overflows or underflows, however wide long double is.
 ExtendedVec normalised(const glm::dvec3& vector) {
     const int exponent = std::ilogb(std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)}));
     const ExtendedVec nearUnit = scaled(vector, -exponent);
@@ -71,8 +71,8 @@ Extended balance(const ExtendedVec& v) {
     return std::ldexp(Extended(1), -exponent);
 }
 
-// B = diag(row) A diag(column), where the largest entry of every row and column is near 1. Columns come
-// first: of a rotation after scales that differ by any factor, they leave the rotation.
+// B = diag(row) A diag(column), where the largest entry of every row and column is near 1. Columns are scaled
+// first: where A is a rotation after scales that differ by any factor, only the rotation is left.
 struct Balanced {
     Rows entry;
     ExtendedVec row, column;
@@ -134,7 +134,7 @@ void Elimination::eliminate(int step) {
     }
 }
 
-// Scales by positive factors: most matrices do no more.
+// Whether the matrix only scales, by positive factors, as most do.
 bool isPositiveDiagonal(const Rows& a) {
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)

@@ -1,4 +1,4 @@
-// Keys that other programs have, and what is instead of them.
+// Keys of other programs, and what to write instead.
 #pragma once
 
 #include <span>
@@ -6,13 +6,13 @@
 
 namespace raytracer {
 
-// In an object that may have the key `beside`, that is what `key` means, or if there is one, `why` says what
-// has its place.
+// In an object that may have the key `beside`, the foreign `key` means that one. Where there is a `why`, it
+// says what to write instead.
 struct ForeignKey {
     std::string_view key, beside, why{};
 };
 
-// The one for a key, in small or large letters, of an object with these known keys; null where there is none.
+// The entry for a key, in upper or lower case, of an object with these known keys; null where there is none.
 const ForeignKey* foreignKey(std::string_view key, std::span<const std::string_view> known);
 
 }  // namespace raytracer

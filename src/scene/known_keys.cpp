@@ -10,7 +10,7 @@ namespace raytracer {
 namespace {
 constexpr std::size_t mostWarnings = 20;  // what fits a terminal
 
-// For a message, the first few of them.
+// The first few keys, for a message.
 std::string keysOf(std::span<const JsonView> members) {
     constexpr std::size_t most = 3;
     std::vector<std::string> keys;
@@ -45,7 +45,8 @@ JsonView JsonObject::operator[](std::string_view key) const {
     json_.fail(expected + "none");
 }
 
-// In an object below, for want of a bracket; a text may be anything's.
+// Finds a key that is missing in this object in an object below it: a bracket may be wrong. Strings do not
+// count: many objects have a string of the same key.
 std::optional<JsonView> JsonObject::findInside(std::string_view key) const {
     for (const JsonView member : json_.members()) {
         if (member.kind() != JsonDocument::Kind::Object) continue;
@@ -55,7 +56,7 @@ std::optional<JsonView> JsonObject::findInside(std::string_view key) const {
     return {};
 }
 
-// What the object has already is not meant, but by --set, which puts another value there.
+// A key that the object has already is not meant, except by --set, which replaces its value.
 std::string JsonObject::meantBy(JsonView member) const {
     const auto mayBe = [&](std::string_view key) { return member.hasEditedKey() || !find(key); };
     if (const ForeignKey* const other = foreignKey(member.key(), known_))

@@ -1,5 +1,5 @@
-// Checks the keys of objects. An unknown key is a warning with the nearest known one, or an Error in a
-// value of --set. A required key that is missing is an Error with the unknown key that may have been meant.
+// Checks the keys of objects. An unknown key is a warning with the nearest known one; in a value of --set it
+// is an Error. A required key that is missing is an Error with the unknown key that may have been meant.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,8 @@ class JsonObject {
     JsonView operator[](std::string_view key) const;  // throws Error if it is missing
     std::optional<JsonView> find(std::string_view key) const { return json_.find(key); }
 
-    // The key that an unknown member's probably means, or nothing; and what to do about it.
+    // The known key that an unknown member probably means, or nothing; and a message with what to do about
+    // it.
     std::string meantBy(JsonView member) const;
     std::string whyUnknown(JsonView member) const;
 
@@ -43,18 +44,18 @@ class KnownKeys {
     // `known` must outlive the result.
     JsonObject check(JsonView json, std::span<const std::string_view> known);
 
-    // Throws Error if an unknown key probably means this one: what should be there is missing for that.
+    // Throws Error if an unknown key probably means this one: then that is why something is missing.
     void requireNamed(const std::string& key) const;
 
-    // One line each, as what() of an Error about the file `path`. The last line counts those after the first
-    // few: in a scene of a million shapes, each may have a comment.
+    // One line each, as what() of an Error about the file `path`. Only the first few are shown, and the last
+    // line counts the others: in a scene of a million shapes, each may have a key for a comment.
     std::vector<std::string> warnings(const std::string& path) const;
 
   private:
     void warn(const JsonObject& object, JsonView member);
 
     std::vector<std::string> warnings_;
-    std::map<std::string, Error> misnamed_;  // the first key that means each
+    std::map<std::string, Error> misnamed_;  // by what it means, the first such key
     std::size_t notShown_ = 0;
 };
 

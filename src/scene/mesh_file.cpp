@@ -22,7 +22,7 @@ namespace {
 // Some milliseconds of parsing: much longer than a thread takes to start, and short enough for an even load.
 constexpr std::size_t chunkBytes = std::size_t{1} << 20;
 
-// Where the first line begins after `from` that is not the continuation of another (by a backslash).
+// Where the first line after `from` begins that does not continue another one (by a backslash).
 std::size_t nextLineBegin(std::string_view text, std::size_t from) {
     std::size_t newline = text.find('\n', from);
     while (newline != text.npos && endsInBackslash(text.substr(0, newline)))
@@ -43,7 +43,7 @@ std::vector<std::string_view> splitAtLines(std::string_view text, std::size_t ch
     return chunks;
 }
 
-// The text with a newline for each carriage return that is a line end alone.
+// The text with a newline in place of each carriage return that is a line end on its own.
 std::string withNewlines(std::string_view text) {
     std::string result(text);
     for (std::size_t i = result.find('\r'); i != result.npos; i = result.find('\r', i + 1))
@@ -58,14 +58,14 @@ ObjCounts sumAbove(std::vector<ObjCounts>& counts) {
     return whole;
 }
 
-// A line with one could pass for a line that has no meaning here.
+// A line with a NUL could pass for a line that is ignored.
 [[noreturn]] void failAtNul(std::string_view text, const std::string& path) {
     const auto lines = std::ranges::count(text.substr(0, text.find('\0')), '\n');
     throw Error({.file = path, .line = static_cast<std::size_t>(lines) + 1},
                 "a NUL byte, which no OBJ mesh has");
 }
 
-// A header of 80 bytes, the number of triangles, and 50 bytes for each.
+// Binary STL is a header of 80 bytes, the number of triangles, and 50 bytes for each.
 bool isBinaryStl(std::string_view text) {
     constexpr std::size_t header = 80, begin = header + 4, triangle = 50;
     std::size_t count = 0;
@@ -88,10 +88,10 @@ void requireUsable(const ObjCounts& whole, const std::string& path) {
         throw Error({path}, "no vertices and no faces, so not an OBJ mesh");
     if (whole.faces == 0)
         throw Error({path}, "vertices, but no faces: save it with faces (lines like f 1 2 3)");
-    // noTexCoord is no index.
+    // noTexCoord is not a valid index.
     if (std::max(whole.positions, whole.texCoords) >= MeshData::noTexCoord)
         throw Error({path}, "too many vertices: indices have 32 bits");
-    // A triangle and its part of the tree (bench/README.md), while the tree is built.
+    // The memory of a triangle and its part of the tree (bench/README.md), while the tree is built.
     constexpr double triangleBytes = 80;
     requireMemory(path, std::to_string(whole.triangles) + " triangles",
                   triangleBytes * static_cast<double>(whole.triangles) +
@@ -127,8 +127,8 @@ double leastCoordinate(const MeshData& mesh) {
     return least;
 }
 
-// Of a triangle, relative to `largest`: the root of the product of its two least extents that are not zero,
-// as a triangle's area is made of such products. Infinite where it has no area.
+// The size of a triangle relative to `largest`: the root of the product of its two least half extents that
+// are not zero. A triangle's area is made of such products. Infinite where it has fewer than two.
 double sizeOfTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double largest) {
     const glm::dvec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
     double least = std::numeric_limits<double>::infinity(), second = least;
@@ -150,8 +150,9 @@ double leastTriangle(const MeshData& mesh, double largest) {
     return least;
 }
 
-// Relative to the largest coordinate. Triangles need no look where no coordinate is small: two floats of
-// 2^-28 or more are equal or 2^-52 apart, whose square is far from the ends of any precision.
+// Relative to the largest coordinate. Where no coordinate is small, triangles need not be examined: two
+// floats of 2^-28 or more are equal or at least 2^-52 apart. The square of that is far from the ends of any
+// precision.
 double finestOf(const MeshData& mesh, double largest, double least) {
     double finest = 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -170,7 +171,7 @@ void MeshData::chooseUnit() {
     constexpr int leastExponent = std::numeric_limits<double>::min_exponent - 1;
     const int more = std::min(std::ilogb(largest), std::max(0, std::ilogb(least) - leastExponent));
     if (more < std::ilogb(largest)) finest = least / largest;  // there is no such unit in double
-    // Twice half of it: 2^-more may itself be beyond double.
+    // In two steps: 2^-more itself may be beyond double.
     const double first = std::ldexp(1.0, -more / 2), second = std::ldexp(1.0, more / 2 - more);
     const auto scale = [&](glm::dvec3& p) { p = p * first * second; };
     std::ranges::for_each(positions, scale);

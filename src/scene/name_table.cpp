@@ -30,7 +30,7 @@ std::size_t NameTable::find(JsonView name) {
     name.fail(unknown + (nearest.found() ? nearest.question() : someNames()));
 }
 
-// What there is, if it is not much.
+// The names that there are, if they are few and short.
 std::string NameTable::someNames() const {
     constexpr std::size_t most = 3, longest = 40;  // fits a terminal's line
     std::vector<std::string> names;

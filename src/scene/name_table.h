@@ -17,7 +17,7 @@ class NameTable {
     // `kind` is a word for messages, as in "no material named ...".
     explicit NameTable(const char* kind) : kind_(kind) {}
 
-    // Gives `name`, which must outlive the table, the next index, from 0. Throws Error at `owner` if the name
+    // Gives `name` the next index, from 0. `name` must outlive the table. Throws Error at `owner` if the name
     // is in use.
     void add(std::string_view name, JsonView owner);
 

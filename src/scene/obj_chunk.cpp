@@ -12,8 +12,8 @@
 namespace raytracer {
 namespace {
 
-// The index, from 0, for an index of a face as written: above 0 it counts from 1 in the whole file, below 0
-// backwards from the face.
+// The index, from 0, for an index as a face has it: above 0, it counts from 1 in the whole file; below 0, it
+// counts backwards from the face.
 std::uint32_t resolve(const ObjLine& line, std::int64_t written, std::size_t above, std::size_t whole,
                       const char* what) {
     const auto count = static_cast<std::int64_t>(written > 0 ? whole : above);
@@ -123,10 +123,11 @@ bool hasReturns(std::string_view text) {
     return at != text.npos;
 }
 
-// Where the corners of a polygon stand in the fan of its triangles.
+// The place in a polygon's fan where a corner first appears.
 std::size_t placeInFan(std::size_t corner) { return corner < 2 ? corner : 3 * (corner - 2) + 2; }
 
-// Gives the polygon's fan, of which `index` has the corners, other triangles of the same corners.
+// Replaces the triangles of a polygon's fan, whose corners are in `index`, by other triangles of the same
+// corners.
 void replaceFan(std::span<std::uint32_t> index, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     const std::vector<std::uint32_t> fan(index.begin(), index.end());
     std::uint32_t* to = index.data();

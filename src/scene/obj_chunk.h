@@ -1,6 +1,6 @@
-// One chunk of an OBJ file: whole lines of its text. Each chunk is first counted, then parsed with the counts
-// above it and of the whole file. So chunks can be parsed in parallel, and an error is the same as in one
-// pass.
+// One chunk of an OBJ file: whole lines of its text. Each chunk is counted first. Then it is parsed with two
+// counts: of everything above it, and of the whole file. So chunks can be parsed in parallel, and an Error is
+// the same as in one pass.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct ObjCounts {
     ObjCounts& operator+=(const ObjCounts& other);
 };
 
-// What else is to be known of a chunk's faces.
+// What is known of a chunk's faces besides the mesh.
 struct ObjFaces {
     // A face of more than three corners: the fan of its triangles.
     struct Polygon {
@@ -37,18 +37,19 @@ struct ObjChunk {
     const std::string& path;  // of the whole file, for errors
 };
 
-// Counts nothing where a line ends in a carriage return alone.
+// Counts nothing in a chunk that has either of hasReturns and hasNul.
 ObjCounts countObjChunk(std::string_view chunk);
 
 // Fills the chunk's part of the mesh, whose vectors have their final sizes already (texCoordIndex where there
 // are texture coordinates). Throws Error at the first line with a mistake.
 ObjFaces parseObjChunk(const ObjChunk& chunk, const ObjCounts& above, const ObjCounts& whole, MeshData& mesh);
 
-// Replaces the fans of polygons that are not convex by triangles that cover them exactly. All positions of
-// the mesh must be there.
+// Replaces the fans of polygons that are not convex by triangles that cover exactly the polygon. All
+// positions of the mesh must have been parsed.
 void cutConcavePolygons(const ObjFaces& faces, MeshData& mesh);
 
-// The whole text in so many chunks, in parallel. Neither the mesh nor an Error depends on their number.
+// Parses the whole text in so many chunks, in parallel. Neither the mesh nor an Error depends on their
+// number.
 MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path = {});
 
 // Throws Error where a mesh of so many triangles is too large.

@@ -66,7 +66,7 @@ void ObjLine::fail(const std::string& message) const {
     throw Error({.file = std::string(path_), .line = number_}, message);
 }
 
-// Of an index that is 0, or was read as 0, since it does not fit.
+// For an index that is 0, or that is read as 0 because it does not fit.
 void ObjLine::failIndex(std::string_view written) const {
     const bool isZero = written.find_first_of("123456789") == written.npos;
     failWord(isZero ? "indices begin at 1 or -1, found " : "no mesh has such an index: ");

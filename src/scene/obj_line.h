@@ -1,6 +1,6 @@
-// The lines of an OBJ file and the words of a line. After a backslash at its end, which blanks may follow, a
-// line continues in the next, unless the backslash is in a comment (which may end in a path). A comment may
-// stand right behind a word.
+// The lines of an OBJ file and the words of a line. A backslash at the end of a line, which blanks may
+// follow, continues it in the next line. In a comment it does not: a comment may end in a path. A comment may
+// follow a word without a blank.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines)
 // Reads a line from left to right. Throws Error with the line's number.
 class ObjLine {
   public:
-    // `path` and `number` are for errors; keyword() has none.
+    // `path` and `number` are for errors; keyword() throws none.
     explicit ObjLine(std::string_view line, std::string_view path = {}, std::size_t number = 0)
         : p_(line.data()), end_(p_ + line.size()), path_(path), number_(number) {}
 
@@ -51,7 +51,7 @@ class ObjLine {
     double number();
 
     // A corner of a face as written: v, v/vt, v//vn or v/vt/vn, where what follows a slash may be missing. 0:
-    // left out. A normal may be any whole number, since none is used.
+    // left out. A normal may be any whole number, since normals are ignored.
     struct Corner {
         std::int64_t position = 0, texCoord = 0;
     };
@@ -77,11 +77,12 @@ class ObjLine {
         p_ += isSlash;
         return isSlash;
     }
-    // A line end inside a line follows a backslash.
+    // A line end within a line comes after a backslash.
     bool isAtBlank() const { return isObjBlank(*p_) || *p_ == '\n' || (*p_ == '\\' && isAtContinuation()); }
     bool isAtContinuation() const;
     bool isAtWordEnd() const { return p_ == end_ || (!isPlain(*p_) && (*p_ == '#' || isAtBlank())); }
-    // Most of what words are of: neither a blank nor the sign of a comment or continuation.
+    // A fast test: true of most characters of words, never of a blank or the start of a comment or
+    // continuation.
     static bool isPlain(char c) { return c > '#' && c != '\\'; }
     void skipWord() {
         while (!isAtWordEnd()) ++p_;

@@ -23,8 +23,8 @@ WideInteger twiceArea(const PlanePoint& a, const PlanePoint& b, const PlanePoint
            static_cast<WideInteger>(b.y - a.y) * (c.x - a.x);
 }
 
-// Times the power of two that makes the largest coordinate 1/2 to 1. Two steps, since a double may not hold
-// that power.
+// Scales by the power of two that brings the largest coordinate into [1/2, 1). In two steps, since a double
+// may not hold that power.
 void scaleToUnit(std::vector<glm::dvec3>& points) {
     double largest = 0;
     for (const glm::dvec3& p : points)
@@ -37,7 +37,7 @@ void scaleToUnit(std::vector<glm::dvec3>& points) {
 
 bool areTogether(const PlanePoint& a, const PlanePoint& b) { return distance(a, b) <= 4; }
 
-// Of neighbours that lie together the first: the others hide how the outline turns there.
+// Keeps the first of neighbours that lie together: the others hide how the outline turns there.
 std::vector<PlanePoint> apart(std::span<const PlanePoint> polygon) {
     std::vector<PlanePoint> corners;
     std::ranges::unique_copy(polygon, std::back_inserter(corners), areTogether);
@@ -62,8 +62,8 @@ int clearSideOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
     return (area > roundings) - (area < -roundings);
 }
 
-// Two candidates; the one whose sequence proves greater moves on, behind all that was compared (Shiloach,
-// Fast Canonization of Circular Strings, 1981).
+// Compares the rotations at two candidates. The candidate with the greater one moves on, behind all that was
+// compared (Shiloach, Fast Canonization of Circular Strings, 1981).
 std::size_t leastCorner(std::span<const glm::dvec3> corners) {
     const std::size_t count = corners.size();
     std::size_t first = 0, second = 1, same = 0;
@@ -108,7 +108,7 @@ bool isConvex(std::span<const PlanePoint> polygon) {
         const PlanePoint &before = polygon[(i + count - 1) % count], &here = polygon[i],
                          &after = polygon[(i + 1) % count];
         if (areTogether(here, after)) return isConvex(apart(polygon));
-        // The second one finds a polygon that goes round more than once.
+        // The second test finds a polygon that goes round more than once.
         if (clearSideOf(before, here, after) < 0 || clearSideOf(polygon[0], here, after) < 0) return false;
     }
     return true;

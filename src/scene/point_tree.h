@@ -1,4 +1,4 @@
-// The points of a set, from which points are taken away, in a k-d tree (Bentley 1975) of two dimensions.
+// A set of points in a k-d tree (Bentley 1975) of two dimensions, from which points can be removed.
 #pragma once
 
 #include <algorithm>
@@ -37,8 +37,8 @@ class PointTree {
         left_[place] = false;
     }
 
-    // Whether `test` is true of any of the points in those boxes of which `mayHold` is true. Asks no more
-    // once it is.
+    // Whether `test` is true of any of the points in those boxes of which `mayHold` is true. Stops at the
+    // first one.
     template <class MayHold, class Test>
     bool any(MayHold mayHold, Test test) const {
         constexpr std::int64_t beyond = std::int64_t{1} << 52;
@@ -46,7 +46,7 @@ class PointTree {
     }
 
   private:
-    // The points order_[begin] to order_[end - 1], the middle one of which parts the others along an axis.
+    // The points order_[begin] to order_[end - 1]. The middle one separates the others along an axis.
     struct Node {
         std::uint32_t begin, end;
         bool byY;
@@ -82,9 +82,9 @@ class PointTree {
     }
 
     std::vector<PlanePoint> points_;
-    std::vector<std::uint32_t> order_, place_;  // of each point in order_
-    std::vector<bool> left_;                    // by place
-    std::vector<std::uint32_t> count_;          // of the points left in the node with this middle
+    std::vector<std::uint32_t> order_, place_;  // place_: of each point in order_
+    std::vector<bool> left_;                    // by place: whether the point is in the set
+    std::vector<std::uint32_t> count_;          // of the points in the set, in the node with this middle
 };
 
 }  // namespace raytracer

@@ -8,8 +8,8 @@
 namespace raytracer {
 namespace {
 
-// A file that the scene names and that is not there, with what the scene should name. A scene from a pipe has
-// no folder of its own.
+// Throws for a file that the scene names and that is not there, with what the scene should name instead. A
+// scene from a pipe has no folder of its own.
 [[noreturn]] void failMissing(JsonView path, const std::string& folder, bool isPipe,
                               const std::string& file) {
     const bool isRelative = std::filesystem::path(path.string()).is_relative();

@@ -25,7 +25,7 @@ class SceneFiles {
     // Throws unless the texture's file can be opened; does not read it.
     void requireTexture(JsonView path);
 
-    const std::set<std::string>& names() const { return names_; }  // of all that the scene has named
+    const std::set<std::string>& names() const { return names_; }  // of all files that the scene has named
 
   private:
     std::string resolve(JsonView path);

@@ -115,7 +115,7 @@ ShapeDescription SceneReader::readShape(JsonView view) {
     return shape;
 }
 
-// `key`: without it, there is no such name.
+// Finds a name. `key`: the key that gives such names. If it was misspelt, the Error is about that.
 std::size_t SceneReader::find(NameTable& table, JsonView name, const char* key) {
     try {
         return table.find(name);
@@ -150,7 +150,7 @@ Error placed(const JsonDocument& document, const std::string& path, const std::s
     return isFound ? document.error(end.node, remark.message) : Error({path}, text);
 }
 
-// "samples=4" is no pointer, but means an option.
+// Throws for an edit such as "samples=4": it is no pointer, but means an option of the command line.
 void refuseOptions(const std::string& path, std::span<const std::string> edits) {
     for (const std::string& edit : edits) {
         const std::string name = edit.substr(0, edit.find('='));
@@ -162,7 +162,7 @@ void refuseOptions(const std::string& path, std::span<const std::string> edits) 
 
 }  // namespace
 
-// A pipe cannot be read twice.
+// Reads a regular file only: a pipe cannot be read twice.
 std::vector<Error> remarksOn(const std::string& path, const std::vector<std::string>& remarks,
                              std::span<const std::string> edits) {
     std::vector<Error> errors;

@@ -1,4 +1,5 @@
-// The parts of a scene that refer to no other, each from its JSON object. All throw Error.
+// Reads the parts of a scene that refer to no other part, each from its JSON object. All functions throw
+// Error.
 #pragma once
 
 #include "known_keys.h"
@@ -9,11 +10,11 @@ namespace raytracer {
 
 CameraDescription readCamera(JsonView camera, KnownKeys& keys);
 
-// Where a key is missing, the default of MaterialDescription or LightDescription stays.
+// Where a key is missing, the default in MaterialDescription or LightDescription stays.
 MaterialDescription readMaterial(JsonView material, KnownKeys& keys);
 LightDescription readLight(JsonView light, KnownKeys& keys);
 
-// The transform has an inverse, or this throws.
+// Throws also where the transform has no inverse.
 TransformDescription readTransform(JsonView transform, KnownKeys& keys);
 
 }  // namespace raytracer

@@ -7,8 +7,8 @@
 
 namespace raytracer {
 
-// In the order of their directions, counter-clockwise, so that those within an angle are found at once.
-// Sides between the same two points are one, which is counted.
+// Sorted by their directions, counter-clockwise, so that the sides within an angle are found at once. Sides
+// between the same two points are one side with a count.
 class Spokes {
   public:
     explicit Spokes(const PlanePoint& hub) : hub_(hub), sides_(ByDirection{hub}) {}
@@ -21,7 +21,7 @@ class Spokes {
         if (--side->second == 0) sides_.erase(side);
     }
 
-    // Whether `test` is true of any end; asks no more once it is.
+    // Whether `test` is true of any end. Stops at the first one.
     template <class Test>
     bool any(Test test) const {
         for (const auto& [end, count] : sides_)
@@ -29,7 +29,8 @@ class Spokes {
         return false;
     }
 
-    // The same of those ends that are seen, from the hub, between `from` and `to`, which is left of it.
+    // The same for the ends that lie, seen from the hub, between `from` and `to`. `to` must be left of
+    // `from`.
     template <class Test>
     bool anyBetween(const PlanePoint& from, const PlanePoint& to, Test test) const {
         auto side = sides_.lower_bound(from);
@@ -58,7 +59,7 @@ class Spokes {
     };
 
     PlanePoint hub_;
-    std::map<PlanePoint, std::uint32_t, ByDirection> sides_;  // how many end there
+    std::map<PlanePoint, std::uint32_t, ByDirection> sides_;  // the number of sides with this end
 };
 
 }  // namespace raytracer

@@ -33,11 +33,11 @@ class EarClipping {
     }
 
   private:
-    // What an ear must be. Each is for polygons that have no ear of the one before it.
+    // What an ear must be. Each is used once no corner is an ear by the one before it.
     enum class Strictness {
-        Clear,     // no other corner lies in it or on its sides, but for roundings
+        Clear,     // no other corner lies in it or on its sides, up to roundings
         Touching,  // the polygon does not go into it
-        Any        // of a polygon that crosses itself
+        Any        // any corner: the polygon crosses itself
     };
 
     struct Corner {
@@ -46,7 +46,7 @@ class EarClipping {
         bool isClipped = false;
     };
 
-    // Returns the places in the way, each once.
+    // Returns the points of the corners that may block an ear, each point once.
     std::vector<PlanePoint> linkCorners() {
         for (std::uint32_t i = 0; i < left_; ++i) corners_[i] = {(i + left_ - 1) % left_, (i + 1) % left_};
         std::vector<std::uint32_t> reflex;
@@ -76,7 +76,7 @@ class EarClipping {
         const auto [a, b, c] = earAt(corner);
         return sideOf(polygon_[a], polygon_[b], polygon_[c]) > 0;
     }
-    // Where the polygon turns back on itself: without area, and in the way of what comes next.
+    // Whether the polygon turns back on itself here. Such a corner has no area, and blocks later ears.
     bool isSpike(std::uint32_t corner) const {
         const auto [previous, tip, next] = earAt(corner);
         const PlanePoint &a = polygon_[previous], &b = polygon_[tip], &c = polygon_[next];
@@ -86,8 +86,8 @@ class EarClipping {
         return sideOf(a, b, c) == 0 && isBack(a.x - b.x, c.x - b.x) && isBack(a.y - b.y, c.y - b.y);
     }
 
-    // Every corner is tried once, and again when a neighbour is clipped: elsewhere no ear can have come
-    // about. First in, first out, so that the triangles do not all share a corner.
+    // Tries every corner once, and again when a neighbour is clipped: no other corner can have become an ear.
+    // First in, first out, so that the triangles do not all share a corner.
     void clipEars() {
         std::deque<std::uint32_t> candidates;
         const auto add = [&](std::uint32_t corner) {
@@ -137,7 +137,8 @@ class EarClipping {
                               [&](std::uint32_t point) { return blocks(blockers_[point], ear); });
     }
 
-    // By the ear's own box, then by the corner of `box` that is farthest to the left of each side.
+    // Tests the ear's box, then for each side of the ear the corner of `box` that is farthest to the left of
+    // it.
     bool mayMeet(const PlaneBox& box, const Triangle& ear) const {
         constexpr std::int64_t roundings = 8;
         const PlanePoint &a = polygon_[ear[0]], &b = polygon_[ear[1]], &c = polygon_[ear[2]];
@@ -152,7 +153,7 @@ class EarClipping {
         return mayBeLeft(a, b) && mayBeLeft(b, c) && mayBeLeft(c, a);
     }
 
-    // Of the ear's side i, but for roundings.
+    // On which side of the ear's side i the point lies, up to roundings.
     int side(const Triangle& ear, std::size_t i, const PlanePoint& point) const {
         return clearSideOf(polygon_[ear[i]], polygon_[ear[(i + 1) % 3]], point);
     }
@@ -161,7 +162,8 @@ class EarClipping {
         const PlanePoint& here = blocker.hub();
         const int sides[] = {side(ear, 0, here), side(ear, 1, here), side(ear, 2, here)};
         if (std::ranges::min(sides) < 0) return false;
-        // Inside the ear it is in the way; on its border, if the polygon goes in from there.
+        // A corner inside the ear blocks it. A corner on its border does if the polygon goes into the ear
+        // from there.
         const auto goesIn = [&](const PlanePoint& end) {
             for (std::size_t i = 0; i < 3; ++i)
                 if (sides[i] == 0 && side(ear, i, end) <= 0) return false;
@@ -183,14 +185,14 @@ class EarClipping {
     std::span<const PlanePoint> polygon_;
     std::vector<Corner> corners_;
     std::uint32_t left_;
-    // By place, the sides at the corners that do not turn left: only such corners can be in the way.
+    // For each point, the sides at its corners that do not turn left: only such corners can block an ear.
     std::vector<Spokes> blockers_;
-    PointTree blocking_;  // where they are
+    PointTree blocking_;  // their points
     Strictness strictness_ = Strictness::Clear;
     std::vector<Triangle> triangles_;
 };
 
-// A polygon without a normal has no area: any triangles will do, if they are the same ones each time.
+// For a polygon without a normal, and so without area: any triangles will do, if always the same ones.
 std::vector<Triangle> fan(std::uint32_t count) {
     std::vector<Triangle> triangles;
     for (std::uint32_t i = 2; i < count; ++i) triangles.push_back({0, i - 1, i});

@@ -1,7 +1,8 @@
 // Affine maps as the scene file describes them, composed and inverted in long double.
 //
 // The determinant of a matrix that scales by 1e100 or 1e-100 along all three axes fits the exponent range of
-// long double. Its extra bits round what the core receives correctly in all but a few cases.
+// long double. Its extra bits make the numbers that the core receives correctly rounded, in all but a few
+// cases.
 #pragma once
 
 #include <optional>
@@ -27,12 +28,12 @@ struct Affine {
 // exact sine and cosine. The axis may have any length but zero.
 Affine compose(const TransformDescription& transform);
 
-// The same of a shape: a mesh's object space is in the mesh's own unit.
+// The same for a shape: a mesh's object space is in the mesh's own unit.
 Affine worldFromObject(const SceneDescription& scene, const ShapeDescription& shape);
 
 // The inverse of the linear part, row by row, or nothing where it is singular. Rows and columns are scaled to
 // similar size by powers of two, then eliminated with full pivoting (Higham, Accuracy and Stability of
-// Numerical Algorithms, chapter 9). A pivot no larger than its rounding error counts as zero.
+// Numerical Algorithms, chapter 9). A pivot that is no larger than its rounding error counts as zero.
 struct Matrix3 {
     ExtendedVec entry[3];
 };

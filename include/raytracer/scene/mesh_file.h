@@ -21,18 +21,18 @@ struct MeshData {
     LargeVector<std::uint32_t> positionIndex;  // 3 for each triangle
     LargeVector<std::uint32_t> texCoordIndex;  // 3 for each triangle, or empty where no face has vt
     static constexpr std::uint32_t noTexCoord = ~std::uint32_t{0};  // for a corner without vt: (0, 0)
-    // 10 words each, at 31 bits, in the leaves of the tree.
+    // At most 10 words each in the leaves of the tree, where a place has 31 bits.
     static constexpr std::size_t mostTriangles = 200'000'000;
 
-    // The smallest box around all positions. Whoever fills `positions` then calls findBounds once.
+    // The smallest box around all positions. Code that fills `positions` then calls findBounds once.
     glm::dvec3 low{0}, high{0};
     void findBounds();
 
-    // Chooses the unit in which the largest coordinate is of the order of 1, for products of positions not to
-    // over- or underflow; no coordinate loses a digit. Called once, after findBounds.
+    // Chooses the unit in which the largest coordinate is of the order of 1, so that products of positions do
+    // not over- or underflow. No coordinate loses a digit. Called once, after findBounds.
     void chooseUnit();
     int exponent = 0;
-    double finest = 1;  // the mesh's thickness or its least triangle is no less, relative to its size
+    double finest = 1;  // a lower bound on the mesh's thickness and its least triangle, relative to its size
 
     std::size_t triangleCount() const { return positionIndex.size() / 3; }
 };
@@ -42,7 +42,7 @@ struct MeshData {
 // file is missing, unreadable or not an OBJ of this kind.
 MeshData loadObj(const std::string& path);
 
-// The same from text in memory. `path` is what an Error calls it.
+// The same from text in memory. `path` is the file's name in an Error.
 MeshData parseObj(std::string_view text, const std::string& path = {});
 
 }  // namespace raytracer

@@ -74,13 +74,13 @@ struct ShapeDescription {
     std::shared_ptr<const MeshData> mesh;     // for ShapeType::Mesh; shared by shapes that name the same file
 };
 
-// As in the file.
+// The names in the scene file.
 inline constexpr std::string_view shapeTypeNames[] = {"sphere", "plane", "cylinder", "cone", "cube", "mesh"};
 inline const char* typeName(ShapeType type) { return shapeTypeNames[static_cast<std::size_t>(type)].data(); }
 
 struct TextureDescription {
     std::string name;
-    std::shared_ptr<const Texture> texture;  // null, as not read, where no shape's material uses it
+    std::shared_ptr<const Texture> texture;  // null where no shape's material uses it: it is not read
 };
 
 struct SceneDescription {

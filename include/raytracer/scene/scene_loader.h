@@ -17,17 +17,17 @@ struct LoadedScene {
     std::vector<std::string> files{};   // the scene's, and those that it names
 };
 
-// Reads the scene and the meshes and textures that its shapes use (paths are relative to the scene file). An
-// unknown key is a warning, or an Error in one of the `edits` ("/pointer=value", JsonEdit), which are made
-// before, one after the other. Throws Error: "FILE:LINE:COLUMN: /json/pointer: what was expected, what was
-// found" (syntax errors: without the pointer). `named` gets LoadedScene::files, as far as they are known also
-// where this throws.
+// Reads the scene, and the meshes and textures that its shapes use (paths are relative to the scene file).
+// The `edits` ("/pointer=value", JsonEdit) are made first, one after the other. An unknown key is a warning;
+// in one of the edits it is an Error. Throws Error: "FILE:LINE:COLUMN: /json/pointer: what was expected, what
+// was found" (syntax errors: without the pointer). `named` gets LoadedScene::files; where this throws, those
+// that are known by then.
 LoadedScene loadScene(const std::string& path, std::span<const std::string> edits = {},
                       std::vector<std::string>* named = nullptr, FileKind kind = FileKind::Any);
 
-// What is said about values of a scene, "/json/pointer: ...", as Errors about the file, with lines and
-// columns as far as it can be read again and the value is not one of the edits'. Without a pointer, it is
-// about the file.
+// Turns remarks about values of a scene, "/json/pointer: ...", into Errors about the file. An Error has a
+// line and a column where the file can be read again and the value is not one of the edits'. A remark without
+// a pointer is about the file.
 std::vector<Error> remarksOn(const std::string& path, const std::vector<std::string>& remarks,
                              std::span<const std::string> edits);
 
