@@ -19,9 +19,10 @@ using FloatLanes = LanesOf<float>;
 
 // Of the children that are balls, those that the ray's line might hit: |c|^2 |d|^2 - (c.d)^2 <= r^2 |d|^2,
 // with c the vector to the centre. The error of the left side is at most 14 roundings of |c|^2 |d|^2. That of
-// c is at most four roundings of |c| + |origin|, which is added to r; the part relative to |c| changes the
-// square in its seventh digit only. The radius r is half of the box's largest side. It is at most 2^-7 too
-// small for a ball around the box's middle, which need not be the centre of the ball itself.
+// c is at most four roundings of |c| + |origin|. The part relative to |origin| is added to r (ballMargin);
+// the part relative to |c| changes the square in its seventh digit only. The radius r is half of the box's
+// largest side, enlarged by 2^-6: a ball around the box's middle, which need not be the centre of the ball
+// itself, must be up to 2^-7 larger.
 inline LaneBits hitBalls(const BvhTraversal& s, const BvhNode& node) {
     FloatLanes squared = 0, along = 0, radius = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -139,11 +139,11 @@ RangeSplitter::Plane RangeSplitter::best(const Range& range, const Binning& binn
     return best;
 }
 
-// Lomuto's scheme, without a branch: a processor would mispredict half of them.
+// Lomuto's scheme without branches: a processor would mispredict half of the branches.
 void RangeSplitter::partition(const Range& range, const Binning& binning, const Plane& plane, Range& left,
                               Range& right) const {
-    // Added to a centre on the wrong side: its box becomes inverted and infinite, so it does not enlarge the
-    // bounds of that side.
+    // Added to a centre for the side that it is not on: its box becomes inverted and infinite, so it does not
+    // enlarge the bounds of that side.
     constexpr float infinite = BuildBox::infinite;
     constexpr Float4 beyond[2] = {{0, 0, 0, 0}, {infinite, infinite, infinite, infinite}};
     const auto bin = static_cast<float>(plane.bin), low = float{binning.low[plane.axis]},

@@ -45,8 +45,8 @@ JsonView JsonObject::operator[](std::string_view key) const {
     json_.fail(expected + "none");
 }
 
-// Finds a key that is missing in this object in an object below it: a bracket may be wrong. Strings do not
-// count: many objects have a string of the same key.
+// Finds a key that this object lacks in an object inside it, where a misplaced bracket may have put it.
+// Strings do not count: many kinds of object have the same key with a string.
 std::optional<JsonView> JsonObject::findInside(std::string_view key) const {
     for (const JsonView member : json_.members()) {
         if (member.kind() != JsonDocument::Kind::Object) continue;

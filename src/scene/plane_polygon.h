@@ -20,7 +20,7 @@ struct PlanePoint {
 inline bool isBefore(const PlanePoint& a, const PlanePoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 // On which side of the line from a to b the point c lies: 1 left, -1 right, 0 on it. sideOf is exact;
-// clearSideOf is 0 also where the roundings of projectPolygon could be the reason for the side.
+// clearSideOf is 0 also where the side may be due to the roundings of projectPolygon.
 int sideOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 int clearSideOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
@@ -28,9 +28,9 @@ int clearSideOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 // depend on the one that comes first.
 std::size_t leastCorner(std::span<const glm::dvec3> corners);
 
-// The polygon seen along its Newell normal, counter-clockwise. The largest difference from the first corner,
-// along an axis, is 2^49 to 2^50 units. Each coordinate is off by less than a unit. Empty where the polygon
-// has no normal.
+// The polygon seen along its Newell normal, counter-clockwise. In units of the result, the largest difference
+// from the first corner along an axis of the mesh is 2^49 to 2^50. Each coordinate is off by less than a
+// unit. Empty where the polygon has no normal.
 std::vector<PlanePoint> projectPolygon(std::span<const glm::dvec3> corners);
 
 // Whether it is convex, up to the roundings of projectPolygon. The first corner must be on the convex hull.

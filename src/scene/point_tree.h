@@ -82,9 +82,9 @@ class PointTree {
     }
 
     std::vector<PlanePoint> points_;
-    std::vector<std::uint32_t> order_, place_;  // place_: of each point in order_
+    std::vector<std::uint32_t> order_, place_;  // place_[point]: its place in order_
     std::vector<bool> left_;                    // by place: whether the point is in the set
-    std::vector<std::uint32_t> count_;          // of the points in the set, in the node with this middle
+    std::vector<std::uint32_t> count_;          // how many points of the set are in the node with this middle
 };
 
 }  // namespace raytracer

@@ -166,7 +166,7 @@ bool isSharp(const Scene& scene) {
         }
     for (std::size_t i = 0; i < scene.shapes.size(); i += step) {
         const auto uv = scene.camera.uvOf(scene.shapes[i].transform().translation());
-        if (uv && !isSharpAt(*uv, mostSmallError, mostPositionError)) return false;  // not of dust
+        if (uv && !isSharpAt(*uv, mostSmallError, mostPositionError)) return false;  // dust need not be sharp
     }
     return true;
 }

@@ -127,10 +127,10 @@ Chord<T> inSafeUnits(const glm::vec<n, T, glm::defaultp>& origin,
 }
 
 // Moves a distant origin to the line's point closest to zero, and returns the t of that move. squared: the
-// direction's squared length. A move leaves a rounding error along the line: for a shape that is 1e-20 thick,
-// many thicknesses. The next move reduces that error by as many digits again; `moves` are enough for Real's
-// whole range of exponents. Where a move is shorter than the distance that is left by half of the digits, no
-// further one brings the line closer: it passes the shape by.
+// direction's squared length. Each move leaves a rounding error along the line: for a shape that is 1e-20
+// thick, many thicknesses. The next move reduces that error by as many digits again; `moves` are enough for
+// Real's whole range of exponents. The moves end where one is less than half of the digits of the distance
+// that is left: no other would bring the line closer, and it passes the shape by.
 template <class T>
 T moveCloser(Vec3T<T>& origin, const Vec3T<T>& direction, const T& squared) {
     constexpr int moves = 2 * std::numeric_limits<Real>::max_exponent / std::numeric_limits<Real>::digits;

@@ -18,8 +18,8 @@ struct ConeRoots {
         const T a = d.x * d.x + d.y * d.y - d.z * d.z;
         const T b = p.x * d.x + p.y * d.y - p.z * d.z;
         const T r = radius(p), c = (r - p.z) * (r + p.z);
-        // B^2 - A C, which would cancel, as m.x^2 + m.y^2 - m.z^2 with m = p x d (Lagrange's identity for
-        // this form), in factors.
+        // B^2 - A C would cancel. It is m.x^2 + m.y^2 - m.z^2 with m = p x d (Lagrange's identity for this
+        // form), computed in factors.
         const Vec3T<T> m = glm::cross(p, d);
         const T h = sqrt(m.x * m.x + m.y * m.y);
         const T discriminant = (h - abs(m.z)) * (h + abs(m.z));

@@ -127,8 +127,8 @@ struct Mesh {
             edge[i] = sqrt(glm::dot(next - last, next - last));
         }
         // The distance from an edge is the edge's weight over its length. The origin is moved to at least
-        // eight margins from each edge, since dihedral angles may be sharp. A third of the area is the weight
-        // at the centroid: the most that a triangle smaller than its error has.
+        // eight margins from each edge, since dihedral angles may be sharp; but not beyond the centroid,
+        // whose weights are a third of the area: a triangle may be smaller than its error.
         const T longest = maxComponent(edge), least = min(T(8) * margin * longest, area / T(3));
         for (int i = 0; i < 3; ++i) weight[i] = max(weight[i], least);
         object.origin = (weight.x * corner[0] + weight.y * corner[1] + weight.z * corner[2]) /

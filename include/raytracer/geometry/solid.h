@@ -1,5 +1,4 @@
-// What the shapes with an equation have in common (Equation), and what the convex solids among them add
-// (Solid).
+// What the shapes with an equation have in common (Equation), and what convex solids add to that (Solid).
 //
 // Every type of shape has `type`, `isBall`, `faceName`, `support` (the largest n . p of its points p),
 // `meet`, `touches`, `areCoherent`, `surface` and `periodic`; visit() of shapes.h calls them.
@@ -115,8 +114,8 @@ struct Solid : Equation<Kind> {
         Truth<T> hit = chord.hit & (chord.exit >= T(0)) & !(first > query.limit());
         if (!any(hit)) return;
         if (ray.departure.shape) {
-            // If the ray starts on the surface, its origin is the chord's end that is nearer to it. Only the
-            // other end can be a hit.
+            // If the ray starts on the surface, the chord's end nearer to t = 0 is its origin. Only the other
+            // end can be a hit.
             const Truth<T> starts = hit & touches(shape, ray.origin, ray.departure.positionError);
             hit = hit & !(starts & (abs(chord.exit) < abs(chord.entry)));
             entering = entering & !starts;

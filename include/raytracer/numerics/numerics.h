@@ -76,16 +76,16 @@ inline constexpr Real farSquared = powerOfTwo(std::numeric_limits<Real>::digits 
 // From this squared distance on, an origin is moved to the line's point that is closest to the solid. The
 // slack of closeChord, 16 roundings of the distance, is still far below a pixel there.
 inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits * 3 / 4);
-// A line passes a solid by where the squared distance of its closest point is more than this times the square
-// of the last move (moveCloser).
+// moveCloser stops where the squared distance that is left is more than this times the square of the last
+// move: the line passes the solid by.
 inline constexpr Real passingSquared = powerOfTwo(std::numeric_limits<Real>::digits);
 
 // The largest error of a hit, relative to the picture's width at the hit: a pixel of 4096. On a sphere, a
 // cone or a cylinder's side also relative to the shape's size.
 inline constexpr Real mostPositionError = 1 / powerOfTwo(12);
-// At this distance, in sizes of the shapes, a camera still sees them to within mostPositionError of their
-// size. With rays that are sums of numbers this large, in widths of its picture, it sees to within
-// mostPositionError of that width.
+// A camera may be this many sizes of the shapes away from them, and still sees them to within
+// mostPositionError of their size. Its rays may be sums of numbers this many widths of its picture large, and
+// are still right to within mostPositionError of that width.
 inline constexpr Real farthestEye = powerOfTwo(std::numeric_limits<Real>::digits) * mostPositionError;
 // Limits for a scene's numbers to fit Real (buildScene). widestRange: from the finest unit of a shape to the
 // farthest point, so that the rounding error of a coordinate in either unit is a normal number. Lengths that

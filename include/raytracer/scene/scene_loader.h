@@ -17,11 +17,11 @@ struct LoadedScene {
     std::vector<std::string> files{};   // the scene's, and those that it names
 };
 
-// Reads the scene, and the meshes and textures that its shapes use (paths are relative to the scene file).
-// The `edits` ("/pointer=value", JsonEdit) are made first, one after the other. An unknown key is a warning;
-// in one of the edits it is an Error. Throws Error: "FILE:LINE:COLUMN: /json/pointer: what was expected, what
-// was found" (syntax errors: without the pointer). `named` gets LoadedScene::files; where this throws, those
-// that are known by then.
+// Reads the scene, and the meshes and textures that its shapes use. Their paths are relative to the scene
+// file. The `edits` ("/pointer=value", JsonEdit) are made first, one after the other. An unknown key is a
+// warning; in one of the edits it is an Error. Throws Error: "FILE:LINE:COLUMN: /json/pointer: what was
+// expected, what was found" (syntax errors: without the pointer). `named` gets LoadedScene::files; where this
+// throws, those that are known by then.
 LoadedScene loadScene(const std::string& path, std::span<const std::string> edits = {},
                       std::vector<std::string>* named = nullptr, FileKind kind = FileKind::Any);
 

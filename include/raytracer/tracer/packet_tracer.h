@@ -1,5 +1,5 @@
-// Traces neighbouring rays in packets, side by side in the lanes of vector registers. Their colours are
-// bit-identical to those of Scene::rayColor for each ray alone, only faster.
+// Traces neighbouring rays in packets, side by side in the lanes of vector registers. The colours are
+// bit-identical to those of Scene::rayColor for each ray alone: packets are only faster.
 #pragma once
 
 #include "raytracer/numerics/packet_size.h"
@@ -25,7 +25,7 @@ struct PointPacket {
     glm::dvec3 colorOf(int i) const { return {color[0][i], color[1][i], color[2][i]}; }
 };
 
-// What packet_tracer.cpp, compiled for an instruction set, offers.
+// What packet_tracer.cpp offers, compiled for one instruction set.
 struct PacketKernel {
     // Fills in the points' colours; x and y beyond count may change.
     void (*trace)(const Scene& scene, PointPacket& points, const RenderContext& context);

@@ -62,7 +62,8 @@ struct RenderCounts {
     std::uint64_t limited =
         0;  // pixels that `samples` stopped while their weighted error was above `adaptive`
     // An upper bound on the change of any one pixel by the rays that RenderOptions::cutoff has left out, for
-    // the samples that were taken. That `adaptive` might have taken others with them is not included.
+    // the samples that were taken. It does not cover that without the cutoff `adaptive` might have taken
+    // other samples.
     double cutoffBound = 0;
 
     std::uint64_t onwards() const { return reflection + refraction; }

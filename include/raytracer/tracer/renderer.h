@@ -30,7 +30,7 @@ inline constexpr std::uint64_t mostRaysOfSample = 1024;
 class TooManyRays : public Error {
   public:
     explicit TooManyRays(const RenderCounts& cast);
-    const RenderCounts& cast() const { return cast_; }  // rays, until then
+    const RenderCounts& cast() const { return cast_; }  // the rays cast until then
 
   private:
     RenderCounts cast_;

@@ -3,8 +3,8 @@
 //
 // A scene of 1e-12 units, or one that lies 1e8 of its own sizes from the origin, is brought to the order of 1
 // before its numbers become Real. The unit is a power of two, so a scene multiplied by 2^k becomes the very
-// same scene. The origin is zero for a scene that lies near it; for one far from it, a point of a grid as
-// coarse as the scene is large, so that subtracting it from coordinates of that distance is exact.
+// same scene. The origin is the file's if the scene lies near it. Otherwise it is a point of a grid as coarse
+// as the scene is large, so that subtracting it from coordinates of that distance is exact.
 #pragma once
 
 #include "raytracer/scene/affine.h"
