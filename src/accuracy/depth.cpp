@@ -10,28 +10,29 @@ namespace raytracer {
 
 namespace {
 
-// How much a reflection changes a sample, roughly.
+// Roughly how much a reflection changes a sample.
 constexpr double reflection = 0.25;
 
-// So many that they show a reflection in as few places as make the target's error; in a small picture, some
-// to each pixel.
+// How many points to trace. A reflection that covers (target / reflection)^2 of the picture makes an RMSE of
+// `target`: there are enough points that one is expected to fall on it, but at most errorMargin per pixel.
 std::size_t pointsFor(double target, double pixels, double fewest) {
     return static_cast<std::size_t>(
         std::clamp(std::pow(reflection / target, 2), fewest, std::max(fewest, errorMargin * pixels)));
 }
 
-// From one that takes nothing from the target to one that takes most reflections away.
+// From a cutoff with a negligible error to one that removes most reflections.
 std::vector<double> cutoffsFor(double target) {
     std::vector<double> cutoffs{rounded(target / errorMargin)};
     while (cutoffs.back() < reflection) cutoffs.push_back(rounded(cutoffs.back() * errorMargin));
     return cutoffs;
 }
 
-// As deep as makes a difference at these points, or as ray trees can be.
+// Doubles max_recursion until that changes these points by a negligible error, or until the limit or the
+// number of rays forbids it. `isLimited` tells whether something deeper may be missing.
 Depths depthsFor(const Renderer& renderer, const RenderOptions& options, double target, int limit,
                  std::span<const glm::dvec2> points, RenderCounts& spent, bool& isLimited) {
-    // Through clear glass nothing is seen before the ray leaves the last layer, and that is no end of the
-    // depth.
+    // The search starts at this depth. Layers of clear glass show nothing until the ray has left the last
+    // one, so that an unchanged picture at a smaller depth does not mean that it has converged.
     constexpr int layers = 16;
     const std::vector<double> cutoffs = cutoffsFor(target);
     Setting deepest{
@@ -47,7 +48,8 @@ Depths depthsFor(const Renderer& renderer, const RenderOptions& options, double 
     }
 }
 
-// A picture's error falls about as its rays grow, and what a depth leaves of the target is the samples'.
+// The choice that makes the picture cheapest. The samples may have the error that the depth leaves of the
+// target, and a picture's sampling error falls about as 1 / its rays.
 DepthChoice cheapest(const std::vector<DepthChoice>& depths, double target) {
     return *std::ranges::min_element(depths, {}, [&](const DepthChoice& depth) {
         const double left = target * target - depth.squaredError - standardErrors * depth.standardError;
@@ -64,7 +66,7 @@ Depths::Depths(const Setting& deepest, std::vector<double> cutoffs)
 
 void Depths::add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
                  RenderCounts& spent) {
-    constexpr std::size_t together = 512;  // trees: some MB of memory
+    constexpr std::size_t together = 512;  // trees at a time: a few MB of memory
     for (std::size_t begin = 0; begin < points.size(); begin += together) {
         const auto some = points.subspan(begin, std::min(together, points.size() - begin));
         RayTrees trees;
@@ -77,11 +79,11 @@ void Depths::add(const Renderer& renderer, const RenderOptions& options, std::sp
 
 // One pass over a tree measures every max_recursion.
 void Depths::measure(const RayTrees& trees, std::size_t point, double cutoff, std::span<Sums> sums) {
-    if (const auto rays = trees.of(point); rays.size() == 1) {  // the same at every depth
+    if (const auto rays = trees.of(point); rays.size() == 1) {  // no bounce: every depth is exact
         sums[0].rays += 1 + rays[0].shadows;
         return;
     }
-    std::vector<glm::dvec3> light;  // that comes from this max_recursion on
+    std::vector<glm::dvec3> light;  // by max_recursion: the light that it adds to the next smaller one's
     glm::dvec3 deepest(0);
     for (const RayTreeNode& ray : trees.of(point)) {
         deepest += ray.light;
@@ -142,9 +144,9 @@ Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::spa
 DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
                         RenderCounts& spent, int limit) {
     if (options.pass != Pass::Color)
-        return {.max_recursion = Setting{}.max_recursion};  // these have no depth
+        return {.max_recursion = Setting{}.max_recursion};  // other passes do not recurse
     target = std::min(target, 1.0);                         // no error is larger
-    // In a tiny picture one point to each pixel.
+    // A tiny picture gets one point per pixel.
     const double fewest = std::min(fewestPilots, double(options.size.width) * options.size.height);
     const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels, fewest), 3);
     bool isLimited = false;

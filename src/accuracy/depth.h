@@ -1,5 +1,5 @@
-// How deep the recursion goes: ray trees of points all over the picture, each traced once, give the cost and
-// the truncation error of every max_recursion and cutoff.
+// Chooses how deep the recursion goes. Ray trees are traced once, at points all over the picture: they give
+// the cost and the truncation error of every max_recursion and cutoff.
 #pragma once
 
 #include <vector>
@@ -10,30 +10,33 @@
 
 namespace raytracer {
 
-// Pilot samples: pixels that are sampled, and points whose ray trees are traced, at first. More are drawn
-// where that gains more than it costs, or where the target is small.
+// The number of pilot pixels that are sampled at first, and of points whose ray trees are traced at first.
+// More follow where they gain more than they cost, or where the target is small.
 inline constexpr double fewestPilots = 250;
-// An error of this many times the target is too large wherever it is; the target divided by it is negligible.
+// An error of this many times the target is too large in any pixel. An error of the target divided by it is
+// negligible.
 inline constexpr double errorMargin = 4;
-// A squared error and so many standard errors must be within the target's: it is taken from a skew sample,
-// and the first setting that seems to reach the target is chosen.
+// The estimated squared error plus this many of its standard errors must be at most the target's square. The
+// margin is large since the distribution is skewed, and since the search takes the first setting that seems
+// to reach the target.
 inline constexpr double standardErrors = 3;
 
 struct DepthChoice {
     int max_recursion = 0;
     double cutoff = 0;         // 0 where it would have no effect
-    double rays = 0;           // of a sample
-    double squaredError = 0;   // the truncation error: mean square over the samples, against the deepest
+    double rays = 0;           // mean number per sample
+    double squaredError = 0;   // truncation error against the deepest: mean square over the samples
     double standardError = 0;  // of squaredError
-    bool isLimited = false;    // the rays beyond the deepest, too many to follow, are not in squaredError
+    bool isLimited = false;    // squaredError leaves out rays beyond the deepest: too many to trace
 };
 
 class Depths {
   public:
-    // Every max_recursion up to the deepest's, with each cutoff of at least the deepest's.
+    // Measures every max_recursion up to deepest.max_recursion, with each of the cutoffs. None of them may be
+    // smaller than deepest.cutoff.
     Depths(const Setting& deepest, std::vector<double> cutoffs);
 
-    // Traces more points with the depth of the deepest, and adds their rays to `spent`. Throws TooManyRays.
+    // Traces more points with the deepest setting, and adds their rays to `spent`. Throws TooManyRays.
     void add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
              RenderCounts& spent);
 
@@ -45,8 +48,8 @@ class Depths {
   private:
     struct Sums {
         double rays = 0;
-        // Of the points that change with a larger max_recursion, and of those that do not any more: the sums
-        // of squared errors, and of the squares of these.
+        // Sums over points of the squared error and of its square. The `last` ones are of the points whose
+        // colour no larger max_recursion changes: they count for each larger one too.
         double squares = 0, fourths = 0, lastSquares = 0, lastFourths = 0;
     };
     void measure(const RayTrees& trees, std::size_t point, double cutoff, std::span<Sums> sums);
@@ -57,12 +60,13 @@ class Depths {
     double points_ = 0;
 };
 
-// Measured at these points, to the depth of the deepest, or half of it, and so on, where the rays are too
-// many. These functions add the rays that they cast to `spent`.
+// Measures at these points. Where the deepest setting casts too many rays, its max_recursion is halved until
+// it does not. Both functions below add the rays that they cast to `spent`.
 Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
                 Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent);
 
-// The depth of at most `limit` that makes a picture of so many pixels with a target error cheapest.
+// The depth, at most `limit`, and the cutoff with which a picture of this many pixels reaches the target
+// error at the least cost.
 DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
                         RenderCounts& spent, int limit = mostRecursion);
 

@@ -1,4 +1,4 @@
-// Some points of a picture, spread evenly, for pilot samples.
+// Points spread evenly over a picture, in pixels, for pilot samples.
 #pragma once
 
 #include <vector>

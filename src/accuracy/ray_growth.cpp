@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t pilots = 64;  // points of the picture
 
-// A sample's reflected and refracted rays at a depth; nothing where they are too many.
+// Reflected and refracted rays per sample at a depth; empty if they are too many.
 std::optional<double> raysOf(const Renderer& renderer, RenderOptions options, int max_recursion) {
     options.max_recursion = max_recursion;
     std::vector<glm::dvec3> colors(pilots);

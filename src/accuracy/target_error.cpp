@@ -1,7 +1,8 @@
-// Each pixel stops by its own estimate (pixel_estimate.h), so that the picture's error is a slowly changing
-// part of one number, --adaptive. Some pixels, more where the contrast is large, are taken to their end with
-// it, and the truth at them is estimated twice from other samples, which gives their squared error without
-// bias. The depth is chosen before that, from ray trees of points all over the picture.
+// Each pixel stops by its own error estimate (pixel_estimate.h), so that the picture's error is a slowly
+// changing fraction of one number, --adaptive. The search samples pilot pixels, more of them where the
+// contrast is large, until they stop at that number. Two more estimates of each pilot pixel, from other
+// samples, give its squared error without bias. The depth is chosen before that, from ray trees of points all
+// over the picture.
 #include "raytracer/accuracy/target_error.h"
 
 #include <algorithm>
@@ -18,23 +19,25 @@ namespace raytracer {
 
 namespace {
 
-// The first `adaptive` and the last, in targets. A picture's error is 0.1 to 1.3 of it; from a larger one on
-// single pixels have errors that pilot samples may miss. The last is far below 1 / 1.3, for the margin.
+// The first and the last `adaptive`, as multiples of the target. A picture's error is 0.1 to 1.3 times
+// `adaptive`. With one above `coarsest`, single pixels have errors that pilot samples may miss. `finest` is
+// far below 1 / 1.3, to leave room for the margin.
 constexpr double coarsest = 8, finest = 1 / 16.0;
-constexpr double finer = 1 / 1.09;  // from one `adaptive` to the next: 4 % of the error are lost in the mean
-constexpr double mostFirst = 1 << 22;           // pixels whose first samples and contrasts are kept: 170 MB
+constexpr double finer = 1 / 1.09;     // from one `adaptive` to the next: on average 4 % below the target
+constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
-// Rays of pilot samples, about, for each pixel of the picture: so many over the target's square. Random
-// samples of 0 and 1 would reach it with 1 / (4 target^2); there are three times as many, of some 10 rays.
+// Pilot samples may cast about raysOfRandom / target^2 rays for each pixel of the picture. Random samples of
+// 0 and 1 would reach the target with 1 / (4 target^2) samples. A pilot pixel takes three times as many (its
+// own and two truths), at some 10 rays each.
 constexpr double raysOfRandom = 8;
 
-// A pilot pixel: its own samples, and twice as many others.
+// A pilot pixel: its own samples, and two estimates of the truth from other samples.
 struct PilotPixel {
     PixelPlace place;
     double contrast = 0;
     double draws = 0;          // how often it was drawn
-    double weight = 0;         // of a draw's squared error in the picture's mean square
-    std::uint32_t others = 0;  // the number of its first other sequence, so that no two pixels' errors agree
+    double weight = 0;         // a draw's squared error times this estimates the picture's
+    std::uint32_t others = 0;  // its first truth's sequence: its own, so that pixels' errors are independent
     PixelEstimate own{}, truth[2]{};
 };
 
@@ -49,14 +52,15 @@ class Search {
           target_(target),
           listener_(listener),
           area_(areaOf(options.size)) {
-        // A smaller picture has more error: more of its pixels are edges.
+        // Halving the picture overestimates the error, which is safe: more of a smaller picture's pixels are
+        // edges.
         while (areaOf(options_.size) > mostFirst)
             options_.size = {std::max(1, options_.size.width / 2), std::max(1, options_.size.height / 2)};
         options_.crop = {0, 0, options_.size.width, options_.size.height};
     }
 
-    // Throws TooManyRays where the rays of the pixels with the largest contrast are many more than those of
-    // others: then with half the depth() there are fewer.
+    // Throws TooManyRays where the pixels with the largest contrast cast many more rays than others. The
+    // caller then tries again with half of depth().
     TargetChoice choose(int mostDepth) {
         depth_ = chooseDepth(renderer_, options_, target_, area_, choice_.counts, mostDepth);
         options_.max_recursion = depth_.max_recursion;
@@ -95,7 +99,8 @@ class Search {
         return {static_cast<int>(i % width), static_cast<int>(i / width)};
     }
 
-    // How likely a pixel is drawn: by the error of one sample, as far as a target allows it for long.
+    // A pixel's weight in the drawing: the estimated error of its first sample, clamped to a few targets,
+    // since a pixel with a larger error takes more samples anyway.
     double weightOf(double contrast) const { return std::min(contrast / 4, errorMargin * target_); }
 
     void sortPixels() {
@@ -109,8 +114,8 @@ class Search {
         std::ranges::sort(pixels_);
     }
 
-    // At equal steps of weight through all pixels in the order of their contrast: of each contrast as many as
-    // it deserves (systematic sampling: Cochran, Sampling Techniques, 8).
+    // Systematic sampling (Cochran, Sampling Techniques, chapter 8): walks through all pixels in the order of
+    // their contrast, and draws one at equal steps of the summed weight.
     void drawPixels(double count) {
         const double step = totalWeight_ / count;
         double sum = 0, next = SampleSequence()[draws_++].x * step;
@@ -133,7 +138,7 @@ class Search {
         double margin = 0;
     };
 
-    // From the coarsest on, until the target is reached with the margin.
+    // Lowers `adaptive` from the coarsest until the target is reached with the margin.
     void chooseAdaptive() {
         double& adaptive = choice_.setting.adaptive;
         adaptive = rounded(coarsest * target_);
@@ -142,7 +147,8 @@ class Search {
             takeSamples(adaptive);
             const SquaredError error = squaredErrorOfPicture();
             const double left = target_ * target_ - depth_.squaredError - error.mean;
-            // The search ends where the mean is small by chance: a standard error makes up for that.
+            // The search tends to stop where the mean is too small by chance: one standard error makes up
+            // for that.
             choice_.sampleError = std::sqrt(error.mean + error.margin / standardErrors);
             choice_.reached = left >= (isLast ? error.margin / standardErrors : error.margin);
             if (isSpent()) endHere();
@@ -161,17 +167,18 @@ class Search {
         return static_cast<double>(choice_.counts.all() - before_) > most * area_;
     }
 
-    // No pixel of the picture takes more samples than a pilot pixel has taken.
+    // Out of rays: limits the picture's samples to the most that a pilot pixel has taken.
     void endHere() {
         choice_.setting.samples = 1;
         for (const PilotPixel& pixel : pilots_)
             choice_.setting.samples = std::max(choice_.setting.samples, pixel.own.samples());
     }
 
-    // Whether a sample of twice the pilot pixels, which shrink the margin by a factor of sqrt(2), gains more
-    // than a further sample of the picture, whose squared error falls as samples^-3/2.
+    // Whether more pilot pixels are a better use of rays than more samples in the picture. Twice as many
+    // pilot pixels shrink the margin by a factor of sqrt(2). The picture's squared error falls as
+    // samples^-3/2.
     bool mayDrawMore(const SquaredError& error) const {
-        double taken = 0, perPixel = 0;  // after the first
+        double taken = 0, perPixel = 0;  // perPixel: without the first sample
         for (const PilotPixel& pixel : pilots_) {
             const int own = pixel.own.samples();
             perPixel += pixel.draws / count_ * pixel.weight * (own - 1);
@@ -181,7 +188,8 @@ class Search {
         return error.margin * (1 - std::sqrt(0.5)) * samples > 1.5 * error.mean * taken;
     }
 
-    // Takes the pilot pixels to their end, or as far as the rays go: each at least a first step.
+    // Samples each pilot pixel until it stops by its own estimate, or until the rays are spent. Each takes at
+    // least one step.
     void takeSamples(double adaptive) {
         bool isEnd = false;
         do {
@@ -208,7 +216,7 @@ class Search {
         }
     }
 
-    // What was requested.
+    // Takes the requested samples.
     void take() {
         std::vector<glm::dvec3> colors(points_.size());
         choice_.counts += renderer_.renderPoints(options_, points_, colors);
@@ -218,9 +226,9 @@ class Search {
         if (listener_) listener_(choice_.counts.primary);
     }
 
-    // Of the picture: its mean square, without bias, and how much more it may be: so many standard errors,
-    // and more where few draws decide, whose distribution is skew (Johnson, Modified t tests and confidence
-    // intervals for asymmetrical populations, JASA 73, 1978).
+    // Estimates the picture's mean squared error without bias. The margin, how much larger it may be, is
+    // `standardErrors` standard errors, and more if the draws are few and their distribution is skewed
+    // (Johnson, Modified t tests and confidence intervals for asymmetrical populations, JASA 73, 1978).
     SquaredError squaredErrorOfPicture() const {
         double first = 0, second = 0, third = 0;  // moments of a draw
         for (const PilotPixel& pixel : pilots_) {
@@ -236,7 +244,7 @@ class Search {
         const double skewness = variance > 0 ? thirdCentral / variance / std::sqrt(variance) : 0;
         const double deviations =
             standardErrors + skewness / std::sqrt(count_) / 6 * (1 + 2 * standardErrors * standardErrors);
-        return {std::max(0.0, first),  // below zero by chance
+        return {std::max(0.0, first),  // the estimate may be negative by chance
                 deviations * std::hypot(std::sqrt(variance / count_), depth_.standardError)};
     }
 
@@ -247,12 +255,12 @@ class Search {
     double area_;
     DepthChoice depth_;
     TargetChoice choice_;
-    std::vector<std::pair<float, std::uint32_t>> pixels_;  // all: contrast and index, in this order
+    std::vector<std::pair<float, std::uint32_t>> pixels_;  // contrast and index of each, sorted
     double totalWeight_ = 0;                               // of all pixels
     std::vector<PilotPixel> pilots_;
     double count_ = 0;                // draws
     std::uint32_t draws_ = 0;         // calls of drawPixels
-    std::uint64_t before_ = 0;        // rays, the pilot samples
+    std::uint64_t before_ = 0;        // rays cast before the pilot samples
     std::vector<glm::dvec2> points_;  // requested samples
     std::vector<PixelEstimate*> takers_;
 };
@@ -261,7 +269,7 @@ class Search {
 
 TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target,
                            const SearchListener& listener) {
-    RenderCounts before;  // of searches that went too deep
+    RenderCounts before;  // rays of the searches that went too deep
     for (int mostDepth = mostRecursion;;) {
         Search search(renderer, options, target, listener);
         try {

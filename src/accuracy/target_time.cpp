@@ -1,6 +1,6 @@
-// Small tiles all over the picture are rendered with ever smaller --adaptive, and with the depth that belongs
-// to it, until the whole picture would take too long; between the last two the time is interpolated. The
-// tiles rendered again with other samples tell the error.
+// Small tiles all over the picture are rendered with ever smaller --adaptive, each with a suitable depth,
+// until the whole picture would take too long. Between the last two settings, the one that takes the given
+// time is interpolated. Rendering the tiles again, with other samples, gives the error.
 #include "raytracer/accuracy/target_time.h"
 
 #include <algorithm>
@@ -17,15 +17,16 @@ namespace raytracer {
 
 namespace {
 
-// Small tiles, so that a part of the picture is spread over all of it. Fewer than eight do not tell its time.
+// The tiles are small so that a small part of the picture represents all of it. With fewer than eight of them
+// the estimated time is unreliable.
 constexpr int edge = 16;  // pixels
 constexpr double timedPart = 1.0 / 50, fewestTiles = 8;
-// Errors that are tried: the first is a picture's without reflections, mostly; the steps cost 1.6 times the
-// time each, and between the last two it is interpolated.
+// The errors to try. The first is about that of a picture without reflections. Each step takes about 1.6
+// times as long as the one before.
 constexpr double firstError = 0.4, nextError = 1 / 1.5;
-constexpr double adaptiveFor = 2;    // `adaptive` as a multiple of the error: mostly 1 to 6
-constexpr double estimation = 0.06;  // of the time: the error is estimated from three renders of the tiles
-constexpr double ringOfTile = 4 * 33.0 / (32 * 32);  // of a picture's tile of 32 x 32: samples to a pixel
+constexpr double adaptiveFor = 2;    // `adaptive` over the error of its picture: mostly between 1 and 6
+constexpr double estimation = 0.06;  // share of the time: three renders of the tiles give the error
+constexpr double ringOfTile = 4 * 33.0 / (32 * 32);  // ring samples per pixel, for a tile of 32 x 32
 
 double now() { return Seconds::now().wall; }
 
@@ -45,7 +46,7 @@ class TimeSearch {
 
     TimeChoice choose() {
         Step before = step(firstError);
-        // A smaller error than that of the most samples is none.
+        // Not even mostSamples reach a smaller error than 1 / mostSamples.
         for (double error = firstError * nextError; error * mostSamples > 1; error *= nextError) {
             const Step next = step(error);
             if (now() + next.seconds > end_) {
@@ -76,7 +77,8 @@ class TimeSearch {
         return step;
     }
 
-    // The time left lies between the times of both: the one with the other's depth.
+    // If the time left lies between the times of both, changes `before` to the setting that takes that time:
+    // interpolates `adaptive`, log-log, and keeps the depth.
     void interpolate(Step& before, const Step& next) const {
         const double left = end_ - now();
         if (left <= before.seconds || next.seconds <= before.seconds) return;
@@ -86,7 +88,7 @@ class TimeSearch {
         before.seconds = left;
     }
 
-    // Calls work(tile) for each tile, on the threads that the picture will have.
+    // Calls work(tile) for each tile, on as many threads as the picture will have.
     template <class Work>
     void forEachTile(Work work) const {
         parallelFor(static_cast<std::uint32_t>(tiles_.size()), options_.threads,
@@ -106,7 +108,8 @@ class TimeSearch {
         return sink.colors();
     }
 
-    // Of the whole picture, whose tiles are larger: a tile's ring of neighbours costs it less.
+    // Estimates the seconds of the whole picture from those of the tiles. A tile samples a ring of
+    // neighbouring pixels too. The picture's tiles are larger, so its rings are fewer samples per pixel.
     double secondsOf(const Setting& setting) {
         const auto primary = choice_.counts.primary;
         const double start = now();
@@ -137,7 +140,7 @@ class TimeSearch {
 
     const Renderer& renderer_;
     const RenderOptions& options_;
-    double end_;  // when the picture is to be done
+    double end_;  // when the picture shall be done, without the estimation of its error
     std::vector<PixelRectangle> tiles_;
     std::mutex mutex_;
     TimeChoice choice_;

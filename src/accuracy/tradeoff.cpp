@@ -13,7 +13,8 @@ namespace raytracer {
 
 namespace {
 
-// Renders and adds the time to the trial's: of the processor, which other load on the machine hardly changes.
+// Renders, and adds the time to the trial's timings. It is processor time, which other load on the machine
+// hardly changes.
 std::vector<glm::dvec3> timedRender(const Renderer& renderer, const RenderOptions& options, Trial& trial) {
     ColorSink sink(options.crop);
     Stopwatch stopwatch;
@@ -28,7 +29,7 @@ std::vector<CostAndError> costsAndErrors(std::span<const Trial> trials) {
     return points;
 }
 
-// The trials that could be on the front if their time were measured again.
+// Which trials could be on the front if their time were measured again.
 std::vector<bool> contenders(std::span<const Trial> trials) {
     std::vector<bool> contender;
     for (const Trial& trial : trials)
@@ -38,8 +39,8 @@ std::vector<bool> contenders(std::span<const Trial> trials) {
     return contender;
 }
 
-// Repeats until all contenders have `repeats` timings. They take turns, so that a passing disturbance of the
-// machine affects all of them.
+// Renders the contenders again until each has `repeats` timings. They take turns, so that a passing
+// disturbance of the machine affects all of them.
 void repeatTimings(const Renderer& renderer, const RenderOptions& options, int repeats,
                    std::vector<Trial>& trials) {
     for (bool isDone = false; !isDone;) {
@@ -58,7 +59,8 @@ void markFront(std::vector<Trial>& trials) {
     for (const std::size_t i : paretoFront(costsAndErrors(trials))) trials[i].onFront = true;
 }
 
-// The sampling error at each number of samples is the smallest error of any depth.
+// Fits the rate at which the sampling error falls. The sampling error of n samples is taken to be the
+// smallest error at any depth. Errors near the reference's own do not count.
 std::optional<double> measuredRate(std::span<const Trial> trials, const Reference& reference) {
     std::vector<CostAndError> points;
     for (const int samples : gridSamples) {
@@ -121,7 +123,7 @@ Exhibit exhibit(const Renderer& renderer, const RenderOptions& options, const Tr
             picture(options.size, difference)};
 }
 
-// The front's trials nearest to every half power of ten.
+// The trials on the front that are nearest to each of these errors, half a power of ten apart.
 std::vector<Exhibit> exhibits(const Renderer& renderer, const RenderOptions& options,
                               const SceneTradeoff& measured) {
     std::vector<const Trial*> chosen;

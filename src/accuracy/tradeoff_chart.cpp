@@ -39,7 +39,7 @@ struct Axes {
     LogAxis x, y;
 };
 
-// What is 0 has no logarithm, and lies at the axis's end.
+// A range for a logarithmic axis. Zeros do not count; LogAxis::at puts them at the axis's lower end.
 struct PositiveRange {
     double least = std::numeric_limits<double>::infinity(), most = 0;
 
@@ -62,7 +62,7 @@ Axes axesOf(const SceneTradeoff& scene) {
     return {seconds.axis(left, width - right), errors.axis(height - bottom, top)};
 }
 
-// All of an axis in one notation.
+// The label of 10^exponent. All labels of an axis have one notation.
 std::string decade(int exponent, const LogAxis& axis) {
     if (axis.first() >= -3 && axis.last() <= 5) return formatted("%g", std::pow(10, exponent));
     return formatted("10<tspan dy='-4' font-size='8'>%d</tspan>", exponent);
@@ -91,7 +91,7 @@ std::string grid(const Axes& axes) {
     return svg + "\n";
 }
 
-// The error of the reference itself.
+// A line at the reference's doublingError, an upper bound on its own error.
 std::string floorLine(const Axes& axes, const Reference& reference) {
     const double y = axes.y.at(reference.doublingError);
     if (!(reference.doublingError > 0) || y >= height - bottom) return {};
@@ -101,7 +101,6 @@ std::string floorLine(const Axes& axes, const Reference& reference) {
         left, y, width - right, reference.doublingError);
 }
 
-// The rate at which the sampling error falls.
 std::string rateLabel(const std::optional<double>& rate) {
     if (!rate) return {};
     return formatted(

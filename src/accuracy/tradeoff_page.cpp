@@ -8,7 +8,7 @@ namespace raytracer {
 
 namespace {
 
-// Lines break between options, never in one.
+// Lines may break between options, never within one.
 std::string optionsOf(const Setting& setting) {
     return "<code>" + replaced(escaped(commandLine(setting)), " --", "</code> <code>--") + "</code>";
 }

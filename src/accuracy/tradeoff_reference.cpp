@@ -8,16 +8,16 @@ namespace raytracer {
 
 namespace {
 
-// The reference has a cutoff only if it would otherwise take this many times the rays: in glass both the
-// reflected and the refracted ray go on, so that rays double with each bounce long after they contribute. The
-// report has the bound on the resulting error.
+// The reference has a cutoff only if it would cast more than tooManyRays times as many rays without. In glass
+// both the reflected and the refracted ray go on: rays double with each bounce long after they stop
+// mattering. The report states the bound on the resulting error.
 constexpr double glassCutoff = 1e-5, tooManyRays = 4;
 
-// The depth is converged if twice the depth changes the picture by less than this RMSE: a tenth of the
-// smallest error that the grid reaches, which is 0.5 % of that error, since squares add up.
+// The depth is converged if doubling it changes the picture by at most this RMSE. It is a tenth of the
+// smallest error that the grid reaches; since squares add up, it changes that error by 0.5 %.
 constexpr double deepEnough = 1e-4;
 
-// What some points cost and show, at a depth.
+// The colours of some points at a depth, and the rays that they cast.
 struct Pilot {
     std::vector<glm::dvec3> colors;
     double rays = 0;
@@ -44,7 +44,8 @@ Setting deepSetting(const Renderer& renderer, const RenderOptions& options) {
                pictureError(pilot(deep, glassCutoff).colors, pilot(2 * deep, glassCutoff).colors).rmse >
                    deepEnough)
             deep *= 2;
-        // The cheapest depth first: twice the depth at most squares the number of rays.
+        // The cheapest depth first, so as to stop before a very expensive one: twice the depth at most
+        // squares the number of rays.
         for (int depth = 4; depth <= deep; depth *= 2)
             if (pilot(depth, 0).rays > tooManyRays * pilot(depth, glassCutoff).rays)
                 return at(deep, glassCutoff);

@@ -1,4 +1,4 @@
-// Which settings are tried: not all combinations of the options, most of which are far from the front.
+// Which settings are tried. Not all combinations of the options: most are far from the Pareto front.
 #include <algorithm>
 
 #include "raytracer/accuracy/tradeoff.h"
@@ -10,8 +10,8 @@ namespace raytracer {
 
 namespace {
 
-// The depths on the front of rays and truncation error, each with at most half the error of the one before,
-// and the depths that people commonly choose.
+// The depths on the Pareto front of rays and truncation error, each with less than half the error of the one
+// before. Also the depths that people commonly choose.
 std::vector<DepthChoice> depthsToTry(const Renderer& renderer, const RenderOptions& options,
                                      const Reference& reference) {
     std::vector<double> cutoffs{reference.setting.cutoff};
@@ -33,7 +33,7 @@ std::vector<DepthChoice> depthsToTry(const Renderer& renderer, const RenderOptio
         chosen.back().cutoff = 0;
     }
     std::ranges::stable_sort(chosen, {}, &DepthChoice::rays);
-    // The default stays: everything is compared with it.
+    // Drops depths that cast the same rays as the one before. The default stays: all are compared with it.
     const auto same = [](const DepthChoice& a, const DepthChoice& b) {
         return a.rays == b.rays && !(b.max_recursion == Setting{}.max_recursion && b.cutoff == 0);
     };

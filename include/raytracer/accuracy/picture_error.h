@@ -7,22 +7,22 @@
 
 namespace raytracer {
 
-// Takes pixels' colours, the means of their unclamped samples, and clamps them here: as in a picture,
-// clamping comes last.
 struct PictureError {
-    double rmse = 0;      // over all channels, of 1
+    double rmse = 0;      // over all pixels and channels; 1 is the full range
     double psnr = 0;      // 20 log10(1 / rmse), decibels; infinite for equal pictures
-    double maximum = 0;   // of any channel
-    double shareOff = 0;  // the share of pixels with an error of more than 1/255 in some channel
+    double maximum = 0;   // largest absolute error of any channel
+    double shareOff = 0;  // fraction of pixels with an error of more than 1/255 in some channel
 };
 
+// Each pixel's colour is the mean of its unclamped samples. It is clamped here: as in a picture, clamping
+// comes last.
 PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth);
 
-// Of one pixel: the mean over the channels of the squared difference.
+// The squared error of one pixel: the mean of the channels' squared differences, after clamping.
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
 
-// The same against a truth of which two estimates are known, from other samples each: their own errors are as
-// often above as below, so that the product of the differences from both has no bias.
+// The same where the truth is known only by two independent estimates, each from samples of its own. Their
+// errors are independent, so the product of the two differences is an unbiased estimate. It may be negative.
 double squaredError(const glm::dvec3& color, const glm::dvec3& one, const glm::dvec3& other);
 
 }  // namespace raytracer

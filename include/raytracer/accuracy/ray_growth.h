@@ -1,4 +1,4 @@
-// How many rays a deep recursion casts, where they double with each bounce.
+// Estimates how many rays a deep recursion casts in a scene where rays double with each bounce.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace raytracer {
 
-// About how many reflected and refracted rays a sample of this picture takes, if they are more than
-// mostRaysOfSample: by the growth of a few pixels' rays at the depths before that.
+// About how many reflected and refracted rays a sample of this picture casts, if more than mostRaysOfSample.
+// It is extrapolated: a few pilot samples tell how the number of rays grows at smaller depths.
 std::optional<double> excessiveRays(const SceneDescription& scene, const Renderer& renderer,
                                     const RenderOptions& options);
 

@@ -1,4 +1,4 @@
-// The options that trade speed for accuracy, and the Pareto front of several settings of them.
+// The options that trade speed for accuracy, and the Pareto front of several such settings.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace raytracer {
 
-// The most samples of a pixel if `adaptive` is given and `samples` is not.
+// The default of `samples`, which depends on `adaptive`.
 inline constexpr int usualSamples(double adaptive) { return adaptive > 0 ? 256 : 1; }
 
-// The default is the command line's.
+// The default values are those of the command line.
 struct Setting {
     int samples = 1;
     double adaptive = 0;
@@ -24,21 +24,21 @@ struct Setting {
     bool operator==(const Setting&) const = default;
 };
 
-// `options` with those of the setting.
+// A copy of `options` with the setting's values. The precision is the renderer's and stays.
 RenderOptions withSetting(RenderOptions options, const Setting& setting);
 
 // The setting as options of the command line: "--samples 16 --cutoff 0.1"; "the defaults" for Setting{}.
 std::string commandLine(const Setting& setting);
 
-// A number to three significant digits: "0.1", "3e-05"; and that number.
+// A number to three significant digits, as text ("0.1", "3e-05") and as a number.
 std::string shortNumber(double value);
 double rounded(double value);
 
-// Rays of every kind: the cost of a render, whatever the machine and its load.
+// Rays of every kind: the cost of a render, independent of the machine and its load.
 double rayCount(const RenderCounts& counts);
 
-// The values of each option that `tradeoff` measures. Adaptive and cutoff: in steps of half a power of ten,
-// from a part of the error of few samples to one that only many samples resolve.
+// The values of each option that `tradeoff` measures. `adaptive` and `cutoff` go in steps of half a power of
+// ten: from an error typical of few samples to one that only many samples reach.
 inline constexpr int gridSamples[] = {1, 4, 16, 64, 256};
 inline constexpr double gridAdaptive[] = {0.1, 0.03, 0.01, 0.003, 0.001};
 inline constexpr double gridCutoffs[] = {0.01, 0.03, 0.1, 0.3, 1};
@@ -48,8 +48,8 @@ struct CostAndError {
     double cost = 0, error = 0;
 };
 
-// The points that no other one beats in cost and error, from the cheapest to the most accurate, as indices
-// into `points`. Of equal points the first.
+// The points that no other point beats in both cost and error, from the cheapest to the most accurate, as
+// indices into `points`. Of equal points the first.
 std::vector<std::size_t> paretoFront(std::span<const CostAndError> points);
 
 }  // namespace raytracer

@@ -12,20 +12,20 @@ namespace raytracer {
 struct TargetChoice {
     Setting setting;
     bool reached = false;    // whether its error is within the target, as far as the pilot samples tell
-    bool isLimited = false;  // reached is not known: deeper rays are too many to follow
-    // Estimates of its parts, RMSE, whose squares add up. That of the samples includes a standard error,
-    // since the search ends where it is small by chance.
+    bool isLimited = false;  // rays beyond some depth are too many to trace; `reached` is then false
+    // The two parts of the estimated error, each an RMSE; their squares add up. sampleError includes one
+    // standard error, since the search tends to stop where the estimate is too small by chance.
     double sampleError = 0, depthError = 0;
     RenderCounts counts;  // of the pilot samples
-    FirstSamples first;   // of the picture, if the pilot samples include them: for Renderer::render
+    FirstSamples first;   // for Renderer::render; empty if the pilot samples do not include them
 };
 
-// Is told, now and then, how many samples the search has taken.
+// Called from time to time with the number of samples that the search has taken.
 using SearchListener = std::function<void(std::uint64_t samples)>;
 
-// `target` is an RMSE, of 1, in linear light after clamping, before rounding to bytes, against samples and
-// depth without end. The choice is for the whole picture, whatever the crop; it does not depend on threads or
-// machine.
+// `target` is the wanted RMSE, where 1 is the full range: in linear light, after clamping, before rounding to
+// bytes, against infinitely many samples and unlimited depth. The choice is for the whole picture, whatever
+// the crop. It depends neither on the threads nor on the machine.
 TargetChoice chooseSetting(const Renderer& renderer, const RenderOptions& options, double target,
                            const SearchListener& listener = {});
 

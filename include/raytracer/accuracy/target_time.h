@@ -9,13 +9,13 @@ namespace raytracer {
 
 struct TimeChoice {
     Setting setting;
-    double seconds = 0;                      // of wall time that the picture is estimated to take
-    double sampleError = 0, depthError = 0;  // estimates of its error's parts, RMSE; their squares add up
+    double seconds = 0;                      // estimated wall time of the picture
+    double sampleError = 0, depthError = 0;  // estimated parts of its error, RMSE; their squares add up
     RenderCounts counts;                     // of the pilot samples
 };
 
-// `seconds` are of wall time with options.threads, the pilot samples included. The choice depends on the
-// machine and what else it does; the coarsest setting is chosen where nothing is as fast.
+// `seconds` is wall time with options.threads, the pilot samples included. The choice depends on the machine
+// and its load. If no setting is fast enough, the coarsest is chosen.
 TimeChoice chooseForTime(const Renderer& renderer, const RenderOptions& options, double seconds);
 
 }  // namespace raytracer

@@ -1,8 +1,8 @@
 // Measures the cost and the error of a scene's render with many settings.
 //
-// Two errors are measured apart: the rounding error of the arithmetic (the same samples in extended precision
-// are the truth) and the error of too few samples and truncated recursion (a converged reference is the
-// truth).
+// Two errors are measured separately. For the rounding error of the arithmetic, the truth is the same samples
+// in extended precision. For the error of too few samples and truncated recursion, it is a converged
+// reference.
 #pragma once
 
 #include <functional>
@@ -21,10 +21,10 @@ namespace raytracer {
 struct TradeoffOptions {
     int size = 160;    // pixels of the long edge
     int samples = 64;  // most samples of a pixel
-    int repeats = 3;   // timings of each setting near the front
+    int repeats = 3;   // timings of each setting near the Pareto front
     int threads = 0;
     Precision referencePrecision = Precision::Extended;
-    std::function<void(const std::string&)> report;  // gets the current step, in words; may be empty
+    std::function<void(const std::string&)> report;  // called with the current step's name; may be empty
 };
 
 // One setting, rendered.
@@ -32,21 +32,21 @@ struct Trial {
     Setting setting;
     RenderCounts counts;
     PictureError error;
-    std::vector<double> timings;  // processor seconds of a render, all threads together
+    std::vector<double> timings;  // processor seconds of each render, summed over all threads
     bool onFront = false;
 
-    double seconds() const;  // their median
+    double seconds() const;  // the median of `timings`
 };
 
 struct Reference {
     Setting setting;
     double cutoffBound = 0;    // upper bound on any pixel's error from the reference's own cutoff
-    Setting half;              // half of the samples, and other ones
+    Setting half;              // half as many samples, from another sequence
     double doublingError = 0;  // RMSE of `half` against the reference: larger than the reference's own error
     std::vector<glm::dvec3> colors;
 };
 
-// An example picture of the front.
+// An example picture: a setting on the front.
 struct Exhibit {
     Setting setting;
     PictureError error;
@@ -61,7 +61,8 @@ struct SceneTradeoff {
     Reference reference;
     std::vector<Trial> truncation;  // against the reference, in double; the cheapest first
     std::vector<Trial> arithmetic;  // against the same samples in extended precision
-    // The sampling error falls like (rays a pixel)^-sampleRate; empty if fewer than two points give the rate.
+    // The sampling error falls like (samples per pixel)^-sampleRate. Empty if fewer than two points are
+    // usable.
     std::optional<double> sampleRate;
     std::vector<Exhibit> exhibits;  // the cheapest first
 };
@@ -74,7 +75,7 @@ Reference makeReference(const Renderer& renderer, const RenderOptions& options, 
 std::vector<Setting> settingsToTry(const Renderer& renderer, const RenderOptions& options,
                                    const Reference& reference, bool hasTextures, int samples);
 
-// The rate of error = c cost^-rate, by least squares on the logarithms.
+// The rate in error = c cost^-rate, fitted by least squares to the logarithms.
 double fallRate(std::span<const CostAndError> points);
 
 }  // namespace raytracer

@@ -1,6 +1,6 @@
 "use strict";
 const tip = document.getElementById("tip");
-// The browser's own tooltips appear late, and on touch screens never.
+// Replaces the browser's own tooltips, which appear late, and on touch screens never.
 for (const title of document.querySelectorAll("svg title")) {
   title.parentNode.dataset.tip = title.textContent;
   title.remove();
@@ -21,7 +21,7 @@ function hover(event) {
 document.addEventListener("pointermove", hover);
 document.addEventListener("pointerdown", hover);
 
-// A picture turns into the reference while it is pressed.
+// Shows the reference in place of a picture while that is pressed.
 for (const picture of document.querySelectorAll("img.swap")) {
   const own = picture.src, truth = picture.closest("section").querySelector("img.reference").src;
   picture.addEventListener("pointerdown", () => picture.src = truth);
