@@ -37,7 +37,7 @@ struct PilotPixel {
     double contrast = 0;
     double draws = 0;          // how often it was drawn
     double weight = 0;         // a draw's squared error times this estimates the picture's
-    std::uint32_t others = 0;  // its first truth's sequence: its own, so that pixels' errors are independent
+    std::uint32_t others = 0;  // the sequence of truth[0]; no two pixels share one: independent errors
     PixelEstimate own{}, truth[2]{};
 };
 

@@ -46,7 +46,7 @@ class TimeSearch {
 
     TimeChoice choose() {
         Step before = step(firstError);
-        // Not even mostSamples reach a smaller error than 1 / mostSamples.
+        // Not even mostSamples samples reach an error below 1 / mostSamples.
         for (double error = firstError * nextError; error * mostSamples > 1; error *= nextError) {
             const Step next = step(error);
             if (now() + next.seconds > end_) {
@@ -108,8 +108,8 @@ class TimeSearch {
         return sink.colors();
     }
 
-    // Estimates the seconds of the whole picture from those of the tiles. A tile samples a ring of
-    // neighbouring pixels too. The picture's tiles are larger, so its rings are fewer samples per pixel.
+    // Estimates the seconds of the whole picture from those of the tiles. A tile also samples a ring of
+    // neighbouring pixels. The picture's own tiles are larger, so their rings cost less per pixel.
     double secondsOf(const Setting& setting) {
         const auto primary = choice_.counts.primary;
         const double start = now();
@@ -140,7 +140,7 @@ class TimeSearch {
 
     const Renderer& renderer_;
     const RenderOptions& options_;
-    double end_;  // when the picture shall be done, without the estimation of its error
+    double end_;  // wall time at which the picture is to be done; the error's estimation comes after it
     std::vector<PixelRectangle> tiles_;
     std::mutex mutex_;
     TimeChoice choice_;

@@ -12,7 +12,7 @@
 namespace raytracer {
 namespace {
 
-// A file that was given: its head, or why it has none.
+// A file that was given: its head, or why it cannot be read.
 struct GivenPart {
     std::string path;
     std::optional<PartHead> head{};
@@ -32,13 +32,13 @@ std::vector<GivenPart> readParts(std::span<const std::string> paths, int threads
     return parts;
 }
 
-// The same for all parts of a picture.
+// A key that is the same for all parts of a picture.
 std::string pictureOf(PartHead head) {
     head.part.number = 1;
     return partBeginning(head);
 }
 
-// A part of the picture that most of them are of.
+// The first part of the picture to which most of the parts belong; null if no file is a part.
 const GivenPart* usualPart(const std::vector<GivenPart>& parts) {
     std::map<std::string, int> counts;
     for (const GivenPart& part : parts)
@@ -63,7 +63,7 @@ std::string inPixels(const PixelRectangle& crop) {
     return text;
 }
 
-// The options of the one, "--name value", that the other has not.
+// The options, "--name value", that `head` has and `other` has not.
 std::string onlyIn(const PartHead& head, const PartHead& other) {
     constexpr std::string_view next = " --";
     std::string text;
@@ -76,7 +76,7 @@ std::string onlyIn(const PartHead& head, const PartHead& other) {
     return text;
 }
 
-// What the one is of that the other is not, in words; of equal heads, nothing.
+// How `found` differs from `expected`, in words; empty if they are of the same picture.
 std::string difference(const PartHead& found, const PartHead& expected) {
     if (found.version != expected.version)
         return "of version " + found.version + " of raytracer, not " + expected.version;
@@ -97,7 +97,7 @@ std::string difference(const PartHead& found, const PartHead& expected) {
     return "";
 }
 
-// "part 3 of 7 is missing: ...", "parts 1 and 3 to 5 of 7 are missing: ..."; empty where none is.
+// "part 3 of 7 is missing: ...", "parts 1 and 3 to 5 of 7 are missing: ..."; empty if none is.
 std::string missingParts(const std::vector<std::string>& paths) {
     std::vector<std::string> ranges;
     std::size_t missing = 0;
@@ -115,7 +115,7 @@ std::string missingParts(const std::vector<std::string>& paths) {
     return "parts " + text + " of " + count + " are missing: render each with --part K/" + count;
 }
 
-// The channels of a band that a tile has, and those of the tile alone, row by row.
+// Copies a tile's pixels, which lie row by row at `from`, to their place in the image of the band.
 template <class Image>
 void copyTile(const PixelRectangle& tile, const char* from, const PixelRectangle& band, Image& image) {
     constexpr std::size_t pixelSize = 3 * sizeof image.pixels[0];
@@ -124,7 +124,7 @@ void copyTile(const PixelRectangle& tile, const char* from, const PixelRectangle
         std::memcpy(image.at(tile.x0 - band.x0, y - band.y0), from, rowSize);
 }
 
-// How many pixels each part has in a rectangle, by its number.
+// The number of pixels that each part has in a rectangle; element 0 is unused.
 std::vector<std::uint64_t> pixelsOfParts(const PixelRectangle& rectangle, int count) {
     const PartLattice lattice(count);
     std::vector<std::uint64_t> pixels(static_cast<std::size_t>(count) + 1);

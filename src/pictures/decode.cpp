@@ -1,4 +1,4 @@
-// PNG and JPEG, by way of stb_image, which takes more for a picture than we do.
+// Decodes PNG and JPEG with stb_image. stb accepts broken files, so they are checked here before.
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -21,13 +21,13 @@ namespace {
 
 constexpr int rgb = 3;
 
-// For a texel beyond the palette, stb returns whatever its memory holds. So a palette of 256 transparent
-// colours is put before the file's own, and the file's transparency is left out: a texel that is still
-// transparent is beyond the file's palette.
+// For a texel beyond the palette, stb returns whatever its memory holds. To find such texels, this puts a
+// palette of 256 transparent colours before the file's own, and leaves out the file's transparency. A texel
+// that is decoded as transparent is beyond the file's palette.
 std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     const auto chunk = [](std::string_view head, std::size_t size) {
         return std::string(head) +
-               std::string(size + 4, '\0');  // black, or transparent; and a checksum, which stb ignores
+               std::string(size + 4, '\0');  // zeros: the data, and a checksum, which stb ignores
     };
     std::string png(pngSignature);
     for (const std::string_view& own : chunks) {
@@ -37,11 +37,11 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     return png;
 }
 
-// stb looks at no checksum of the data, and inflates whatever is there, however small the picture is: that
-// could be more than the memory holds. So the data are inflated here first. Of data longer than the pixels
-// the checksum is not looked at.
+// stb checks no checksum of the data. It inflates all of them, however small the picture is, and they may be
+// larger than the memory. So the data are inflated here first, up to the size of the pixels. Longer data are
+// accepted if the memory could hold the most that they can become; their checksum is not checked.
 void requireSoundData(const FileBytes& file, const std::vector<std::string_view>& chunks) {
-    constexpr double mostRatio = 1032;  // of deflate: 258 bytes of 2 bits
+    constexpr double mostRatio = 1032;  // deflate's best: 258 bytes in 2 bits
     const std::string deflated = deflatedData(chunks);
     const libdeflate_result result = inflate(deflated, chunks.front());
     if (result == LIBDEFLATE_BAD_DATA) file.fail("broken PNG picture: its compressed data are broken");
@@ -50,7 +50,8 @@ void requireSoundData(const FileBytes& file, const std::vector<std::string_view>
         file.fail("broken PNG picture: it has more data than pixels");
 }
 
-// stb's own words for a picture that is too large are those for a broken one or for too little memory.
+// For a picture that is too large, stb gives the same reason as for a broken one or too little memory. So the
+// size is checked here.
 void requirePixelsFit(const FileBytes& file, const ImageSize& size, std::uint64_t most,
                       const std::string& kind) {
     constexpr int mostSide = 1 << 24;  // stb: STBI_MAX_DIMENSIONS
@@ -62,10 +63,11 @@ void requirePixelsFit(const FileBytes& file, const ImageSize& size, std::uint64_
         fail(most, kind);
 }
 
-// stb counts the bytes of the pixels, and one more for each row, in int; of values in the file it takes 2^30.
+// stb's limits: it counts the bytes of the pixels, and one more for each row, in int; and a file may have at
+// most 2^30 values.
 void requirePixelsFit(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     constexpr std::uint64_t mostValues = 1 << 30, mostBytes = std::numeric_limits<int>::max() - (1 << 24);
-    constexpr std::uint64_t ofPalette = 4;  // as it is read
+    constexpr std::uint64_t ofPalette = 4;  // channels: paletted pictures are decoded as RGBA
     const std::string_view header = chunks.front();
     const std::uint64_t inFile = isPaletted(header) ? ofPalette : channelsOf(header);
     const bool hasAlpha = !isPaletted(header) && std::ranges::find(chunks, "tRNS", typeOf) != chunks.end();
@@ -77,7 +79,7 @@ void requirePixelsFit(const FileBytes& file, const std::vector<std::string_view>
 
 constexpr const char* noReason = "Image not of any known type, or corrupt";
 
-// Makes that stb's reason.
+// Makes noReason stb's current failure reason.
 void forgetReason() {
     int ignored = 0;
     stbi_info_from_memory(nullptr, 0, &ignored, &ignored, &ignored);
@@ -89,7 +91,8 @@ void forgetReason() {
     file.fail("not enough memory to decode " + what + ": " + memoryLeft().inWords);
 }
 
-// Says why stb has failed. It gives no reason where it gets no memory to inflate; an older one stays then.
+// Throws Error with stb's reason. If stb gets no memory to inflate, it sets no reason: the older one,
+// noReason, is still there.
 [[noreturn]] void failToDecode(const FileBytes& file) {
     const std::string reason = stbi_failure_reason();
     const bool isPng = file.text().starts_with(pngSignature);
@@ -101,7 +104,7 @@ void forgetReason() {
 template <class Channel>
 using Decoder = Channel* (*)(const stbi_uc*, int, int*, int*, int*, int);
 
-// The pixels, each of `wanted` channels, of `text`: the file's own, or the same with another palette.
+// Decodes `text` to pixels of `wanted` channels. `text` is the file's, or the same with another palette.
 template <class Channel>
 LargeVector<Channel> decode(const FileBytes& file, std::string_view text, int wanted, Texture& image,
                             Decoder<Channel> decoder) {
@@ -133,7 +136,7 @@ void requireJpegFits(const FileBytes& file) {
         requirePixelsFit(file, *size, std::numeric_limits<int>::max() / mostChannels, "");
 }
 
-// Other types that people have pictures in: how their files begin.
+// Other common types of pictures, and the bytes by which they are known.
 struct OtherType {
     std::size_t place;
     std::string_view bytes;
@@ -145,7 +148,7 @@ constexpr OtherType otherTypes[] = {
     {0, "II*\0"sv, "TIFF"}, {0, "MM\0*"sv, "TIFF"}, {0, "P3"sv, "PPM"},    {0, "P6"sv, "PPM"},
     {0, "PF"sv, "PFM"},     {0, "Pf"sv, "PFM"}};
 
-// Of a file that is no PNG and no JPEG.
+// Throws Error for a file that is neither PNG nor JPEG.
 [[noreturn]] void failAsOther(const FileBytes& file) {
     const std::string_view text = file.text();
     if (text.empty()) file.fail("it is empty");

@@ -15,22 +15,22 @@
 namespace raytracer {
 namespace {
 
-// As pigz's: text enough for each thread, and files are 0.5 to 0.7 % larger than those of one piece.
+// As large as pigz's blocks: enough data for each thread. Files get 0.5 to 0.7 % larger than with one piece.
 constexpr std::size_t pieceSize = std::size_t{1} << 17;
 
-constexpr std::size_t readBeyond = 8;  // by lastBlock
+constexpr std::size_t readBeyond = 8;  // bytes behind a stream that lastBlock may read
 
 thread_local int deflateThreads = 1;
 
-// libdeflate always ends a stream. Its last block is made one that is not the last, and an empty stored block
-// fills the byte (RFC 1951, 3.2.4).
+// libdeflate always ends a stream. This clears the last block's BFINAL bit, so that the stream can go on, and
+// appends an empty stored block, which ends on a byte boundary (RFC 1951, 3.2.4).
 void keepOpen(Bytes& bytes, std::size_t size) {
     const LastBlock last = lastBlock({bytes.data(), size});
     bytes[last.begin / 8] &= static_cast<unsigned char>(~(1U << last.begin % 8));
     constexpr std::size_t headerBits = 3;
     bytes.resize(size);
     bytes.resize((last.end + headerBits + 7) / 8);
-    constexpr unsigned char noLength[] = {0x00, 0x00, 0xff, 0xff};  // and its complement
+    constexpr unsigned char noLength[] = {0x00, 0x00, 0xff, 0xff};  // length 0 and its complement
     bytes.insert(bytes.end(), std::begin(noLength), std::end(noLength));
 }
 
@@ -56,7 +56,7 @@ class PieceMaker {
     Bytes buffer_;
 };
 
-// A zlib stream from malloc, or null.
+// A zlib stream in memory from malloc, or null.
 unsigned char* zlibStream(std::span<const unsigned char> text, int level, std::size_t& size) {
     const std::vector<DeflatedPiece> pieces = deflatePieces(text, true, level, deflateThreads);
     std::uint32_t adler = adlerOfNothing;
@@ -92,8 +92,8 @@ std::vector<DeflatedPiece> deflatePieces(std::span<const unsigned char> text, bo
     return pieces;
 }
 
-// As zlib's adler32_combine: of the two sums, modulo 65521, the low one is 1 + all bytes, the high one is the
-// sum of the low ones after each byte.
+// As zlib's adler32_combine. Both sums are modulo 65521. The low one is 1 plus all bytes; the high one is the
+// sum of the low one's values after each byte.
 std::uint32_t adlerWith(std::uint32_t text, const DeflatedPiece& next) {
     constexpr std::uint64_t base = 65521;
     const std::uint64_t low = text & 0xffff, high = text >> 16;
@@ -111,12 +111,12 @@ void setDeflateThreads(int threads) { deflateThreads = threads; }
 
 }  // namespace raytracer
 
-// stb's hook.
+// Called by stb in place of malloc.
 extern "C" void* raytracerAllocate(std::size_t size);
 void* raytracerAllocate(std::size_t size) { return raytracer::mallocOnLargePages(size); }
 
-// stb's hook: a zlib stream in memory from malloc, or null. `level` is stbi_write_png_compression_level, 1
-// to 12.
+// Called by stb to compress: returns a zlib stream in memory from malloc, or null. `level` is
+// stbi_write_png_compression_level, 1 to 12.
 extern "C" unsigned char* raytracerCompressZlib(unsigned char* data, int length, int* outLength, int level);
 unsigned char* raytracerCompressZlib(unsigned char* data, int length, int* outLength, int level) try {
     std::size_t size = 0;
@@ -125,5 +125,5 @@ unsigned char* raytracerCompressZlib(unsigned char* data, int length, int* outLe
     *outLength = static_cast<int>(size);
     return stream;
 } catch (const std::bad_alloc&) {
-    return nullptr;  // stb is C
+    return nullptr;  // no exception may pass through stb's C code
 }

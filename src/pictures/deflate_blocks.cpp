@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::size_t longestCode = 15;  // bits
 
-// Symbols by the next bits of the stream, as many as the longest code has.
+// A decoding table: the symbol for the next bits of the stream, as many bits as the longest code has.
 class PrefixCode {
   public:
     struct Symbol {
-        std::uint16_t value, length;  // of its code
+        std::uint16_t value, length;  // length: of its code, bits
     };
 
-    // From the lengths of the codes; 0: the symbol has none (RFC 1951, 3.2.2).
+    // Builds the table from the lengths of the codes (RFC 1951, 3.2.2). Length 0: the symbol has no code.
     void build(std::span<const std::uint8_t> lengths) {
         std::array<std::size_t, longestCode + 1> count{}, next{};
         for (const std::uint8_t length : lengths) ++count[length];
@@ -33,7 +33,8 @@ class PrefixCode {
     const Symbol& at(std::uint64_t bits) const { return symbols_[bits & (size_ - 1)]; }
 
   private:
-    // A code's highest bit comes first; of the stream's bits, the lowest.
+    // A code's highest bit comes first in the stream. The table's index has the stream's first bit lowest, so
+    // the code is reversed.
     void fill(const Symbol& symbol, std::size_t code) {
         std::size_t reversed = 0;
         for (int bit = 0; bit < symbol.length; ++bit) reversed = reversed << 1 | (code >> bit & 1);
@@ -58,7 +59,7 @@ class BlockReader {
     }
 
   private:
-    // At least 57 of them.
+    // The next bits of the stream, at least 57.
     std::uint64_t bits() const {
         std::uint64_t word = 0;
         std::memcpy(&word, stream_ + position_ / 8, sizeof word);
@@ -120,7 +121,7 @@ class BlockReader {
         distances_.build(std::span(lengths).subspan(literals, distances));
     }
 
-    // A length and a distance have at most 15 + 5 + 15 + 13 bits.
+    // A length and a distance have at most 15 + 5 + 15 + 13 bits: bits() has all of them.
     void skipSymbols() {
         constexpr std::size_t end = 256, longestMatch = 285;
         for (;;) {

@@ -1,4 +1,4 @@
-// Where the blocks of a deflate stream are (RFC 1951).
+// Finds the last block of a deflate stream (RFC 1951).
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@ namespace raytracer {
 
 // Places in bits from the stream's beginning.
 struct LastBlock {
-    std::size_t begin;  // this bit says that the block is the last
+    std::size_t begin;  // the place of its BFINAL bit
     std::size_t end;
 };
 
-// Of a whole, sound stream, behind which 8 more bytes can be read.
+// The stream must be complete and valid, and 8 more bytes behind it must be readable.
 LastBlock lastBlock(std::span<const unsigned char> deflated);
 
 }  // namespace raytracer

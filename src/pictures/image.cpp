@@ -26,8 +26,9 @@ namespace {
 constexpr std::size_t valuesPerPixel = 3;
 constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
 
-// The header of a PFM: "PF", width, height, scale, whose sign is the byte order (negative: little endian) and
-// whose size, a unit on which programs disagree, is ignored; one blank; then the rows, the bottom row first.
+// The header of a PFM: "PF", width, height, scale and one blank. The rows follow, the bottom row first. The
+// scale's sign tells the byte order (negative: little endian). Its magnitude is ignored: it is a unit on
+// which programs disagree.
 struct PfmHeader {
     int width = 0, height = 0;
     std::endian order = std::endian::little;
@@ -72,7 +73,7 @@ PfmHeader readPfmHeader(const FileBytes& file) {
     if (header.width < 1 || header.height < 1) file.fail(noPixels);
     header.order = scale < 0 ? std::endian::little : std::endian::big;
     header.rows = text.substr(std::min<std::size_t>(1, text.size()));
-    // A program that writes text in Windows' way puts two bytes there.
+    // Programs that write with Windows' line ends put two bytes there instead of one blank.
     if (text.starts_with("\r\n") && header.rows.size() == pixelBytes(header) + 1)
         header.rows.remove_prefix(1);
     return header;
@@ -93,8 +94,8 @@ PfmHeader readWholePfm(const FileBytes& file) {
     return header;
 }
 
-// stb counts in int: the pixels, one filter byte for each row, and the compressed stream, which is at most a
-// little larger than both. Half the range of int leaves room for that.
+// stb counts bytes in int: those of the pixels, with one filter byte for each row, and those of the
+// compressed stream, which is at most a little larger. Half the range of int leaves room for that.
 bool fitsPng(int width, int height) {
     const std::size_t rowBytes = static_cast<std::size_t>(width) * valuesPerPixel + 1;
     return rowBytes * static_cast<std::size_t>(height) <= largestStbSize / 2;
@@ -124,7 +125,7 @@ FloatImage readPfm(const FileBytes& file) {
 std::vector<char> encodePng(const ByteImage& image, const std::string& path, int threads) {
     if (!fitsPng(image.width, image.height))
         throw Error({path}, "cannot write: the picture is too large for PNG");
-    [[maybe_unused]] static const bool stbIsSet = [] {  // once: its variables are all threads'
+    [[maybe_unused]] static const bool stbIsSet = [] {  // once: stb's variables are global
         stbi_write_force_png_filter = pngFilter;
         stbi_write_png_compression_level = deflateLevel;
         return true;

@@ -1,5 +1,5 @@
-// What the header of a picture says, before it is decoded. stb is not asked: on the way to a JPEG's size it
-// reads tables that nobody has checked.
+// Reads the header of a picture before it is decoded. This does not use stb: to find a JPEG's size, stb
+// parses tables that have not been checked yet.
 #include "jpeg_check.h"
 #include "png_chunks.h"
 #include "png_format.h"
@@ -10,7 +10,7 @@ namespace raytracer {
 
 std::optional<ImageSize> sizeInHeader(const FileBytes& file) {
     if (isJpeg(file)) return sizeOfJpeg(file);
-    constexpr std::size_t untilSize = 16;  // of the header's chunk: length, type, width, height
+    constexpr std::size_t untilSize = 16;  // bytes of the header's chunk: length, type, width, height
     const std::string_view text = file.text();
     if (!text.starts_with(pngSignature)) return std::nullopt;
     const std::string_view header = text.substr(pngSignature.size());
@@ -19,7 +19,7 @@ std::optional<ImageSize> sizeInHeader(const FileBytes& file) {
     return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
 }
 
-// While it decodes, stb holds the picture up to three times, with up to 4 channels; the result has 3.
+// While it decodes, stb holds up to three copies of the picture, of up to 4 channels each. The result has 3.
 void requireMemoryToDecode(const FileBytes& file, std::size_t channelBytes) {
     const auto size = sizeInHeader(file);
     if (!size) return;

@@ -24,7 +24,7 @@ enum Marker : std::uint8_t {
     losslessFrame = 0xf7,  // of JPEG-LS
 };
 
-// Frame headers, but for three of these that mean other things.
+// The markers 0xc0 to 0xcf are frame headers, except three: DHT (huffmanTables), JPG (0xc8) and DAC (0xcc).
 bool isFrame(std::uint8_t marker) {
     const bool isOther = marker == huffmanTables || marker == 0xc8 || marker == 0xcc;
     return (marker >= 0xc0 && marker <= 0xcf && !isOther) || marker == losslessFrame;
@@ -57,7 +57,7 @@ class JpegCheck {
             if (marker == startOfImage) continue;
             segment_ = takeSegment();
             if (!isFrame(marker)) continue;
-            skip(1);  // bits a sample
+            skip(1);  // bits per sample
             const int height = takeNumber();
             return {takeNumber(), height};
         }
@@ -74,7 +74,8 @@ class JpegCheck {
     }
     void requireWhole(bool holds) const { require(holds, "a segment has not the length that it says"); }
 
-    // Skips compressed data, in which 0xff is followed by 0 or is a restart marker, and what fills gaps.
+    // The next marker that is not a restart. Skips compressed data, in which a 0 follows each 0xff that is no
+    // marker, and fill bytes.
     std::uint8_t nextMarker() {
         for (;;) {
             rest_.remove_prefix(std::min(rest_.find('\xff'), rest_.size()));
@@ -86,7 +87,7 @@ class JpegCheck {
         }
     }
 
-    // A length in two bytes, which counts itself, and so many bytes.
+    // A segment is a length in two bytes, which counts these two, and its content.
     std::string_view takeSegment() {
         require(rest_.size() >= 2, "it has no end marker");
         const std::size_t length = std::size_t{byteAt(rest_, 0)} << 8 | byteAt(rest_, 1);
@@ -114,8 +115,8 @@ class JpegCheck {
         segment_.remove_prefix(count);
     }
 
-    // Class and number; of each length from 1 to 16 bits, how many codes; their values. No code is the
-    // beginning of another, nor all ones.
+    // A table has a class and a number, the number of codes of each length from 1 to 16 bits, and the codes'
+    // values. No code is a prefix of another, and none is all ones.
     void checkHuffmanTables() {
         while (!segment_.empty()) {
             const std::uint8_t table = takeByte();
@@ -143,7 +144,8 @@ class JpegCheck {
         }
     }
 
-    // Bits a sample, height, width; of each component its name, sampling and quantisation table.
+    // A frame has the bits per sample, height and width, and for each component its name, sampling factors
+    // and quantisation table.
     void checkFrame(std::uint8_t marker) {
         if (marker > progressiveFrame) file_.fail("cannot decode: neither a baseline nor a progressive JPEG");
         require(components_.empty(), "it has two frame headers");
@@ -157,8 +159,8 @@ class JpegCheck {
         requireWhole(segment_.empty());
     }
 
-    // Of each component its name and Huffman tables, for the constant terms (class 0) and the others; the
-    // first and the last term, and which of their bits.
+    // A scan has, for each of its components, its name and its Huffman tables: one for the DC coefficients
+    // (class 0), one for the AC ones. Then come the first and the last coefficient, and which of their bits.
     void checkScan() {
         const std::size_t count = takeByte();
         requireWhole(segment_.size() == 2 * count + 3);
@@ -191,7 +193,7 @@ class JpegCheck {
 
 }  // namespace
 
-// stb skips any number of 0xff before a marker.
+// As in stb, any number of 0xff may stand before a marker.
 bool isJpeg(const FileBytes& file) {
     const std::string_view text = file.text();
     const std::size_t marker = text.find_first_not_of('\xff');

@@ -1,5 +1,5 @@
-// Whether a JPEG is what stb_image takes it for: stb 2.27 writes past its tables where a Huffman table has
-// too many codes, reads tables that the file does not have, and takes half a picture for a whole one.
+// Checks what stb_image does not check in a JPEG. stb 2.27 writes past its tables if a Huffman table has too
+// many codes, reads tables that the file does not have, and accepts half a picture as a whole one.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@ namespace raytracer {
 
 bool isJpeg(const FileBytes& file);
 
-// By its frame header; nothing where there is none.
+// From the frame header; empty if there is none.
 std::optional<ImageSize> sizeOfJpeg(const FileBytes& file);
 
-// Reads a JPEG's segments (ITU-T T.81, annex B) up to its end marker. Throws Error.
+// Checks a JPEG's segments (ITU-T T.81, annex B) up to its end marker. Throws Error if one is broken.
 void requireSoundJpeg(const FileBytes& file);
 
 }  // namespace raytracer

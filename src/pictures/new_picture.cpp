@@ -10,7 +10,7 @@ namespace {
 
 namespace files = std::filesystem;
 
-// Nothing of a missing file is older than it.
+// When the file was last written. A missing file counts as newer than any picture.
 files::file_time_type timeOf(const std::string& path) {
     std::error_code error;
     const files::file_time_type time = files::last_write_time(path, error);

@@ -39,7 +39,7 @@ std::string headText(const PartHead& head) {
     return json.text() + "\n";
 }
 
-// Whole numbers, each in its range.
+// An array of whole numbers, each from `least` to `most`.
 template <std::size_t count>
 std::array<int, count> wholeNumbers(JsonView view, double least, double most) {
     std::array<double, count> numbers{};
@@ -122,7 +122,7 @@ PartFile::PartFile(const std::string& path) : reader_(path) {
     } catch (const Error&) {
         failPart(path, "its head cannot be read");
     }
-    // Then its pixels begin where those of every part with this head do.
+    // readPixels() relies on this: it computes where the pixels begin from the head alone.
     if (magic + text != partBeginning(head_)) failPart(path, "its head is not as raytracer writes it");
     requireWhole(path);
 }

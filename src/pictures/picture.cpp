@@ -23,13 +23,13 @@ ByteSink::ByteSink(const PixelRectangle& crop) : crop_(crop), image_(blank<ByteI
 
 void ByteSink::write(int x, int y, std::span<const glm::dvec3> colors) {
     std::uint8_t* out = image_.at(x - crop_.x0, y - crop_.y0);
-    const double* const values = &colors.data()->x;  // one after the other, so that they share registers
+    const double* const values = &colors.data()->x;  // as one flat array, so that the loop is vectorised
     for (std::size_t i = 0; i < 3 * colors.size(); ++i) out[i] = toByte(values[i]);
 }
 
 FloatSink::FloatSink(const PixelRectangle& crop) : crop_(crop), image_(blank<FloatImage>(crop)) {}
 
-// What is too bright for a float is as bright as one can be.
+// Colours that are too bright for a float are clamped to the largest one.
 void FloatSink::write(int x, int y, std::span<const glm::dvec3> colors) {
     constexpr double brightest = std::numeric_limits<float>::max();
     float* out = image_.at(x - crop_.x0, y - crop_.y0);

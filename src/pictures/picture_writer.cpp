@@ -19,7 +19,7 @@ std::span<const char> asChars(const void* data, std::size_t size) {
     return {static_cast<const char*>(data), size};
 }
 
-// For libdeflate, no data is the beginning.
+// libdeflate_crc32 takes a null pointer for the beginning of a new checksum, so empty data are left out.
 std::uint32_t crcWith(std::uint32_t crc, std::span<const char> next) {
     return next.empty() ? crc : libdeflate_crc32(crc, next.data(), next.size());
 }
@@ -45,7 +45,7 @@ class StbPngWriter final : public PictureWriter<ByteImage> {
     int threads_;
 };
 
-// A PNG with a chunk of pixels for each band (PNG specification, 11.2.4).
+// Writes a PNG with one IDAT chunk for each band (PNG specification, 11.2.4).
 class BandedPngWriter final : public PictureWriter<ByteImage> {
   public:
     BandedPngWriter(OutputFile& file, const PixelRectangle& crop, int threads, const WriterLimits& limits)
@@ -79,7 +79,7 @@ class BandedPngWriter final : public PictureWriter<ByteImage> {
         Bytes header;
         appendBigEndian(header, static_cast<std::uint32_t>(width_));
         appendBigEndian(header, static_cast<std::uint32_t>(height_));
-        header.insert(header.end(), {8, 2, 0, 0, 0});  // 8 bits, RGB, no other choices
+        header.insert(header.end(), {8, 2, 0, 0, 0});  // 8 bits, RGB; the others are the defaults
         file_.append(pngSignature);
         appendChunk("IHDR", header);
     }
@@ -112,8 +112,8 @@ class BandedPngWriter final : public PictureWriter<ByteImage> {
     OutputFile& file_;
     int threads_;
     int width_, height_;
-    std::size_t written_ = 0;  // bands
-    Bytes lastRow_, band_;     // above the band: of the first, zeros; the band, filtered
+    std::size_t written_ = 0;  // bands so far
+    Bytes lastRow_, band_;     // the row above the band (zeros above the first); the band, filtered
     std::uint32_t adler_ = adlerOfNothing;
 };
 

@@ -19,10 +19,11 @@ std::string_view typeOf(std::string_view chunk) { return chunk.substr(4, 4); }
 
 namespace {
 
-// A chunk of a PNG: length, type, data of that length, and a CRC of type and data.
+// A chunk of a PNG is a length, a type, data of that length, and a CRC of type and data: the bytes but for
+// data.
 constexpr std::size_t chunkFrame = 12;
 
-// The whole chunk that the text begins with; empty where it is cut short or its checksum is wrong.
+// The chunk at the beginning of the text; empty if it is cut short or its checksum is wrong.
 std::string_view firstChunk(std::string_view text) {
     if (text.size() < chunkFrame) return {};
     const std::size_t length = bigEndian(text);
@@ -34,7 +35,7 @@ std::string_view firstChunk(std::string_view text) {
 
 constexpr std::size_t widthPlace = 8, heightPlace = 12;  // in the header's chunk
 
-// What the header says, after width and height, and the values that there are.
+// A field of the header behind width and height: its place in the chunk, its name and the values it may have.
 struct HeaderField {
     std::size_t place;
     const char* name;
@@ -93,12 +94,12 @@ void requirePaletteAndPixels(const FileBytes& file, const std::vector<std::strin
     file.fail("broken PNG picture: it has no pixels (no chunk IDAT)");
 }
 
-// Every dx-th pixel of every dy-th row, from (x, y) on.
+// Every dx-th pixel of every dy-th row, starting at (x, y).
 struct Lattice {
     std::size_t x, y, dx, dy;
 };
 constexpr Lattice allPixels[] = {{0, 0, 1, 1}};
-// Of an interlaced picture (PNG specification, 8.2).
+// The passes of an interlaced picture (PNG specification, 8.2).
 constexpr Lattice adam7[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
                              {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
 
@@ -147,7 +148,8 @@ std::vector<std::string_view> readChunks(const FileBytes& file) {
         chunks.push_back(firstChunk(png));
         if (chunks.back().empty())
             file.fail("broken PNG picture: it is cut short, or a checksum in it is wrong");
-        // Apple's own form, which stb takes: its deflate stream has no header, and its colours another order.
+        // Apple's variant: its deflate stream has no header, and its colours are in another order. stb would
+        // accept it.
         if (typeOf(chunks.back()) == "CgBI") file.fail("no PNG by the standard, but one made for iOS (CgBI)");
     } while (typeOf(chunks.back()) != "IEND");
     constexpr std::size_t headerSize = 13;
@@ -167,7 +169,7 @@ std::string deflatedData(const std::vector<std::string_view>& chunks) {
 
 libdeflate_result inflate(const std::string& deflated, std::string_view header) {
     const std::size_t most = inflatedSize(header);
-    const std::unique_ptr<char[]> inflated(new (std::nothrow) char[most]);  // not cleared, as a vector is
+    const std::unique_ptr<char[]> inflated(new (std::nothrow) char[most]);  // unlike a vector: not cleared
     const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
         libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
     if (!inflated || !decompressor) throw std::bad_alloc();

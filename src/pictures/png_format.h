@@ -1,4 +1,4 @@
-// What the PNGs that are read and written have in common.
+// Constants of the PNG format, and those of the PNGs that this program writes.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@ namespace raytracer {
 
 inline constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 
-// Of those that are written; measured by bench/png_levels (bench/README.md).
-inline constexpr int pngFilter = 2;  // "up": each byte less the one above
+// For writing; chosen by the measurements of bench/png_levels (bench/README.md).
+inline constexpr int pngFilter = 2;  // "Up": each byte minus the one above it
 inline constexpr int deflateLevel = 1;
 
 }  // namespace raytracer

@@ -15,8 +15,9 @@ std::string inWords(const PicturePart& part) {
     return std::to_string(part.number) + " of " + std::to_string(part.count);
 }
 
-// A rank-1 lattice: each row is shifted by about the golden section of the number, the worst to be
-// approximated by fractions; without a common divisor, so that a column, too, has all parts.
+// A rank-1 lattice: each row of tiles is shifted against the one above by about count / golden ratio, the
+// ratio that fractions approximate worst. The shift and the count have no common divisor, so that a column
+// has all parts too.
 PartLattice::PartLattice(int count) : count_(count) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     shift_ = std::max(1, static_cast<int>(std::lround(golden * count)));

@@ -1,4 +1,4 @@
-// A picture from the files of all its parts.
+// Assembles a picture from the files of all its parts.
 #pragma once
 
 #include <span>
@@ -15,11 +15,12 @@ class PartFiles {
     // Reads all of the files, on several threads.
     PartFiles(std::span<const std::string> paths, int threads);
 
-    // What keeps these files from being one picture, a line each: files that are broken, that do not fit to
-    // most others, or are of one part; parts that are missing.
+    // What keeps these files from making one picture, one line each: files that are broken, that belong to
+    // another picture than most others, or that hold the same part; and parts that are missing.
     const std::vector<std::string>& faults() const { return faults_; }
 
-    // Where there is no fault: what they are parts of, and the pixels of a band (bandsOf). Throws Error.
+    // Only if there are no faults: the picture that these are parts of, and the pixels of one of its bands
+    // (bandsOf). read() throws Error.
     const PartHead& head() const { return head_; }
     template <class Image>
     Image read(const PixelRectangle& band) const;
@@ -27,7 +28,7 @@ class PartFiles {
   private:
     int threads_;
     PartHead head_;
-    std::vector<std::string> paths_;  // of part 1, 2, ...
+    std::vector<std::string> paths_;  // paths_[i] is the file of part i + 1, or empty
     std::vector<std::string> faults_;
 };
 

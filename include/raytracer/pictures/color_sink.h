@@ -1,4 +1,4 @@
-// A picture in memory, as it was rendered.
+// Keeps a picture in memory as it was rendered.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace raytracer {
 
-// Keeps the colours: linear, unclamped, in double; row-major from the top left of the crop.
+// Colours are linear, unclamped, in double; row-major from the top left of the crop.
 class ColorSink final : public PixelSink {
   public:
     explicit ColorSink(const PixelRectangle& crop);

@@ -24,7 +24,7 @@ struct ImageOf {
     int width = 0, height = 0;
     LargeVector<Channel> pixels;  // width * height * 3
 
-    // Where a pixel is: its red, green and blue.
+    // A pixel's red, green and blue.
     const Channel* at(int x, int y) const {
         return &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                             static_cast<std::size_t>(x))];
@@ -34,46 +34,46 @@ struct ImageOf {
 using ByteImage = ImageOf<std::uint8_t>;
 using FloatImage = ImageOf<float>;  // linear light, unclamped
 
-// A channel in [0, 1] as a byte: clamped, then lround(255 c). A NaN becomes 0. The result is that of lround,
-// whose call costs more than the whole function: the one number whose sum with 1/2 is rounded to the next
-// integer, the greatest below 1/2, is not 255 c for any c.
+// A channel as a byte: clamped to [0, 1], then lround(255 c). A NaN becomes 0. A call of lround would cost
+// more than this whole function. Adding 1/2 and truncating differs from lround only for the greatest double
+// below 1/2, whose sum rounds up to 1; that double is not 255 c for any c.
 inline std::uint8_t toByte(double channel) {
     const double raised = 255 * (channel > 0 ? (channel < 1 ? channel : 1) : 0) + 0.5;
     return static_cast<std::uint8_t>(static_cast<int>(raised));
 }
 
-// By how much the channel differs most: the arguments point at red, green and blue.
+// The largest difference of any channel. The arguments point at red, green and blue.
 inline int largestDifference(const std::uint8_t* a, const std::uint8_t* b) {
     int largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a[c] - b[c]));
     return largest;
 }
 
-// PNG or JPEG as RGB: without alpha, grey as three equal channels. Throws Error where the file is missing,
-// unreadable or not a picture.
-Texture readTexture(const std::string& path);  // of a regular file
-ByteImage readImage(const FileBytes& file);    // 16 bits are rounded to 8
+// These read PNG and JPEG as RGB, readPfm a PFM: alpha is dropped, grey becomes three equal channels. They
+// throw Error if the file is missing, unreadable or not such a picture.
+Texture readTexture(const std::string& path);  // throws unless it is a regular file
+ByteImage readImage(const FileBytes& file);    // rounds 16 bits to 8
 FloatImage readPfm(const FileBytes& file);
-inline bool isPfm(const FileBytes& file) {  // grey ones, too, which readPfm refuses
+inline bool isPfm(const FileBytes& file) {  // also true for grey ones, which readPfm refuses
     return file.text().starts_with("PF") || file.text().starts_with("Pf");
 }
 
-// What a PNG's or JPEG's header says; nothing where it has none.
+// The size in a PNG's or JPEG's header; empty if there is no such header.
 std::optional<ImageSize> sizeInHeader(const FileBytes& file);
 
-// Throws Error where the memory is too little to decode the picture to channels of so many bytes.
+// Throws Error if there is too little memory to decode the picture to channels of this many bytes.
 void requireMemoryToDecode(const FileBytes& file, std::size_t channelBytes = 1);
 
-// Whether this is the file of a whole picture of that size, PNG or PFM, written after all of the others were.
+// Whether `path` is a complete picture, PNG or PFM, of the crop's size, and newer than all of the others.
 bool isNewPicture(const std::string& path, const PixelRectangle& crop, std::span<const std::string> others);
 
 std::string pixelsInWords(int width, int height);  // "18000 × 18000 pixels"
 
-// A PNG file's bytes, by stb. Throws Error, about the file `path`, where the picture does not fit. Its bytes
-// do not depend on the number of threads (0: one for each processor).
+// The bytes of a PNG file, made by stb. They do not depend on the number of threads (0: one for each
+// processor). Throws Error, about the file `path`, if the picture is too large or memory runs out.
 std::vector<char> encodePng(const ByteImage& image, const std::string& path = {}, int threads = 1);
 
-// Throws Error. A path is made a file here; a file that is open already is given as std::move(file).
+// Throws Error. `file` may be a path, which is opened here, or an open file: std::move(file).
 void writePng(OutputFile&& file, const ByteImage& image, int threads = 1);
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// Pictures that are written band by band, so that they need not fit into memory.
+// Writes pictures band by band, so that they need not fit into memory.
 #pragma once
 
 #include <memory>
@@ -10,14 +10,14 @@
 
 namespace raytracer {
 
-// Takes the bands of a picture, in the order of `bands`.
+// Writes a picture: call write() once for each of bands(), in that order, then finish(). These throw Error.
 template <class Image>
 class PictureWriter {
   public:
     virtual ~PictureWriter() = default;
     const std::vector<PixelRectangle>& bands() const { return bands_; }
     virtual void write(const Image& band) = 0;
-    virtual void finish() = 0;  // the file is there
+    virtual void finish() = 0;  // completes the file
 
   protected:
     explicit PictureWriter(std::vector<PixelRectangle> bands) : bands_(std::move(bands)) {}
@@ -26,25 +26,26 @@ class PictureWriter {
     std::vector<PixelRectangle> bands_;
 };
 
-// How many pixels are written together: by stb; else in a band. Tests have smaller ones.
+// The most pixels that are written at once: by stb, and in a band. Tests use smaller limits.
 struct WriterLimits {
     double ofStb = 1 << 25, ofBand = 1 << 23;
 };
 
-// What is written together, and so in memory.
+// The largest rectangle that is written at once, and therefore held in memory.
 PixelRectangle largestBand(const PixelRectangle& crop, bool isPfm);
 
-// Nothing is written before the first band. What is behind these must outlive them. `crop` is the picture's
-// place in the whole picture.
+// Nothing is written before the first band. The file must outlive the writer. `crop` is the rectangle of the
+// whole picture that is written.
 //
-// PNG: by stb where that holds it; else here, with the same filter and deflate.
+// A PNG of at most limits.ofStb pixels is written by stb, as one band. A larger one is written in bands, with
+// the same filter and compression.
 std::unique_ptr<PictureWriter<ByteImage>> pngWriter(OutputFile& file, const PixelRectangle& crop, int threads,
                                                     const WriterLimits& limits = {});
-// PFM has its lowest row first.
+// A PFM stores its bottom row first, so the bands go upwards.
 std::unique_ptr<PictureWriter<FloatImage>> pfmWriter(OutputFile& file, const PixelRectangle& crop,
                                                      const WriterLimits& limits = {});
 
-// A part of a picture of bytes or floats: what the part has not may be anything in the bands.
+// Writes one part of a picture. Pixels of the bands that are not the part's are ignored.
 template <class Image>
 std::unique_ptr<PictureWriter<Image>> partWriter(OutputFile& file, const PartHead& head,
                                                  const WriterLimits& limits = {});

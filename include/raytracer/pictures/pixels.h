@@ -1,4 +1,4 @@
-// Places in a picture, and where colours go.
+// Places in a picture, and the interface that takes its colours.
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ struct ImageSize {
     int width = 1, height = 1;
 };
 
-// Takes the picture. Called from several threads at once, for disjoint runs of pixels.
+// Receives a picture. write() is called from several threads at once, for disjoint runs of pixels.
 class PixelSink {
   public:
     virtual ~PixelSink() = default;

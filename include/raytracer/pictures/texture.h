@@ -9,8 +9,8 @@ namespace raytracer {
 
 struct Texture {
     int width = 0, height = 0;                // texels, both >= 1
-    LargeVector<std::uint8_t> texels;         // width * height * 3, row-major from the top left; or none, but
-    LargeVector<std::uint16_t> deepTexels{};  // the same with 16 bits
+    LargeVector<std::uint8_t> texels;         // width * height * 3, row-major from the top left; or empty:
+    LargeVector<std::uint16_t> deepTexels{};  // then these are, with 16 bits a channel
 };
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// The tiles of a picture: what threads, and several machines, share out.
+// The tiles of a picture: the units of work that threads, or several machines, share.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace raytracer {
 
-// Pixels: few enough to share out evenly, enough to keep rays coherent.
+// Pixels: small enough to share out evenly, large enough to keep rays coherent.
 inline constexpr int tileEdge = 32;
 
 // One of `count` parts of a picture.
@@ -19,8 +19,8 @@ inline constexpr int mostParts = 1 << 20;
 
 std::string inWords(const PicturePart& part);  // "3 of 7"
 
-// Which part has a tile. Neighbours belong to different parts, and each part's tiles lie evenly all over the
-// picture, so that all parts take about the same time.
+// Assigns tiles to parts. Neighbouring tiles belong to different parts, and each part's tiles are spread
+// evenly over the picture, so that all parts take about the same time.
 class PartLattice {
   public:
     explicit PartLattice(int count);
@@ -30,11 +30,13 @@ class PartLattice {
     int count_, shift_;
 };
 
-// Row by row. Tiles lie at multiples of tileEdge of the whole picture; the rectangle cuts those at its edges.
+// The tiles of a rectangle, row by row. Tiles begin at multiples of tileEdge in the whole picture; those at
+// the rectangle's edges are clipped to it.
 std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle);
 std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle, const PicturePart& part);
 
-// The rectangle from the top in bands of whole tiles, each of at most so many pixels, but one row of tiles.
+// Divides the rectangle, from the top, into bands of whole rows of tiles. A band has at most this many
+// pixels, but at least one row of tiles.
 std::vector<PixelRectangle> bandsOf(const PixelRectangle& rectangle, double pixels);
 
 }  // namespace raytracer
