@@ -9,7 +9,8 @@
 namespace raytracer {
 namespace {
 
-// "% sun", "; sun", but not "40 % 3", and not "1; 2" or "1; b: 2" for a comma.
+// "% sun" and "; sun" are comments. The "%" of "40 % 3" is not, nor is the ";" of "1; 2" or "1; b: 2", which
+// stands for a comma.
 bool isCommentBySign(std::string_view text) {
     if (text.empty() || (text[0] != '%' && text[0] != ';')) return false;
     const std::size_t word = text.find_first_not_of(text[0] == '%' ? "% \t" : "; \t");
@@ -28,14 +29,14 @@ bool isConflict(std::string_view text) {
 }
 
 bool isNoText(std::string_view text) {
-    constexpr std::size_t most = 16;  // bytes; the formats of pictures and archives begin with fewer
+    constexpr std::size_t most = 16;  // bytes; pictures and archives have a control character in fewer
     const auto isControl = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
     return utf8Bytes(text) == 0 || std::ranges::any_of(text.substr(0, most), isControl);
 }
 
-// A line of its beginning is a vertex.
+// Whether one of the first lines is a vertex.
 bool isObj(std::string_view text) {
-    constexpr std::size_t most = 4096;  // bytes, of comments and names before
+    constexpr std::size_t most = 4096;  // bytes: comments and names may come first
     std::string_view rest = text.substr(0, most);
     for (; !rest.empty(); rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1)) {
         const std::size_t number = rest.starts_with("v ") ? rest.find_first_not_of(' ', 1) : rest.npos;

@@ -1,4 +1,4 @@
-// What JSON has nowhere outside of its texts.
+// Recognises text that has no place in JSON outside of strings.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace raytracer {
 
-// Of a comment, a character that nobody sees, a conflict of versions, with which the text begins. Empty where
-// that may stand.
+// What is wrong with the text's beginning: a comment, a merge conflict, a byte that is no UTF-8, an invisible
+// character. Empty if it is none of these.
 std::string aboutForeign(std::string_view text);
 
-// Of a whole file that is no JSON: what it is, where that is sure.
+// For a whole file that is not JSON: what it is instead, if that is certain; else empty.
 std::string aboutFormat(std::string_view text);
 
 }  // namespace raytracer

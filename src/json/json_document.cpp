@@ -17,7 +17,8 @@ std::size_t JsonDocument::begin(std::uint32_t node) const {
     return static_cast<std::size_t>((n.isDecoded ? n.decoded->begin : n.begin) - text_.data());
 }
 
-// Goes down from the root. A container that is still open ends beyond all nodes, so it contains the last one.
+// Goes down from the root. This works while the text is parsed, too: a container that is not closed yet has
+// an end beyond all nodes, so it contains the last one.
 std::string JsonDocument::pointer(std::uint32_t node) const {
     std::string pointer;
     for (std::uint32_t at = 0; at != node;) {

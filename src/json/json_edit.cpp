@@ -13,7 +13,7 @@
 namespace raytracer {
 namespace {
 
-// Where the value ends that begins here, of a text that is JSON.
+// The end of the value that begins at `begin`. The text must be JSON.
 std::size_t valueEnd(std::string_view text, std::size_t begin) {
     if (isOneOf(text[begin], "{[")) return closingOf(text, begin) + 1;
     if (text[begin] != '"') return std::min(text.find_first_of(",]} \t\r\n", begin), text.size());
@@ -24,13 +24,14 @@ std::size_t valueEnd(std::string_view text, std::size_t begin) {
 
 using Kind = JsonDocument::Kind;
 
-// Other text for a range of it.
+// A range of a text, and the text that replaces it.
 struct Replacement {
     TextRange range;
     std::string text;
 };
 
-// What adds a value to the container at which a pointer ends: a member, which comes first, or a last element.
+// The insertion that adds a value to the container at which a pointer ends: as an object's first member or an
+// array's last element. Empty if the pointer does not ask for that.
 std::optional<Replacement> addition(const JsonDocument& document, std::string_view text,
                                     const PointerEnd& end, const JsonEdit& edit) {
     const std::string_view step = end.left.substr(1);
@@ -58,8 +59,8 @@ Replacement replacement(const JsonDocument& document, const std::string& path, s
     return {{begin, valueEnd(text, begin)}, edit.value};
 }
 
-// A range of the text has become another text: the edits behind it move, those in it are part of it, and the
-// one around it takes it in.
+// Records a replacement among the edits. Edits behind its range move, edits inside it become part of it, and
+// an edit around it changes its size.
 void takeIn(std::vector<EditedRange>& edits, const Replacement& by) {
     const std::size_t begin = by.range.begin, end = by.range.end;
     EditedRange now{{begin, begin + by.text.size()}, end - begin};
@@ -104,7 +105,8 @@ JsonReading readingOf(std::string_view text) {
     }
 }
 
-// "/a:1" is "/a=1"; "/a=1,/b/c=2" are two, but "/a=x,/b=2" may be a name.
+// Throws Error for "/a:1", where "/a=1" was meant, and for "/a=1,/b/c=2", which are two edits. "/a=x,/b=2" is
+// allowed: the value may be a name.
 static void refuseOtherSigns(const std::string& assignment) {
     const std::size_t equals = assignment.find('='), colon = assignment.find(':');
     if (equals == assignment.npos && colon != assignment.npos && assignment.starts_with('/'))

@@ -5,7 +5,7 @@
 namespace raytracer {
 namespace {
 
-// 0, which is no child of any, where there is none.
+// The child to which a step leads, or 0 if there is none: node 0 is the root, and nobody's child.
 std::uint32_t childOf(const JsonDocument& document, std::uint32_t node, std::string_view step) {
     const bool isObject = document.kind(node) == JsonDocument::Kind::Object;
     if (!isObject && document.kind(node) != JsonDocument::Kind::Array) return 0;

@@ -1,4 +1,4 @@
-// JsonDocument from text: its nodes are the events of nlohmann's parser.
+// Makes a JsonDocument from a text: each node is an event of nlohmann's parser.
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -15,8 +15,8 @@
 namespace raytracer {
 namespace {
 
-// nlohmann's parser copies its iterator. All copies of this one share their position, so the handler of the
-// events knows how far the parser has read.
+// nlohmann's parser copies its iterator. All copies of this one share one position, so that JsonReader knows
+// how far the parser has read.
 class CountingIterator {
   public:
     using iterator_category = std::forward_iterator_tag;
@@ -39,8 +39,8 @@ class CountingIterator {
 
 }  // namespace
 
-// Handles the events of nlohmann's SAX interface, which gives these functions their names. It throws rather
-// than return false.
+// Handles the events of nlohmann's SAX interface, which prescribes the functions' names. It throws rather
+// than returning false.
 class JsonReader {
     using Kind = JsonDocument::Kind;
     using Node = JsonDocument::Node;
@@ -52,7 +52,7 @@ class JsonReader {
     }
 
     void read() {
-        constexpr std::size_t bytesForNode = 8;  // an estimate; memory that is not written to costs nothing
+        constexpr std::size_t bytesForNode = 8;  // an estimate; reserved memory costs nothing until written
         nodes_.reserve(text_.size() / bytesForNode);
         const char* end = text_.data() + text_.size();
         nlohmann::json::sax_parse(CountingIterator(read_), CountingIterator(end), this);
@@ -64,7 +64,7 @@ class JsonReader {
     bool number_integer(std::int64_t value) { return number(static_cast<double>(value)); }
     bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
     bool number_float(double value, const std::string&) { return number(value); }
-    bool binary(std::vector<std::uint8_t>&) { return false; }  // JSON text has none
+    bool binary(std::vector<std::uint8_t>&) { return false; }  // not in JSON text
     bool string(std::string& value) { return text(Kind::String, value); }
     bool key(std::string& value) { return text(Kind::Key, value); }
 
@@ -86,7 +86,7 @@ class JsonReader {
 
   private:
     std::uint32_t count() const { return static_cast<std::uint32_t>(nodes_.size()); }
-    // The parser takes a NUL for the end of the text.
+    // nlohmann's parser takes a NUL for the end of the text.
     void requireNoNul() const {
         if (read_ != text_.data() && read_[-1] == '\0')
             throw document_.syntaxError(static_cast<std::size_t>(read_ - 1 - text_.data()), "unexpected NUL");
@@ -103,14 +103,14 @@ class JsonReader {
     LargeVector<Node>& nodes_;
     const std::string_view text_;
     const char* read_ = text_.data();  // how far the parser has read
-    const char* behindLast_;           // the same, at the last event
+    const char* behindLast_;           // how far it had read at the last event
     JsonEvent last_ = JsonEvent::None;
     std::vector<std::uint32_t> open_;  // containers, the innermost last
     std::vector<std::string_view> keys_;
 };
 
-// A node begins after the last event, behind blanks, a comma or a colon. After a number, the parser has read
-// one character more, but never the first of another value.
+// A node begins behind the last event and any blanks, comma or colon. Behind a number, the parser has read
+// one character too many, but that is never the first one of another value.
 bool JsonReader::add(Kind kind) {
     if (nodes_.size() == std::numeric_limits<std::uint32_t>::max())
         throw document_.error(0, "too many values");
@@ -136,7 +136,7 @@ bool JsonReader::number(double value) {
     return true;
 }
 
-// Text with an escape sequence is longer than what it stands for.
+// A string is longer in the text than its value, even without its quotes, if it has an escape sequence.
 bool JsonReader::text(Kind kind, std::string& value) {
     add(kind);
     Node& node = nodes_.back();
@@ -152,7 +152,7 @@ bool JsonReader::text(Kind kind, std::string& value) {
 }
 
 bool JsonReader::open(Kind kind) {
-    constexpr std::size_t deepest = 256;  // a scene has 5
+    constexpr std::size_t deepest = 256;  // a scene needs 5
     open_.push_back(count());
     add(kind);
     if (open_.size() > deepest)
@@ -163,7 +163,7 @@ bool JsonReader::open(Kind kind) {
     return true;
 }
 
-// Once for each object, not at each key, so that the time for a million keys is not quadratic.
+// Called once for each object, not for each key, so that the time for a million keys is not quadratic.
 void JsonReader::requireKeysOnce() {
     keys_.clear();
     for (std::uint32_t key = open_.back() + 1; key < count(); key = document_.end(key + 1))
@@ -179,7 +179,7 @@ void JsonReader::requireKeysOnce() {
                           second);
 }
 
-// By JSON's grammar, in which nothing follows a zero in front.
+// The end of a number by JSON's grammar: a leading zero is a number of its own.
 static std::size_t endOfNumber(std::string_view text, std::size_t at) {
     const std::size_t first = at + (text[at] == '-');
     if (text[first] == '0' && isDigitAt(text, first + 1)) return first + 1;
@@ -188,7 +188,7 @@ static std::size_t endOfNumber(std::string_view text, std::size_t at) {
                                     text.data());
 }
 
-// Of a number, the parser has read one character too many.
+// The parser has read one character too many behind a number, so the number's end is found again.
 SyntaxState JsonReader::state() const {
     SyntaxState state{text_, last_};
     const auto offset = [&](const char* place) { return static_cast<std::size_t>(place - text_.data()); };

@@ -6,8 +6,8 @@ namespace raytracer {
 namespace {
 
 struct Opened {
-    std::size_t place, indent;           // of the bracket, and of its line
-    std::optional<std::size_t> members;  // their indentation; without an end where the first has no line
+    std::size_t place, indent;           // the bracket's offset, and the indentation of its line
+    std::optional<std::size_t> members;  // their indentation; npos if the first is on the bracket's line
 };
 
 bool isKey(std::string_view line, std::size_t indent) {
@@ -17,7 +17,8 @@ bool isKey(std::string_view line, std::size_t indent) {
     return next != line.npos && line[next] == ':';
 }
 
-// Of a line that begins with a key, or closes an object of which a key had a line.
+// Whether the line's indentation says that it is not in the object. The line begins with a key, or closes an
+// object that has members.
 bool isOutdented(Opened& object, std::string_view line, std::size_t indent) {
     if (line[indent] == '}') return indent < object.indent && object.members.value_or(0) > indent;
     if (!isKey(line, indent)) return false;

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = JsonDocument::Kind;
 
-// "y", "-Z": the direction of an axis.
+// The direction of the axis that the text names ("y", "-Z"), as numbers; empty if it names none.
 std::vector<std::string> axisNamed(std::string_view text) {
     const bool isNegative = text.starts_with('-');
     const std::string lower = inLowerCase(text.substr(isNegative));
@@ -115,7 +115,7 @@ void JsonView::failExpected(const std::string& expected, Kind wanted) const {
     const std::string start = "expected " + expected, why = whyText(wanted);
     if (why.empty()) fail(start + form(wanted) + ", found " + inWords());
     const std::size_t remedy = why.find("write ");
-    constexpr std::size_t widest = 98;  // of a line of 100, behind a file's name
+    constexpr std::size_t widest = 98;  // characters behind the file's name
     const bool fits = columnCount(pointer() + ", by --set: " + start + ": " + why) <= widest;
     fail(start + ": " + (fits || remedy == why.npos ? why : why.substr(remedy)));
 }
@@ -128,7 +128,9 @@ void JsonView::failExpectedNumbers(const std::string& expected, std::size_t coun
     failExpected(expected + (isText && !isWhy ? ", red, green and blue" : ""), Kind::Array);
 }
 
-// --set takes for a text what is no JSON. A reason that is an expectation too says no more than this one.
+// Why this string is not the value that is wanted; empty if nothing more is known than that. --set takes a
+// value that is not JSON for a string: then the reason is why it is not. A reason that begins with "expected"
+// is left out, since the message states an expectation already.
 std::string JsonView::whyText(Kind wanted) const {
     if (kind() != Kind::String) return {};
     const std::string_view text = document_->string(node_);
@@ -140,7 +142,7 @@ std::string JsonView::whyText(Kind wanted) const {
     return why.starts_with("expected ") || isOther ? "" : why;
 }
 
-// What a text has to lose for what is wanted.
+// How to write this string so that it is the kind that is wanted: without its quotes, or in small letters.
 std::string JsonView::form(Kind wanted) const {
     if (kind() != Kind::String || wanted == Kind::String) return {};
     const std::string_view text = document_->string(node_);
@@ -157,7 +159,7 @@ std::string JsonView::form(Kind wanted) const {
 bool JsonView::hasKey() const { return node_ > 0 && document_->kind(node_ - 1) == Kind::Key; }
 bool JsonView::isColor() const { return hasKey() && key().starts_with("color"); }
 
-// The list of so many numbers that this value, which is none, probably means, or nothing.
+// The array of `count` numbers that was probably meant by this value, which is not one; empty if not known.
 std::string JsonView::numbersMeant(std::size_t count) const {
     if (!hasKey()) return {};
     std::vector<std::string> numbers;
@@ -194,7 +196,7 @@ std::string JsonView::inWords() const {
         case Kind::String: return inQuotes(document_->string(node_));
         case Kind::Array: return "a list of " + std::to_string(size());
         case Kind::Object: return "an object";
-        case Kind::Key: break;  // a key is no value
+        case Kind::Key: break;  // not a value
     }
     return {};
 }

@@ -16,7 +16,7 @@ std::size_t digitsAt(std::string_view text, std::size_t at) {
     return count;
 }
 
-// Groups of three digits with a separator before each.
+// A number at a text's beginning, with groups of three digits and a separator before each group.
 struct Grouped {
     std::size_t size = 0, groups = 0;
     std::string number{};
@@ -64,7 +64,7 @@ bool isSure(const Grouped& found, bool isInList) {
     return found.hasFraction || (found.hasZero && (found.groups > 1 || found.hasBlank));
 }
 
-// "vec3", "np.array": what makes a list of its arguments.
+// Whether this is the name of a function that makes a vector or a list of its arguments: "vec3", "np.array".
 bool isVectorName(std::string_view name) {
     const std::string lower = inLowerCase(name.substr(name.rfind('.') + 1));  // npos + 1 is 0
     static constexpr std::string_view begins[] = {"vec",     "array", "point", "float3", "float4",
@@ -82,7 +82,7 @@ std::size_t nameAt(std::string_view text, std::size_t at) {
     return std::isalpha(static_cast<unsigned char>(charAt(text, at))) ? count : 0;
 }
 
-// Behind "x:" or "x =", or where no label is.
+// The place behind a label, "x:" or "x ="; `at` if there is no label.
 std::size_t behindLabel(std::string_view text, std::size_t at) {
     if (!std::isalpha(static_cast<unsigned char>(charAt(text, at)))) return at;
     const std::size_t sign = skipped(text, at + 1);
@@ -91,7 +91,7 @@ std::size_t behindLabel(std::string_view text, std::size_t at) {
 
 // Two numbers or more, with commas between them.
 struct Numbers {
-    std::size_t end = 0;  // behind the last
+    std::size_t end = 0;  // behind the last number
     std::vector<std::string> json{};
     bool hasLabels = false;
 };

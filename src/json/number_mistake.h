@@ -1,4 +1,4 @@
-// What was meant for a number, or for a list of numbers.
+// Recognises text that was meant as a number, or as a list of numbers, but is not JSON.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace raytracer {
 
-// So many bytes with which a text begins, and what JSON has instead; none where nothing is known.
+// The first `size` bytes of a text, and the JSON that was meant by them. Size 0: nothing was recognised.
 struct Meant {
     std::size_t size = 0;
     std::string json{};
@@ -17,37 +17,39 @@ struct Meant {
 
 bool isDigitAt(std::string_view text, std::size_t at);
 
-// 1, but +.5 and 007 too.
+// Whether the word is a finite number in any common form: 1, but also +.5 and 007.
 bool isNumber(std::string_view word);
 
-// The number that the word is, as JSON has it: 0.5, 7.
+// The same number in JSON's form: 0.5, 7.
 std::string asJsonNumber(std::string_view word);
 
-// Why a number is none of JSON's.
+// Why a number is not in JSON's form.
 const char* aboutNumberForm(std::string_view number);
 
-// Whether the word is a unit, which numbers do not have here.
+// Whether the word is a unit of length or angle, or the like. Numbers have no units here.
 bool isUnit(std::string_view word);
 
-// A number with separators of thousands: 1 000, 1_000, 1.000,5. In a list, a blank and a comma may part
-// numbers, and so may commas that leave a list of JSON's numbers.
+// A number with thousands separators: 1 000, 1_000, 1.000,5. In a list, blanks and commas are not taken for
+// thousands separators, since they may separate numbers.
 Meant withoutThousands(std::string_view text, bool isInList);
 
-// "0,5": what has one comma, between digits. "1,000" may be a thousand, "0,125" may not.
+// A number with a decimal comma, between digits: "0,5". mayBeThousand: "1,000" may be a thousand, "0,125"
+// not.
 Meant withDecimalPoint(std::string_view text);
 bool mayBeThousand(std::string_view number);
 
-// Numbers with commas between them that lack their brackets: 0, 1, 4
+// Two numbers or more, separated by commas, without brackets: 0, 1, 4
 Meant bareList(std::string_view text);
 
-// The numbers, as JSON has them, that the whole text is, with blanks or commas between them; or none.
+// The numbers, in JSON's form, that make up the whole text, with blanks or commas between them. Empty if the
+// text has anything else.
 std::vector<std::string> numbersIn(std::string_view text);
 
-// [1, 2] of "1" and "2"; nothing of no numbers.
+// The list of these numbers: "[1, 2]" for "1" and "2"; empty if there are none.
 std::string listOf(const std::vector<std::string>& numbers);
 
-// Numbers as other languages have them: (3, 5, 4), <3, 5, 4>, vec3(3, 5, 4), x: 3, y: 5, and from its
-// bracket, [x=3, y=5].
+// Numbers as other languages write them: (3, 5, 4), <3, 5, 4>, vec3(3, 5, 4), x: 3, y: 5, and, if the text
+// begins with the bracket, [x=3, y=5].
 Meant vectorElsewhere(std::string_view text);
 
 }  // namespace raytracer

@@ -28,7 +28,7 @@ Steps stepsOf(std::string_view pointer, std::string_view separators) {
     return hasRoot ? Steps(steps.begin() + 1, steps.end()) : steps;
 }
 
-// The pointer of the element that has this name, or nothing.
+// The pointer of the array's element whose "name" is this; empty if there is none.
 std::string named(const JsonDocument& document, std::uint32_t list, std::string_view name) {
     if (document.kind(list) != Kind::Array) return {};
     for (const JsonView element : JsonView(document, list).elements()) {
@@ -43,8 +43,9 @@ bool isPlainKey(std::string_view key) {
     return std::isalpha(static_cast<unsigned char>(key[0])) && std::ranges::all_of(key, isPlain);
 }
 
-// The pointer to which the steps lead, by the names of elements too; it may end with a key that its object,
-// which is not the scene, does not have yet, or with "-".
+// The pointer made of the steps, where a step may also be the name of an array's element. The last step may
+// be
+// "-", or a new key of an object other than the root. Empty if the steps lead nowhere.
 std::string leading(const JsonDocument& document, const Steps& steps) {
     std::string pointer;
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -60,7 +61,8 @@ std::string leading(const JsonDocument& document, const Steps& steps) {
     return pointer;
 }
 
-// The one place in the document where the steps lead on from; nothing where there is none, or another.
+// The pointer of the only value in the document to which the steps lead, starting at any key. Empty if there
+// is none, or more than one.
 std::string onlyPlace(const JsonDocument& document, const Steps& steps) {
     std::string behind;
     for (std::size_t i = 1; i < steps.size(); ++i) behind += "/" + steps[i];
@@ -75,7 +77,7 @@ std::string onlyPlace(const JsonDocument& document, const Steps& steps) {
     return place == 0 ? "" : document.pointer(place);
 }
 
-// The pointer that is meant by one with other separators, without its beginning, or with names.
+// The pointer that is meant by one with other separators, without its first steps, or with names of elements.
 std::string meant(const JsonDocument& document, const std::string& pointer) {
     const Steps bySlash = stepsOf(pointer, "/"), byAny = stepsOf(pointer, "/.:[]\\");
     for (const Steps& steps : {bySlash, byAny}) {
@@ -87,7 +89,8 @@ std::string meant(const JsonDocument& document, const std::string& pointer) {
     return onlyPlace(document, byAny);
 }
 
-// What else the key may mean that an object does not have.
+// "; did you mean ...?" with the key of the object that is nearest to one that it lacks; empty if none is
+// near.
 std::string question(const JsonDocument& document, const PointerEnd& end, std::string_view key) {
     NearestName nearest(key);
     for (std::uint32_t at = end.node + 1; at < document.end(end.node); at = document.end(at + 1))
@@ -97,7 +100,8 @@ std::string question(const JsonDocument& document, const PointerEnd& end, std::s
     return "; did you mean " + document.pointer(end.node) + "/" + nearest.name() + behind + "?";
 }
 
-// A list of numbers is a point or a color, which has as many as it must.
+// The message for an index that an array lacks. An array of numbers is a point or a colour, of a fixed size:
+// it is not proposed to add an element.
 std::string notInList(const JsonView list, std::string_view step, bool isLast) {
     const std::size_t count = list.size();
     const std::string here = list.pointer();

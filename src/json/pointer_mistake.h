@@ -1,4 +1,4 @@
-// Why a pointer does not lead to a value, and where it should.
+// Explains why a pointer does not lead to a value, and proposes one that does.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace raytracer {
 
-// What is wrong with the form of a pointer that does not lead all the way, or nothing.
+// What is wrong with the form of a pointer that does not lead to a value; empty if the form is right.
 std::string aboutPointerForm(const JsonDocument& document, const std::string& pointer);
 
-// Why the pointer, which has its form, leads nowhere.
+// Why a pointer of the right form leads nowhere.
 std::string aboutLostPointer(const JsonDocument& document, const std::string& pointer);
 
 }  // namespace raytracer

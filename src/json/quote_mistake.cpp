@@ -8,7 +8,7 @@
 namespace raytracer {
 namespace {
 
-// Why the escape sequence at `at` is none, or nothing.
+// Why the escape sequence at `at` is not valid; empty if it is.
 std::string wrongEscape(const SyntaxState& state, std::size_t at) {
     const std::string_view text = state.text;
     const char escaped = at + 1 < text.size() ? text[at + 1] : '"';
@@ -18,7 +18,7 @@ std::string wrongEscape(const SyntaxState& state, std::size_t at) {
     const bool isHex = digits.size() == 4 &&
                        std::ranges::all_of(digits, [](unsigned char c) { return std::isxdigit(c) != 0; });
     if (!isHex) return "expected four hexadecimal digits behind \\u";
-    const bool isBlamed = state.stopped >= at && state.stopped < at + 12;  // of a pair, its second half
+    const bool isBlamed = state.stopped >= at && state.stopped < at + 12;  // 12: a surrogate pair
     const bool isSurrogate = (digits[0] == 'd' || digits[0] == 'D') && digits[1] >= '8';
     return isSurrogate && isBlamed ? "half a character: \\ud800 to \\udfff stand in pairs" : "";
 }

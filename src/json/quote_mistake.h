@@ -1,4 +1,4 @@
-// What is wrong with a text's quotes, or between them.
+// Finds what is wrong with a string's quotes, or between them.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,17 @@
 
 namespace raytracer {
 
-// Of quotes other than JSON's, with which the text begins, or nothing.
+// What is wrong with the quote at the text's beginning, if it is not JSON's; else empty.
 std::string aboutOtherQuotes(std::string_view text);
 
-// Why there is no text where one begins, and the parser has stopped in it.
+// Why the string that begins at `begin`, and in which the parser has stopped, is not valid.
 SyntaxMistake stringMistake(const SyntaxState& state, std::size_t begin);
 
-// Whether a text that the parser has read last, and behind which a word follows at once, took in what follows
-// it, to the next text's beginning: "red, "color": 1
+// Whether the string that was read last lacks its closing quote, so that it reaches to the opening quote of
+// the next one: "red, "color": 1. A word must follow directly.
 bool isSwallowing(const SyntaxState& state);
 
-// Whether it ends where a quote was meant for a part of it: "the "red" one"
+// Whether the string that was read last ends at a quote that was meant as a part of it: "the "red" one"
 bool isQuoteInText(const SyntaxState& state);
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// What stands behind the last event of a text that is no JSON, and what may stand there instead.
+// Looks at what follows the last event in a text that is not JSON, and makes proposals of other text.
 #pragma once
 
 #include <algorithm>
@@ -36,20 +36,21 @@ class SyntaxCursor {
     std::string shown() const;  // what was found, for a message
     std::string theOpening(std::size_t opening) const;
 
-    // Of the text or the list that the parser has read last.
+    // Where the string, number or list begins that the parser has read last.
     std::size_t valueBegin() const;
 
-    // Whether JSON can go on behind a value that ends here.
+    // Whether what follows `end` can follow a value in JSON.
     bool isEnd(std::size_t end) const;
 
-    // "WHY: write INSTEAD", of a range of the text; without a remedy where that would be no JSON.
+    // "WHY: write INSTEAD", about a range of the text. Only "WHY" if the replacement would not be JSON, or is
+    // too long.
     SyntaxMistake proposal(TextRange range, const WordMistake& word) const;
     SyntaxMistake proposal(std::size_t begin, const char* why, const Meant& meant) const {
         return proposal({begin, begin + meant.size}, {why, meant.json});
     }
 
     const SyntaxState& s_;
-    std::size_t at_;  // the first character that has a meaning, behind the last event
+    std::size_t at_;  // the first character behind the last event that is not blank
 };
 
 }  // namespace raytracer

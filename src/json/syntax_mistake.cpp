@@ -11,7 +11,7 @@
 namespace raytracer {
 namespace {
 
-// Finds out what stands behind the last event, and what should.
+// Finds the mistake from what follows the last event.
 class Finder : private SyntaxCursor {
   public:
     explicit Finder(const SyntaxState& state) : SyntaxCursor(state) {}
@@ -140,7 +140,7 @@ class Finder : private SyntaxCursor {
         const std::size_t end = s_.text.find_last_not_of(blanks, comma - hasComma) + 1;
         return {end, unclosed().message};
     }
-    // An object that has the key is whole: the key is another's.
+    // If the object that is closed there has this key already, the key belongs to another object.
     SyntaxMistake keyBehind(std::size_t closed) const {
         const std::string_view key = s_.text.substr(s_.begin, s_.end - s_.begin);
         const std::size_t opening = s_.text.rfind('{', closed);
@@ -149,7 +149,7 @@ class Finder : private SyntaxCursor {
         return {s_.begin, "\"{\" is missing before this key"};
     }
 
-    // "[1 -2]" lacks a comma; "[1 - 2]" and "[1-2]" calculate.
+    // "[1 -2]" lacks a comma; "[1 - 2]" and "[1-2]" are calculations.
     bool isOperator() const {
         const bool isSign = found() == '+' || found() == '-';
         return isOneOf(found(), "+-*/^%") && (!isSign || at_ == s_.end || !isDigitAt(s_.text, at_ + 1));
@@ -161,7 +161,7 @@ class Finder : private SyntaxCursor {
     bool isUnitInLine() const { return isInLine() && isUnit(wordAt(at_)); }
     bool isOperatorInLine() const { return isInLine() && s_.text[s_.end - 1] != '}' && isOperator(); }
 
-    // A number goes on where it should end: 360/4, 007, 90deg, 1 m.
+    // A number is followed by more than may follow it: 360/4, 007, 90deg, 1 m.
     SyntaxMistake longerNumber() const {
         if (isOperator()) return calculation(s_.begin);
         const std::size_t end = at_ + wordAt(at_).size();
@@ -177,7 +177,7 @@ class Finder : private SyntaxCursor {
         return {begin, aboutCalculation(s_.text.substr(begin))};
     }
 
-    // Where a key should follow: "x": 0,5
+    // A decimal comma where a key should follow the comma: "x": 0,5
     Meant decimal() const { return withDecimalPoint(s_.text.substr(s_.begin)); }
     bool isDecimalComma() const { return s_.container == '{' && isBehindNumber() && decimal(); }
     SyntaxMistake decimalComma() const {
@@ -192,7 +192,7 @@ class Finder : private SyntaxCursor {
         return mistake;
     }
 
-    // Where only the end of the container or another comma follows one.
+    // Whether a comma is followed by a closing bracket or another comma.
     bool isCommaTooMany() const {
         return comma_ != std::string_view::npos && (found() == '}' || found() == ']' || found() == ',');
     }
@@ -200,7 +200,7 @@ class Finder : private SyntaxCursor {
         return {comma_, std::string("a comma too many before \"") + found() + '"'};
     }
 
-    // {{ at the beginning, or where one of them has no end or no other end; else it is a list of objects.
+    // "{{" at the root, or with a "}" missing, or closed by "}}". Any other was meant as a list of objects.
     bool isBraceTwice() const {
         if (found() != '{' || s_.last != JsonEvent::Open) return false;
         const bool isUnclosed = excess(s_.text, '}') < 0 && excess(s_.text, ']') <= 0;
@@ -252,7 +252,7 @@ class Finder : private SyntaxCursor {
         if (word.size() <= 2 && charAt(at_ + word.size()) == '"') return prefixedText(word.size());
         return isFormula(word) ? calculation(at_) : aboutWordAt(at_);
     }
-    // Numbers as other languages write them.
+    // A list of numbers as other languages write it.
     SyntaxMistake otherList() const {
         const char* const why = "a list stands in [ and ]";
         const bool isInList = s_.container == '[' && s_.last == JsonEvent::Open;
@@ -266,7 +266,7 @@ class Finder : private SyntaxCursor {
         if (std::isalpha(static_cast<unsigned char>(found()))) return "the numbers of a list have no names";
         return isNumber(wordAt(at_)) ? aboutNumberForm(wordAt(at_)) : "a list stands in [ and ]";
     }
-    // r"red", as Python has it.
+    // A string with a prefix, as in Python: r"red".
     SyntaxMistake prefixedText(std::size_t prefix) const {
         const std::size_t begin = at_ + prefix, end = s_.text.find_first_of("\"\n", begin + 1);
         const std::string text(s_.text.substr(begin, end - begin));
@@ -287,8 +287,8 @@ class Finder : private SyntaxCursor {
         return proposal({at, end}, about);
     }
 
-    std::size_t comma_ = std::string_view::npos;  // behind the last event, if it is there
-    bool isColor_ = false;                        // of the value that should follow, by its key
+    std::size_t comma_ = std::string_view::npos;  // the comma behind the last event, if there is one
+    bool isColor_ = false;                        // whether the key says that the next value is a colour
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Why a text is no JSON, in the words of who wrote it.
+// Explains why a text is not JSON, in terms of what its author meant.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +9,22 @@
 
 namespace raytracer {
 
-// How far a parser came: the last event that it reported.
+// The last event that the parser reported, and where it stopped.
 enum class JsonEvent { None, Value, Key, Open, Close };
 
 struct SyntaxState {
     std::string_view text;
     JsonEvent last = JsonEvent::None;
-    std::size_t begin = 0;    // where what was reported last begins
-    std::size_t end = 0;      // and ends
+    std::size_t begin = 0;    // where the last event begins in the text
+    std::size_t end = 0;      // where it ends
     std::size_t stopped = 0;  // the character, or the end of the text, at which the parser stopped
-    char container = 0;       // the innermost that is open: '{', '[' or 0
-    std::size_t opening = 0;  // where that stands
+    char container = 0;       // the innermost open bracket: '{', '[', or 0 for none
+    std::size_t opening = 0;  // where that bracket is
 };
 
-// Where the message proposes other text for a range, `instead` is that: with it, the place is JSON.
+// If the message proposes to replace `range` of the text, `instead` is the replacement, which is JSON.
 struct SyntaxMistake {
-    std::size_t offset;  // of the character to blame
+    std::size_t offset;  // of the wrong character
     std::string message;
     TextRange range{};
     std::string instead{};

@@ -24,7 +24,7 @@ bool isConstant(std::string_view word) {
                    {"pi", "tau", "e", "m_pi", "math.pi", "np.pi", "numpy.pi", "std::numbers::pi", "\u03c0"});
 }
 
-// True or false, if the word is like one of them.
+// "true" or "false" if the word means that or is spelt like it; else empty.
 std::string truth(const std::string& lower) {
     if (isAnyOf(lower, {"yes", "on"})) return "true";
     if (isAnyOf(lower, {"no", "off"})) return "false";
@@ -34,7 +34,7 @@ std::string truth(const std::string& lower) {
     return nearest.found() ? nearest.name() : "";
 }
 
-// The number behind a dash that is no hyphen.
+// The number behind a long dash; empty if the word is anything else.
 std::string_view behindDash(std::string_view word) {
     const std::string_view number = behindLongDash(word);
     return isNumber(number) && number[0] != '-' && number[0] != '+' ? number : "";

@@ -1,4 +1,4 @@
-// What a word that is no JSON was meant to be.
+// Explains what a word that is not JSON was meant to be.
 #pragma once
 
 #include <string>
@@ -6,24 +6,26 @@
 
 namespace raytracer {
 
-// Why, and the JSON that may stand instead of the word; empty where that is not known. `more`: what else may.
+// Why a word is wrong, and the JSON to write instead (empty if not known). `more` is other advice, behind
+// that.
 struct WordMistake {
     std::string why, instead{}, more{};
 };
 
-// A name, of a file too.
+// Whether the word may be a name, also of a file.
 bool isPlainText(std::string_view word);
 
-// Why the word, which is not empty, is no value.
+// Why the word is not a value. It must not be empty.
 WordMistake aboutWord(std::string_view word);
 
-// #fff, #ff8000: as other programs write colors. "[1, 1, 1]", or nothing for another word.
+// A colour as other programs write it, #fff or #ff8000, as a list: "[1, 1, 1]". Empty for any other word.
 std::string hexColor(std::string_view word);
 
 // Whether a calculation begins with the word: sqrt(2), -pi/2.
 bool isFormula(std::string_view word);
 
-// Of a calculation with which the text begins; it goes on to where JSON would, but for commas in brackets.
+// The message about a calculation at the text's beginning. It ends where a value would in JSON, but may have
+// commas in brackets.
 std::string aboutCalculation(std::string_view text);
 
 }  // namespace raytracer

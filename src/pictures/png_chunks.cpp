@@ -19,7 +19,7 @@ std::string_view typeOf(std::string_view chunk) { return chunk.substr(4, 4); }
 
 namespace {
 
-// A chunk of a PNG is a length, a type, data of that length, and a CRC of type and data: the bytes but for
+// A chunk is a length, a type, data of that length, and a CRC of type and data. This is its size without
 // data.
 constexpr std::size_t chunkFrame = 12;
 

@@ -1,9 +1,9 @@
-// A JSON text as a flat tree: 16 bytes a value and 16 a key, in one vector. Every node knows where it begins
-// in the text; strings stay there.
+// A JSON text as a flat tree in one vector: 16 bytes for a value and 16 for a key. Every node knows where it
+// begins in the text; strings are not copied.
 //
-// nlohmann::json would hold a std::map for each object, and of two equal keys it would keep the last in
-// silence. A JsonDocument refuses duplicate keys. It computes a value's JSON pointer (RFC 6901) and line only
-// when they are asked for.
+// nlohmann::json would hold a std::map for each object, and would silently keep the last of two equal keys. A
+// JsonDocument refuses duplicate keys. It computes a value's JSON pointer (RFC 6901) and line only when they
+// are asked for.
 #pragma once
 
 #include <cstdint>
@@ -19,28 +19,28 @@
 
 namespace raytracer {
 
-// Of a text, in bytes.
+// A range of a text, in bytes.
 struct TextRange {
     std::size_t begin = 0, end = 0;
 };
 
-// Of an edited text: what is not the file's, and how many of the file's bytes it stands for.
+// A range of an edited text that is not from the file, and the number of the file's bytes that it replaces.
 struct EditedRange : TextRange {
     std::size_t replaced = 0;
 };
 
-// Ranges that do not overlap, and the file's text, which must outlive them.
+// Ranges that do not overlap, and the file's original text, which must outlive them.
 struct TextEdits {
     std::vector<EditedRange> ranges;
     std::string_view original;
 };
 
-// What is wrong is a number that a double cannot hold.
+// The text has a number that is too large for a double.
 struct NotFinite : Error {
     explicit NotFinite(const Error& error) : Error(error) {}
 };
 
-// The text is no JSON. Where the message proposes other text for a range of it, `instead` is that.
+// The text is not JSON. If the message proposes to replace `range` of the text, `instead` is the replacement.
 struct NoJson : Error {
     NoJson(const Error& error, TextRange where, std::string proposed)
         : Error(error), range(where), instead(std::move(proposed)) {}
@@ -53,9 +53,10 @@ class JsonDocument {
     // A member of an object is two nodes: its key, then its value.
     enum class Kind : std::uint8_t { Null, Boolean, Number, String, Array, Object, Key };
 
-    // The text of the file `path`: UTF-8, with a byte order mark or without. It must outlive the document.
-    // Throws Error for what is no JSON, for a key that an object has twice, and for a number too large for a
-    // double. Deep nesting does not use the stack. `edits`: what of the text is not the file's, but --set's.
+    // Parses the text of the file `path`: UTF-8, with or without a byte order mark. The text must outlive the
+    // document. Throws Error if the text is not JSON, if an object has a key twice, if a number is too large
+    // for a double, and if lists and objects are nested more than 256 deep. `edits` are the ranges of the
+    // text that come from --set.
     JsonDocument(std::string path, std::string_view text, TextEdits edits = {});
     JsonDocument(const JsonDocument&) = delete;
     JsonDocument& operator=(const JsonDocument&) = delete;
@@ -69,13 +70,13 @@ class JsonDocument {
     // The first node after this value and all that is in it: the next sibling, or in an object its key.
     std::uint32_t end(std::uint32_t node) const { return isContainer(node) ? nodes_[node].end : node + 1; }
 
-    std::size_t begin(std::uint32_t node) const;    // in the text
+    std::size_t begin(std::uint32_t node) const;    // offset in the text
     std::string pointer(std::uint32_t node) const;  // empty for the root
 
     bool isEdited(std::uint32_t node) const;
 
-    // An Error about a value, with the value's line, column and JSON pointer; about one that is edited, with
-    // the pointer and "by --set".
+    // An Error about a value, with the value's line, column and JSON pointer. If the value is edited, it has
+    // the pointer and "by --set" instead.
     Error error(std::uint32_t node, const std::string& message) const { return error(node, message, node); }
     // The same, with the line and the column of another node.
     Error error(std::uint32_t node, const std::string& message, std::uint32_t where) const;
@@ -83,7 +84,7 @@ class JsonDocument {
   private:
     friend class JsonReader;
 
-    // A String or a Key with an escape sequence, so that the text does not have it as it is.
+    // A String or a Key with an escape sequence: its text is decoded, so it differs from the JSON text.
     struct Decoded {
         std::string text;
         const char* begin;
@@ -97,7 +98,7 @@ class JsonDocument {
         };
         union {
             std::uint32_t length;     // of a String or a Key, in bytes
-            std::uint32_t end;        // of an Array or an Object: the first node after all that is in it
+            std::uint32_t end;        // of an Array or an Object: the first node after its contents
             std::uint32_t offsetLow;  // of a Number
         };
         std::uint16_t offsetHigh;

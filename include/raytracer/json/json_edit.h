@@ -1,4 +1,4 @@
-// Values of a JSON text, replaced or added before it is read.
+// Replaces and adds values in a JSON text before it is parsed (--set).
 #pragma once
 
 #include <span>
@@ -10,19 +10,22 @@
 
 namespace raytracer {
 
-// What a text is, read as JSON: a string where it is none, but for a number that no double can hold, which
-// keeps its kind. `why`: what is wrong, without its place; empty for JSON.
+// The kind of JSON value that a text is, and why it is not JSON (without a place; empty if it is JSON). A
+// text that is not JSON counts as a String. If all that is wrong is a number too large for a double, the kind
+// is the value's own.
 struct JsonReading {
     JsonDocument::Kind kind;
     std::string why{};
 };
 JsonReading readingOf(std::string_view text);
 
-// "/pointer=value": a JSON pointer (RFC 6901) up to the first "=", and JSON; what is no JSON is a string.
+// "/pointer=value": a JSON pointer (RFC 6901) up to the first "=", and a value. A value that is not JSON is
+// taken for a string.
 struct JsonEdit {
     std::string pointer, value;
 
-    // Throws Error where there is no pointer or no "="; edited() does for a pointer without its first "/".
+    // Throws Error if the pointer or the "=" is missing. A pointer without its first "/" is left to edited(),
+    // which throws.
     explicit JsonEdit(const std::string& assignment);
 };
 
@@ -31,10 +34,10 @@ struct EditedJson {
     TextEdits edits;
 };
 
-// The text of the file `path` with other values, one edit after the other; the text must outlive it. A
-// pointer's last step may be a key that its object does not have, or "-", behind the last element of its
-// array: then the value is added. Throws Error where a pointer leads nowhere, with the nearest pointer that
-// the text has.
+// Applies the edits, one after the other, to the text of the file `path`, which must outlive the result. A
+// pointer's last step may be a key that the object does not have, or "-", the place behind an array's last
+// element: then the value is added. Throws Error if a pointer leads nowhere; the message proposes the nearest
+// one that exists.
 EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments);
 
 }  // namespace raytracer

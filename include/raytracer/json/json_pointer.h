@@ -9,14 +9,14 @@
 
 namespace raytracer {
 
-// What a key or an index adds to a pointer: "/" and the text, with "~0" for "~" and "~1" for "/".
+// The step of a pointer for a key or an index: "/" and the text, with "~0" for "~" and "~1" for "/".
 std::string pointerStep(std::string_view key);
 
-// The key of a step without its "/".
+// The key that a step stands for. The step is given without its "/".
 std::string keyOf(std::string_view step);
 
-// How far a pointer leads from a value: to the value `node`, and all the way where nothing is left of it.
-// What is left begins with a step that this value does not have; it is a part of the pointer's own text.
+// How far a pointer leads from a value: to the value `node`. `left` is the rest of the pointer, a part of its
+// own text. It is empty if the pointer was followed to its end; else it begins with a step that `node` lacks.
 struct PointerEnd {
     std::uint32_t node;
     std::string_view left;

@@ -1,5 +1,5 @@
-// Reads a value of a JsonDocument as the type that it must have. An Error has the value's place: "scene.json:
-// /camera/eye: expected 3 numbers, found a list of 2".
+// Reads a value of a JsonDocument as the type that it must have. If it has another type, throws an Error with
+// the value's place: "scene.json: /camera/eye: expected 3 numbers, found a list of 2".
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace raytracer {
 
-// Two machine words, passed by value. The document must outlive it.
+// A view is two machine words, and passed by value. The document must outlive it.
 class JsonView {
   public:
     class Iterator;
@@ -28,7 +28,8 @@ class JsonView {
     bool boolean() const;
     double number() const;
     std::string_view string() const;
-    // A list of exactly out.size() numbers, which a message calls `expected`, or that.
+    // Reads an array of exactly out.size() numbers. `expected` is what an error message calls it; by default,
+    // "3 numbers" and the like.
     void numbers(std::span<double> out, const std::string& expected = {}) const;
     glm::dvec3 vec3() const;
 
@@ -38,10 +39,10 @@ class JsonView {
     std::string_view key() const;  // of an object's member
     Children elements() const;     // of an array
     Children members() const;      // of an object
-    std::size_t size() const;      // of either, else 0; each call counts
+    std::size_t size() const;      // of either, else 0; takes linear time
     JsonView element(std::size_t index) const;
 
-    // Throws unless this is an array of `count` elements; the message calls that `expected`.
+    // Throws unless this is an array of `count` elements. `expected` is what the message calls that.
     void requireElements(std::size_t count, const char* expected) const;
 
     std::optional<JsonView> find(std::string_view key) const;  // an object's member
@@ -49,14 +50,15 @@ class JsonView {
 
     std::string pointer() const { return document_->pointer(node_); }
     Error error(const std::string& message) const { return document_->error(node_, message); }
-    // About this object, at the key of its member.
+    // An Error about this object, with the line and column of a member's key.
     Error errorAtKey(JsonView member, const std::string& message) const {
         return document_->error(node_, message, member.node_ - 1);
     }
-    // Whether --set has put this member there, with its key.
+    // Whether this member's key comes from --set, so that the whole member does.
     bool hasEditedKey() const { return document_->isEdited(node_ - 1); }
     [[noreturn]] void fail(const std::string& message) const { throw error(message); }
-    // "expected ..., found " and this value. `wanted`: what it should be, for a text that has that in quotes.
+    // Throws "expected ..., found " and this value. `wanted` is the expected kind: if this is a string that
+    // contains such a value, the message says to remove the quotes.
     [[noreturn]] void failExpected(const std::string& expected,
                                    JsonDocument::Kind wanted = JsonDocument::Kind::String) const;
 
@@ -79,7 +81,8 @@ class JsonView {
 
 class JsonView::Iterator {
   public:
-    // `ahead`: the number of nodes between a sibling's end and the value: 1 in an object, the key; else 0.
+    // `ahead`: the number of nodes from a sibling's end to the next value: 1 in an object, for the key; else
+    // 0.
     Iterator(const JsonDocument& document, std::uint32_t node, std::uint32_t ahead)
         : document_(&document), node_(node), ahead_(ahead) {}
     JsonView operator*() const { return JsonView(*document_, node_ + ahead_); }

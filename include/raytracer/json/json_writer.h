@@ -18,7 +18,7 @@
 namespace raytracer {
 
 // The caller must follow the grammar: in an object every value has a key, and each begin has its end. Nothing
-// is checked. An object has a line for each key, an array of plain values has one line.
+// is checked. In an object each key begins a line; an array of plain values stays on one line.
 class JsonWriter {
   public:
     JsonWriter& beginObject() { return begin('{'); }
