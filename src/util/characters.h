@@ -1,5 +1,5 @@
-// What Unicode says of characters, as far as a terminal shows it. The ranges of `wide` and `marks` are made
-// of Unicode 14 by Python's unicodedata; a code point without a character joins the range around it.
+// Properties of Unicode's characters that matter on a terminal. The ranges of `wide` and `marks` were made
+// from Unicode 14 with Python's unicodedata; an unassigned code point joins the range around it.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ struct CodeRange {
     bool contains(std::uint32_t code) const { return first <= code && code <= last; }
 };
 
-// What a reader does not see.
+// Why a reader does not see a character.
 enum class Unseen {
-    Control,  // which a terminal takes for a command
-    Turning,  // Bidi_Control: turns the direction of the text around it, so that a name could pass for
+    Control,  // a terminal takes it for a command
+    Turning,  // Bidi_Control: changes the direction of the text around it, so that a name could look like
               // another
     Blank,    // looks like a space
-    Nothing   // takes no room
+    Nothing   // takes no space
 };
 struct UnseenRange {
     CodeRange codes;
@@ -38,7 +38,7 @@ constexpr UnseenRange unseen[] = {
     {{0xfeff, 0xfeff}, Unseen::Nothing},
 };
 
-// East_Asian_Width W or F, emoji among them: two columns.
+// East_Asian_Width W or F, which includes emoji: two columns.
 constexpr CodeRange wide[] = {
     {0x1100, 0x115f},   {0x231a, 0x231b},   {0x2329, 0x232a},   {0x23e9, 0x23ec},   {0x23f0, 0x23f0},
     {0x23f3, 0x23f3},   {0x25fd, 0x25fe},   {0x2614, 0x2615},   {0x2648, 0x2653},   {0x267f, 0x267f},
@@ -58,7 +58,7 @@ constexpr CodeRange wide[] = {
     {0x1f6d5, 0x1f6df}, {0x1f6eb, 0x1f6ec}, {0x1f6f4, 0x1f6fc}, {0x1f7e0, 0x1f7f0}, {0x1f90c, 0x1f93a},
     {0x1f93c, 0x1f945}, {0x1f947, 0x1f9ff}, {0x1fa70, 0x1faf6}, {0x20000, 0x3134a}};
 
-// General_Category Mn or Me, below U+10000: they stand on the character before, in its column.
+// General_Category Mn or Me, below U+10000: combining marks, in the column of the character before.
 constexpr CodeRange marks[] = {
     {0x300, 0x36f},   {0x483, 0x489},   {0x591, 0x5bd},   {0x5bf, 0x5bf},   {0x5c1, 0x5c2},
     {0x5c4, 0x5c5},   {0x5c7, 0x5c7},   {0x610, 0x61a},   {0x64b, 0x65f},   {0x670, 0x670},

@@ -1,4 +1,4 @@
-// Other programs, run until they end or a limit stops them.
+// Runs other programs until they end or exceed a limit.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace raytracer {
 
-// Of a program with all that it starts.
+// Limits of a program and all processes that it starts.
 struct ProcessLimits {
-    double processorSeconds = 60;  // of all its processes and threads together
+    double processorSeconds = 60;  // the sum over all its processes and threads
     double wallSeconds = 600;
     std::uint64_t memory = std::uint64_t{8} << 30;    // bytes of address space, of each process
     std::uint64_t output = std::uint64_t{256} << 20;  // bytes, of each file
@@ -20,11 +20,11 @@ struct ProcessLimits {
 
 struct ProcessStart {
     std::string command;                 // for a shell, which splits and expands it
-    std::vector<std::string> arguments;  // which it does not
-    std::string output;                  // the file for what it prints
+    std::vector<std::string> arguments;  // appended as they are
+    std::string output;                  // the file for its standard output and standard error
     ProcessLimits limits = {};
-    std::string folder = {};  // where it runs, and its TMPDIR; empty: here
-    std::string user = {};    // whose rights it has; empty: ours
+    std::string folder = {};  // its working folder and its TMPDIR; empty: those of this program
+    std::string user = {};    // the user that it runs as; empty: this program's
 };
 
 std::string signalName(int signal);  // "Segmentation fault"
@@ -32,8 +32,8 @@ std::string signalName(int signal);  // "Segmentation fault"
 struct ProcessEnd {
     enum class Stop { None, Hung, TooSlow, TooManyProcesses, TooMuchOutput };
 
-    int exitStatus = 0;  // as the shell has it; 127: no such program
-    int signal = 0;      // that killed it, or 0
+    int exitStatus = 0;  // that of the shell; 127: no such program
+    int signal = 0;      // the signal that killed it, or 0
     Stop stop = Stop::None;
     double seconds = 0, processorSeconds = 0;
 
@@ -43,21 +43,21 @@ struct ProcessEnd {
     std::string description() const;
 };
 
-// Its input is empty. All that it has started, in whatever session, is killed when it ends or is stopped, and
-// where this program ends. Where it kills what watches it, it has crashed. Throws Error where no process can
-// be started.
+// Runs a program with empty standard input. When it ends or is stopped, all processes that it has started are
+// killed, in whatever session they are; so they are when this program ends. A program that kills its
+// supervisor counts as crashed. Throws Error if no process can be started.
 ProcessEnd runProcess(const ProcessStart& start);
 
-// start(i) and, once that has ended, ended(i, how), for each i below the count: `atOnce` of them side by
-// side. To be called where no other thread runs, as both functions are in this one.
+// Runs the programs start(0), ..., start(count - 1), up to `atOnce` at a time, and calls ended(i, how) after
+// program i has ended. Both functions are called on this thread. No other thread may run meanwhile.
 void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStart(std::size_t)>& start,
                   const std::function<void(std::size_t, const ProcessEnd&)>& ended);
 
-// Throws Error where the platform is not one that programs are run on.
+// Throws Error on a platform where programs cannot be run.
 void requirePrograms();
-// Throws Error where there is no such user, or where this program may not become another.
+// Throws Error if there is no such user, or if this program may not run others as that user.
 void requireUser(const std::string& name);
-// Makes the folder, with all that is in it, the user's.
+// Makes the user the owner of the folder and of all that is in it. Throws Error.
 void giveFolderTo(const std::string& user, const std::string& folder);
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// Whole files, read. Each Error has the path and says why: "a.png: cannot read: No such file or directory".
+// Reads whole files. Each Error has the path and the reason: "a.png: cannot read: No such file or directory".
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,11 @@
 
 namespace raytracer {
 
-// What a file may be: a pipe or a device, too, or nothing that can make its reader wait or that has no end.
+// Which files are accepted. Any includes pipes and terminals. A Regular file cannot make its reader wait, and
+// has an end.
 enum class FileKind { Any, Regular };
 
-// A copy of a file's bytes: what other programs do to the file afterwards changes nothing.
+// A copy of a file's bytes, which does not change when other programs change the file afterwards.
 class FileBytes {
   public:
     // Throws Error. NOLINTNEXTLINE(google-explicit-constructor): a path stands for its file
@@ -22,7 +23,7 @@ class FileBytes {
 
     const std::string& path() const { return path_; }
     std::string_view text() const { return {bytes_.data(), size_}; }
-    [[noreturn]] void fail(const std::string& message) const;  // an Error about what is in the file
+    [[noreturn]] void fail(const std::string& message) const;  // throws an Error about the file's content
 
   private:
     void resize(std::size_t size);

@@ -1,4 +1,4 @@
-// A regular file that is read piece by piece, since it need not fit into memory.
+// Reads a regular file piece by piece, so that it need not fit into memory.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class FileReader {
     FileReader& operator=(const FileReader&) = delete;
 
     std::uint64_t size() const { return size_; }
-    void read(std::uint64_t offset, std::span<char> bytes) const;  // all of these; throws Error
+    void read(std::uint64_t offset, std::span<char> bytes) const;  // fills all of `bytes`; throws Error
 
   private:
     std::string path_;

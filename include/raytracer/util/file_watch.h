@@ -12,21 +12,21 @@
 
 namespace raytracer {
 
-// Files by name, as they were when they were added. One that is not there may come to be.
+// Remembers the state of files when they were added. A file may be missing then, and appear later.
 class FileWatch {
   public:
     using Time = std::filesystem::file_time_type;
 
-    // Does nothing where it is watched already. With `readSince`, the file has been read since then: where it
-    // has changed since too, it counts as changed.
+    // Does nothing if the file is watched already. `readSince` is when reading the file began: if the file
+    // was written after that, it counts as changed.
     void add(const std::string& path, Time readSince = Time::max());
 
-    // Returns once a file is another than when it was added, and no file has changed for a moment: a program
-    // that saves may write in several steps. Looks ten times a second, for no portable call tells of a
-    // change.
+    // Returns once a file has changed since it was added, and then no file has changed for 30 ms: a program
+    // that saves may write in several steps. Looks ten times a second, since no portable call reports
+    // changes.
     void wait() const;
 
-    // Whether a file is another than when it was added.
+    // Whether any file has changed since it was added.
     bool hasChanged() const { return states() != files_; }
 
     std::size_t count() const { return files_.size(); }
@@ -43,10 +43,10 @@ class FileWatch {
     std::map<std::string, State> files_;
 };
 
-// What is made of files that have changed.
+// Thrown to stop work on files that have changed meanwhile.
 struct OutOfDate {};
 
-// Tells another listener of the progress, and throws OutOfDate where a file has changed. `files` may be null.
+// Passes progress on to another listener, and throws OutOfDate if a file has changed. `files` may be null.
 class WatchedProgress final : public ProgressListener {
   public:
     WatchedProgress(ProgressListener& listener, const FileWatch* files)

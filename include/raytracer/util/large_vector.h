@@ -1,6 +1,6 @@
-// Vectors of what there is much of, on large pages where the system has them: the first touch of a page costs
-// as much as to fill it several times, and what is read here and there needs fewer entries of the processor's
-// table of pages.
+// Vectors for large data, on large pages where the system has them. The first touch of a page costs as much
+// as filling it several times, so fewer pages are faster. Random reads need fewer entries of the processor's
+// TLB.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,12 @@
 
 namespace raytracer {
 
-// At least aligned to this. Throws std::bad_alloc.
+// `alignment` is the least. Throws std::bad_alloc.
 void* allocateOnLargePages(std::size_t bytes, std::size_t alignment);
 void freeLargePages(void* memory, std::size_t bytes, std::size_t alignment);
 
-// Of the platform: for what is written in C; null where there is no memory; freed with std::free.
+// For code in C: like malloc, null if there is no memory, and freed with std::free. Each platform has its own
+// version.
 void* mallocOnLargePages(std::size_t bytes);
 
 template <class T>
@@ -27,7 +28,7 @@ struct LargePages {
         return static_cast<T*>(allocateOnLargePages(count * sizeof(T), alignof(T)));
     }
     void deallocate(T* p, std::size_t count) { freeLargePages(p, count * sizeof(T), alignof(T)); }
-    // What resize() adds has no value yet where T has no constructor of its own.
+    // Default-initialises instead of value-initialising: resize() does not clear numbers.
     template <class U, class... Arguments>
     void construct(U* place, Arguments&&... arguments) {
         if constexpr (sizeof...(Arguments) == 0) ::new (static_cast<void*>(place)) U;

@@ -1,13 +1,14 @@
-// Memory for what is large is asked for before it is taken. Where there is too little, a system mostly gives
-// it all the same, and kills the process when it is used.
+// Checks for enough memory before a large allocation. Most systems grant an allocation even if there is too
+// little memory, and kill the process when it uses the memory.
 #pragma once
 
 #include <string>
 
 namespace raytracer {
 
-// How much the process can still take, and who sets that limit: the least of ulimit -v (RLIMIT_AS), ulimit -d
-// (RLIMIT_DATA), the limits of its control groups (version 1 and 2), and the machine's available memory.
+// How much memory the process can still take, and which limit that is: the least of ulimit -v (RLIMIT_AS),
+// ulimit -d (RLIMIT_DATA), the limits of its control groups (versions 1 and 2), and the machine's available
+// memory. Other platforms than Linux know the machine's memory only.
 struct MemoryLeft {
     double bytes = 0;
     std::string inWords;  // "ulimit -v leaves 12.3 MB"
@@ -15,7 +16,7 @@ struct MemoryLeft {
 MemoryLeft memoryLeft();
 bool hasMemory(double bytes);
 
-// Throws Error, about `file`, where there is not enough: "not enough memory for 18000 × 18000 pixels (972
+// Throws Error, about `file`, if there is not enough: "not enough memory for 18000 × 18000 pixels (972
 // MB): ulimit -v leaves 12.3 MB".
 void requireMemory(const std::string& file, const std::string& what, double bytes);
 

@@ -8,13 +8,16 @@
 
 namespace raytracer {
 
-// Keeps the candidate nearest to `name`, the first of several. The distance is that of Damerau and
-// Levenshtein (restricted, without regard to case): the number of letters inserted, left out, replaced, or
-// swapped with a neighbour. A candidate with more than one error for each three letters (or more, where the
-// constructor is told) is a different word and does not count, and so is one with as many errors as the name
-// has letters. Nearer than two errors is the one candidate that has the name as its last words, or is the
-// last words of the name: "color_diffuse" and "diffuse"; and else the one that begins with the name, or that
-// the name begins with: "focal" and "focal_length".
+// Keeps the candidate nearest to `name`; of equally near ones, the first.
+//
+// The distance is the restricted Damerau-Levenshtein distance, ignoring case: the number of letters inserted,
+// left out, replaced, or swapped with a neighbour. A candidate is a different word, and does not count, if it
+// has more than one error for each `lettersForError` letters of the name (one is always allowed), or as many
+// errors as the name has letters.
+//
+// A candidate that shares words with the name is preferred to any with two errors or more, if it is the only
+// one. First, one that ends with the name, or the name with it: "color_diffuse" and "diffuse". If there is
+// none, one that begins with the name, or with which the name begins: "focal" and "focal_length".
 class NearestName {
   public:
     static constexpr std::size_t lettersAnError = 3;
@@ -27,11 +30,11 @@ class NearestName {
         return kin().count == 1 && (!found_ || limit_ > 1) ? kin().name : nearest_;
     }
 
-    // `; did you mean "nearest"?`, or nothing.
+    // `; did you mean "nearest"?`, or empty.
     std::string question() const;
 
   private:
-    // Candidates that share words with the name, and one of them.
+    // The number of candidates that share words with the name, and one of them.
     struct Kin {
         int count = 0;
         std::string name{};
@@ -44,9 +47,9 @@ class NearestName {
 
     std::string name_;  // in small letters
     std::string nearest_;
-    std::size_t limit_;  // a candidate counts if its distance is below this, that of nearest_
+    std::size_t limit_;  // a candidate counts if its distance is below this: once found, that of nearest_
     bool found_ = false;
-    Kin last_, first_;  // by their last words, and by their first letters
+    Kin last_, first_;  // those that share their last words, and their first letters
 };
 
 // '; did you mean "diffuse"?'

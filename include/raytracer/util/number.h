@@ -1,4 +1,4 @@
-// Reads numbers from text, for all rooms but json, where nlohmann's parser does it.
+// Reads numbers from text. Only JSON's are read elsewhere, by nlohmann's parser.
 #pragma once
 
 #include <charconv>
@@ -9,8 +9,8 @@
 
 namespace raytracer {
 
-// Reads the number that the text begins with and returns where it ends, or `begin` where there is none. A
-// double is correctly rounded; one that is too large is an infinity. An integer that does not fit is 0.
+// Reads the number at the text's beginning, and returns where it ends, or `begin` if there is none. A double
+// is correctly rounded; one that is too large becomes an infinity. An integer that does not fit becomes 0.
 template <std::integral Number>
 const char* readNumber(const char* begin, const char* end, Number& number) {
     const auto [stop, error] = std::from_chars(begin, end, number);
@@ -19,11 +19,11 @@ const char* readNumber(const char* begin, const char* end, Number& number) {
 }
 const char* readNumber(const char* begin, const char* end, double& number);
 
-// Whether the whole text is a whole number, which may be too large for any type.
+// Whether the whole text is an integer; it may be too large for any type.
 bool isWholeNumber(std::string_view text);
 
-// The number that the whole text is; a plus may stand before it. Nothing for a whole number that does not
-// fit.
+// The number that the whole text is. A plus may stand before it. Empty if the text is anything else, or an
+// integer that does not fit.
 template <class Number>
 std::optional<Number> numberOf(std::string_view text) {
     Number number{};

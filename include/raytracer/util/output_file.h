@@ -1,4 +1,4 @@
-// The one way to write a file.
+// The only way in which the program writes files.
 #pragma once
 
 #include <memory>
@@ -8,19 +8,21 @@
 
 namespace raytracer {
 
-// A place for a file: made before the work whose result it takes, so that a place that cannot be written is
-// told at once.
+// A file to be written. It is opened before the work whose result it takes, so that an error is reported at
+// once.
 //
-// The file is written beside the place, under a random name, and renamed onto it: the file is whole or as
-// before, and nothing else is left, whatever ends the program (but SIGKILL). Symbolic links are followed. A
-// file that is replaced leaves its mode and its owner to the new one; its other hard links keep the old one.
-// Where a rename cannot do that, the file is written in place: in a folder that cannot be written, over
-// another's file, on a mounted file, through /proc/self/fd, and into what is no regular file.
+// The bytes go to a temporary file with a random name in the same folder, which is renamed to the path at the
+// end. The file is therefore complete or as before, and nothing else is left, whatever ends the program
+// (except SIGKILL). Symbolic links are followed. The new file has the mode and the owner of the one that it
+// replaces; the old one's other hard links keep the old content.
 //
-// Each Error has the path as it was given and says why: "out.png: cannot write: No space left on device".
+// Where a rename cannot do that, the file is written in place: in a folder without write permission, over a
+// file whose owner cannot be kept, on a mounted file, through /proc/self/fd, and if it is not a regular file.
+//
+// Each Error has the path as it was given and the reason: "out.png: cannot write: No space left on device".
 class OutputFile {
   public:
-    OutputFile(const std::string& path);  // NOLINT(google-explicit-constructor): a path is such a place
+    OutputFile(const std::string& path);  // NOLINT(google-explicit-constructor): a path stands for its file
     OutputFile(const char* path) : OutputFile(std::string(path)) {}
     static OutputFile standardOutput();
     ~OutputFile();
@@ -29,7 +31,8 @@ class OutputFile {
 
     const std::string& name() const;  // for errors
 
-    // The file's next bytes. It is there once it is finished; nothing comes after that.
+    // append() writes the file's next bytes. finish() puts the file in its place; it is the last call.
+    // write() does both. All throw Error.
     void append(std::span<const char> bytes);
     void finish();
     void write(std::span<const char> whole) {

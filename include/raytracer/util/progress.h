@@ -1,9 +1,10 @@
-// Who is told of progress.
+// The interface through which work reports its progress.
 #pragma once
 
 namespace raytracer {
 
-// Called from time to time, by one thread at a time, with the part of the work that is done, from 0 to 1.
+// progress() is called from time to time, by one thread at a time, with the fraction of the work that is
+// done, from 0 to 1.
 class ProgressListener {
   public:
     virtual ~ProgressListener() = default;

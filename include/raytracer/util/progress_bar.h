@@ -1,4 +1,4 @@
-// Progress on a terminal.
+// Shows progress on a terminal.
 #pragma once
 
 #include <chrono>
@@ -10,8 +10,8 @@
 
 namespace raytracer {
 
-// A line on stderr that is overwritten. It shows nothing in the first second, or where stderr is not a
-// terminal that can overwrite it.
+// A line on stderr that is overwritten again and again. It shows nothing in the first second, nor if stderr
+// is not a terminal that can overwrite a line.
 class TerminalLine {
   public:
     TerminalLine();
@@ -19,7 +19,7 @@ class TerminalLine {
     TerminalLine(const TerminalLine&) = delete;
     TerminalLine& operator=(const TerminalLine&) = delete;
 
-    bool isDue() const;  // long enough after the last text
+    bool isDue() const;  // whether enough time has passed since the last text
     void show(const std::string& text);
     double elapsedSeconds() const;
 
@@ -30,15 +30,15 @@ class TerminalLine {
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-// A bar with the remaining time, for equal steps, one after the other, whose own progress is told in between.
+// A bar with the remaining time, for several steps of equal length, each of which reports its own progress.
 class StepProgress final : public ProgressListener {
   public:
-    StepProgress(bool quiet, std::size_t steps);  // quiet: without a bar
-    void progress(double fraction) override;      // of the present step
-    void next();                                  // the step is done
+    StepProgress(bool quiet, std::size_t steps);  // quiet: shows no bar
+    void progress(double fraction) override;      // of the current step
+    void next();                                  // the current step is done
 
-    // One line, without the carriage return: "[#####     ]  50 %  0:07 left". The bar is as long as fits in
-    // these columns, and left out where none does.
+    // One line, without the carriage return: "[#####     ]  50 %  0:07 left". The bar is as long as fits into
+    // this many columns; if no bar fits, it is left out.
     static std::string bar(double fraction, double elapsedSeconds, std::size_t columns);
 
   private:

@@ -1,4 +1,4 @@
-// An optional value that is mostly missing, and then takes no more memory than a pointer.
+// An optional value that is mostly missing: a missing one takes only the memory of a pointer.
 #pragma once
 
 #include <concepts>
@@ -8,7 +8,7 @@
 
 namespace raytracer {
 
-// The part of std::optional's interface that is in use.
+// Has the part of std::optional's interface that the program uses.
 template <class T>
 class Rare {
   public:

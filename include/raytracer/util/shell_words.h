@@ -1,4 +1,4 @@
-// The words of a shell's command line (POSIX.1-2017, Shell Command Language, 2.2 and 2.3).
+// Splits a shell's command line into words (POSIX.1-2017, Shell Command Language, 2.2 and 2.3).
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace raytracer {
 struct ShellWord {
     enum Kind { Text, Operator, Redirection };
 
-    std::size_t begin = 0, end = 0;  // where it is written
-    std::string text{};              // without quotes
+    std::size_t begin = 0, end = 0;  // the word's place in the command, with its quotes
+    std::string text{};              // the word without its quotes
     Kind kind = Text;
-    bool isPlain = true;        // the shell takes the text as it is
-    bool quotesBraces = false;  // "{}" stands in quotes
+    bool isPlain = true;        // the shell expands nothing in the text
+    bool quotesBraces = false;  // the word has a "{}" in quotes
 };
 
-// Up to a here-document.
+// The words up to the first here-document.
 std::vector<ShellWord> shellWords(std::string_view command);
 
 }  // namespace raytracer

@@ -1,5 +1,6 @@
-// The only way to standard output and to standard error, but for the progress bar. What is shown is valid
-// UTF-8 without control characters (printable, text.h), whatever names and graded programs say.
+// All output to standard output and standard error, except the progress bar's, goes through these functions.
+// It is valid UTF-8 without control characters (printable, text.h), whatever is in names of files and in the
+// output of graded programs.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +11,28 @@ namespace raytracer {
 
 class Error;
 
-constexpr std::size_t messageColumns = 100;  // of a line that is read with ease
+constexpr std::size_t messageColumns = 100;  // longer lines are hard to read
 
-// Before all else: closes the ways in which a write would end the process or go astray. A full disk or a
-// closed pipe becomes an Error, not a signal; a descriptor from 0 to 2 that is closed is taken, so that no
-// file gets its number and the messages.
+// Call this before anything else. It makes a write to a closed pipe or beyond the limit of a file's size fail
+// with an Error, not with a signal. It also opens the descriptors from 0 to 2 that are closed: otherwise a
+// file could get such a number, and the messages.
 void prepareStandardStreams();
 
-// Writes the text, lines each with its end, to standard output at once. Throws Error: "standard output: No
-// space left on device". An empty text, before what takes long, finds a stream that is closed.
+// Writes the text, one or more whole lines, to standard output at once. Throws Error: "standard output: No
+// space left on device". Printing an empty text before long work finds out whether the stream is closed.
 void print(std::string_view text);
 
-// Writes one line, of which `text` has no end, to standard error. On a terminal it is wrapped to the
-// terminal's width and to at most messageColumns.
+// Writes one line, given without its line end, to standard error. On a terminal it is wrapped to the
+// terminal's width, at most messageColumns.
 void tell(std::string_view text);
 
-// The same, not wrapped: what is to be copied.
+// The same, but not wrapped, for text that the user may copy.
 void tellUnbroken(std::string_view text);
 
-// The error's line, and the excerpt of its file.
+// The error's line, and the excerpt of its file (Error::excerpt).
 void tell(const Error& error);
 
-// What standard error is: the columns of a terminal, or 0 where it is none.
+// The number of columns of the terminal that is standard error; 0 if it is no terminal.
 std::size_t terminalColumns();
 
 // Whether that terminal can overwrite its last line (TERM is not dumb).

@@ -1,4 +1,4 @@
-// What the process has taken so far: time and memory.
+// Measures the time and the memory that the process has used.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ struct Seconds {
     }
 };
 
-// The most that the process has had in memory at once.
+// The most memory that the process has had resident at once.
 std::uint64_t peakMemoryBytes();
 
-// Time between calls.
+// lap() returns the time since the last lap, or since construction.
 class Stopwatch {
   public:
     Seconds lap() {

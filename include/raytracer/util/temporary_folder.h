@@ -1,4 +1,4 @@
-// A new empty folder, in $TMPDIR or /tmp, that is deleted with its owner and where a signal ends the program.
+// A new empty folder in $TMPDIR or /tmp. It is deleted with this object, and if a signal ends the program.
 // What others have mounted in it is left, and so is what cannot be deleted: a line on standard error says so.
 #pragma once
 
@@ -20,11 +20,11 @@ class TemporaryFolder {
     // The file's absolute path.
     std::string file(const std::string& name) const { return path_ + '/' + name; }
 
-    // A new folder in it, which another user may be given: that user can enter this one, but list or change
-    // nothing in it, and the name cannot be guessed. Throws Error.
+    // Makes a subfolder that may be given to another user. That user can enter the temporary folder, but can
+    // neither list nor change what is in it, and cannot guess the name of another subfolder. Throws Error.
     std::string hiddenFolder() const;
 
-    // Throws Error where its disk has no room for a file of so many bytes.
+    // Throws Error if its disk has no room for a file of this many bytes.
     void requireRoom(std::size_t bytes) const;
 
   private:

@@ -1,4 +1,4 @@
-// Text from numbers, text that can be shown, and in which encoding text is.
+// Formats, quotes, splits and measures text, and finds its encoding.
 #pragma once
 
 #include <cstddef>
@@ -10,85 +10,87 @@
 namespace raytracer {
 
 #if defined(__MINGW32__)
-#define RAYTRACER_PRINTF gnu_printf  // C's, not that of Windows' own library
+#define RAYTRACER_PRINTF gnu_printf  // C's format, not that of Windows' own library
 #else
 #define RAYTRACER_PRINTF printf
 #endif
-// What printf prints, of any length.
+// The text that printf would print, of any length.
 [[gnu::format(RAYTRACER_PRINTF, 1, 2)]] std::string formatted(const char* format, ...);
 
-constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // of UTF-8, without meaning
+constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";  // that of UTF-8
 
-// "UTF-16" (which Windows calls "Unicode"), "UTF-32" or nothing: by its byte order mark, or by the zeros of
-// ASCII characters at its beginning (RFC 4627, section 3).
+// "UTF-16" (which Windows calls "Unicode"), "UTF-32", or empty if the text is neither. It is recognised by
+// its byte order mark, or by the zeros of ASCII characters at its beginning (RFC 4627, section 3).
 std::string wideEncoding(std::string_view text);
 
-// What a text, which is not empty, begins with (RFC 3629).
+// The first character of a UTF-8 text (RFC 3629). The text must not be empty.
 struct Character {
     std::uint32_t code = 0;
     std::size_t size = 0;  // bytes; 0: not UTF-8
 };
 Character firstCharacter(std::string_view text);
 
-// The bytes of that character; 0 where it is not UTF-8.
+// The number of bytes of that character; 0 if it is not UTF-8.
 inline std::size_t utf8Bytes(std::string_view text) { return firstCharacter(text).size; }
 
-// The same, and 0 where that is a control character (those of U+0080 to U+009F too), one that turns the
-// direction of text, or no character.
+// The same, but 0 also for a control character (those of U+0080 to U+009F too), for one that changes the
+// direction of text, and for a code point that is no character.
 std::size_t printableBytes(std::string_view text);
 
-// The code point of the character that the text begins with, where that looks like a space but is none, or
-// like nothing; else 0. Of the control characters, programs read tabs and ends of lines.
+// The code point of the text's first character if a reader cannot see it or takes it for a space; else 0.
+// Tabs and line ends do not count.
 unsigned invisibleCharacter(std::string_view text);
 
-// What is behind the dash (Unicode's, or its minus) that a text program makes of "--" or of "-"; empty where
-// the text begins with none.
+// What follows the Unicode dash or minus at the text's beginning, which word processors put in place of "--"
+// or
+// "-". Empty if the text does not begin with one.
 std::string_view behindLongDash(std::string_view text);
 
-// The text as terminals, tables and pages may show it: what printableBytes refuses becomes \xNN, byte by
-// byte, but for the characters in `kept`.
+// The text as it may be shown on terminals, in tables and in pages. What printableBytes refuses becomes \xNN,
+// byte by byte, except the characters in `kept`.
 std::string printable(std::string_view text, std::string_view kept = {});
 
-// A field of CSV (RFC 4180) that shows the text, as printable has it. A spreadsheet takes a text that begins
-// with one of =+-@ for a formula; an apostrophe before it makes it text.
+// A CSV field (RFC 4180) with the printable text. A spreadsheet would take a text that begins with one of
+// =+-@ for a formula, so an apostrophe is put before it.
 std::string csvField(std::string_view text);
 
-// `text` in quotes, with escape sequences for what JSON forbids in a string, and for "<", so that the result
-// can stand in a <script>.
+// `text` as a JSON string, with its quotes. Escape sequences replace what JSON forbids in a string, what is
+// not shown, and "<": so the result can stand in a <script>.
 std::string jsonString(std::string_view text);
 
-// `text` in quotes with what is not shown escaped, for a message; shortened to so many bytes. 60 are enough
-// for any name that people choose, and leave room on a terminal's line.
+// `text` in quotes for a message, with what is not shown escaped, and shortened to at most `longest` bytes.
+// 60 are enough for any name that people choose, and leave room on a terminal's line.
 std::string inQuotes(std::string_view text, std::size_t longest = 60);
 
-// A word of a command line as a POSIX shell takes it: in single quotes where it needs them.
+// A word for a POSIX shell's command line, in single quotes if it needs them.
 std::string inShellQuotes(std::string_view word);
 
-// The text in lines of at most so many columns, broken at blanks; all lines but the first begin with `indent`
-// blanks. `used`: what the first line has already. A longer word has a line of its own.
+// Breaks the text at blanks into lines of at most `columns` columns. All lines but the first begin with
+// `indent` blanks. `used` columns of the first line are taken already. A word that is too long gets its own
+// line.
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used = 0);
 
-// The parts of a text between the characters that are separators, the empty ones too.
+// The parts of a text between separator characters, empty parts included.
 std::vector<std::string> split(std::string_view text, std::string_view separators);
 
-// The parts that are not empty, with a text between each two.
+// The parts that are not empty, with `between` between each two.
 std::string joined(const std::vector<std::string>& parts, std::string_view between);
 
-// The text with other words for each `what` in it.
+// The text with each `what` in it replaced by `with`.
 std::string replaced(std::string text, std::string_view what, std::string_view with);
 
 // "a, b or c".
 std::string listed(const std::vector<std::string>& names, const std::string& last = "or");
 
-// How many columns of a terminal the text, of UTF-8, takes: two for an East Asian wide character or an emoji,
-// none for a mark on the one before it (src/util/characters.h). Of several characters that are shown as one,
-// as flags and families are, each counts.
+// The number of terminal columns that a UTF-8 text takes. An East Asian wide character or an emoji takes two,
+// a combining mark none (src/util/characters.h). Several characters that are shown as one, as in flags and
+// families, are counted one by one.
 std::size_t columnCount(std::string_view text);
 
-// ASCII's letters; the others as they are.
+// Changes ASCII letters only.
 std::string inLowerCase(std::string_view text);
 
-// Whether a file's name ends so, in large or small letters (ASCII).
+// Whether a file's name ends with `ending`, ignoring the case of ASCII letters.
 bool endsIn(std::string_view name, std::string_view ending);
 
 }  // namespace raytracer
