@@ -1,4 +1,4 @@
-// Open files of the operating system.
+// Owns an open file of the operating system.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace raytracer {
 class Descriptor {
   public:
     Descriptor() = default;
-    explicit Descriptor(int number) : number_(number) {}  // negative: none
+    explicit Descriptor(int number) : number_(number) {}  // negative: no file
     Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
     Descriptor& operator=(Descriptor&& other) noexcept {
         std::swap(number_, other.number_);
@@ -28,24 +28,26 @@ class Descriptor {
     explicit operator bool() const { return number_ >= 0; }
     int get() const { return number_; }
 
-    // Some file systems (NFS, quotas) report a full disk only here: false, with errno.
+    // False, with errno, if it fails: some file systems (NFS, quotas) report a full disk only here.
     bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
   private:
     int number_ = -1;
 };
 
-// Of the platform, from here to writeAll. None, with errno, where the file cannot be opened. A pipe waits for
-// its writer only where `waits`.
+// Each platform has its own version of the next three functions.
+//
+// Opens a file. Returns no file, and sets errno, if that fails. Opening a pipe waits for a writer only if
+// `waits`.
 Descriptor openToRead(const std::string& path, bool waits);
 
-// As read, from a place in the file: -1, with errno, where it fails.
+// Like POSIX's read, but from `offset` in the file. Returns -1, with errno, if it fails.
 std::int64_t readAt(int descriptor, std::span<char> bytes, std::uint64_t offset);
 
-// Another program may have made our output one that does not wait.
+// Waits until the file can be written to: another program may have made our output non-blocking.
 void waitForRoom(int descriptor);
 
-// False, with errno, where not all could be written. Without bytes: where nothing could be.
+// Returns false, with errno, if not all bytes could be written. Writing no bytes tests whether writing works.
 inline bool writeAll(int descriptor, std::span<const char> bytes) {
     constexpr std::size_t most = std::size_t{1} << 30;  // Windows counts in int
     do {

@@ -17,7 +17,7 @@ std::string afterFile(const Place& place, const std::string& message) {
     return place.line > 0 ? "line " + std::to_string(place.line) + ": " + inPlace : inPlace;
 }
 
-// One character each: a blank for a tab, and a mark for what cannot be shown.
+// The characters of a line, with a blank for a tab, and a question mark for what cannot be shown.
 std::vector<std::string> characters(std::string_view line) {
     std::vector<std::string> all;
     for (std::size_t size = 1; !line.empty(); line.remove_prefix(size)) {
@@ -37,11 +37,11 @@ Error::Error(Place place, const std::string& message, std::string_view line)
       line_(line) {}
 
 std::vector<std::string> Error::excerpt(std::size_t columns) const {
-    constexpr std::size_t indent = 4, context = 20;  // columns before the mark, where not all fit
+    constexpr std::size_t indent = 4, context = 20;  // context: columns before the mark if not all fit
     const std::vector<std::string> all = characters(line_);
     if (all.empty() || place_.column == 0 || columns <= indent + context) return {};
     const std::size_t mark = std::min(place_.column - 1, all.size()), most = columns - indent;
-    std::vector<std::size_t> start{0};  // of each character, and the end
+    std::vector<std::size_t> start{0};  // the column of each character, and of the end
     for (const std::string& character : all) start.push_back(start.back() + columnCount(character));
     std::size_t first = 0;
     if (start[mark] >= most)

@@ -14,8 +14,8 @@ namespace raytracer {
 
 namespace {
 
-constexpr std::size_t pipeSize = 1 << 16;   // on Linux
-constexpr std::size_t mostRead = 1U << 30;  // in one call
+constexpr std::size_t pipeSize = 1 << 16;   // of a pipe's buffer on Linux, bytes
+constexpr std::size_t mostRead = 1U << 30;  // bytes in one call
 
 }  // namespace
 
@@ -33,8 +33,8 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     if (kind == FileKind::Regular && !isRegular && !S_ISDIR(status.st_mode))
         fail("cannot read: it is no regular file");
     if (S_ISCHR(status.st_mode) && ::isatty(file.get()) == 0)
-        fail("cannot read: it is a device");  // some have no end
-    // One more byte than there should be: a read of nothing is the end. Files of /proc have size 0.
+        fail("cannot read: it is a device");  // some devices have no end
+    // One byte more than the size: a read that returns nothing is then the end. Files in /proc have size 0.
     resize(isRegular && status.st_size > 0 ? static_cast<std::size_t>(status.st_size) + 1 : pipeSize);
     for (;;) {
         if (size_ == bytes_.size()) resize(2 * size_);
@@ -46,7 +46,7 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     }
 }
 
-// The file may have no end.
+// Checks the memory each time, since the file may have no end.
 void FileBytes::resize(std::size_t size) {
     requireMemory(path_, "what is in it", static_cast<double>(size));
     bytes_.resize(size);

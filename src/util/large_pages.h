@@ -1,20 +1,21 @@
-// Pages that the system has larger ones of than usual.
+// Support for large pages.
 #pragma once
 
 #include <cstddef>
 
 namespace raytracer {
 
-inline constexpr std::size_t largePage = std::size_t{1} << 21;  // x86's and most ARM's
+inline constexpr std::size_t largePage = std::size_t{1} << 21;  // bytes, on x86 and most ARM
 
 inline bool isWorthLargePages(std::size_t bytes) { return bytes >= largePage / 2; }
 
-// A part of a page is not a large one.
+// Rounds up to whole large pages: the system gives usual pages for a part of one.
 inline std::size_t wholeLargePages(std::size_t bytes) {
     return (bytes + largePage - 1) / largePage * largePage;
 }
 
-// Of the platform: asks for large pages, before the memory is touched. It is whole ones.
+// Asks for large pages, before the memory is touched. `memory` and `bytes` are multiples of largePage. Each
+// platform has its own version.
 void preferLargePages(void* memory, std::size_t bytes);
 
 }  // namespace raytracer

@@ -9,14 +9,14 @@ namespace raytracer {
 namespace {
 
 Leftover* newest = nullptr;
-std::atomic_flag isBusy;  // for the list of them
+std::atomic_flag isBusy;  // a lock for the list
 
 void take() {
     while (isBusy.test_and_set()) {
     }
 }
 
-// Without signals, as what one calls could not take what this thread has taken.
+// Signals are blocked while the lock is held: a handler on this thread would wait for the lock for ever.
 void changeList(const std::function<void()>& change) {
     withoutEndingSignals([&] {
         take();

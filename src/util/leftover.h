@@ -1,13 +1,13 @@
-// What a signal that ends the program must not leave behind.
+// Clears up what must not be left behind when a signal ends the program.
 #pragma once
 
 #include <functional>
 
 namespace raytracer {
 
-// While it lives, a signal that ends the program calls toClear(what) first; for several the newest first. It
-// may only do what POSIX allows in a handler. Signals that are ignored or handled already stay so. From any
-// thread.
+// While this object lives, a signal that ends the program first calls toClear(what); of several objects, the
+// newest first. toClear may only do what POSIX allows in a signal handler. Signals that are ignored or
+// handled already stay so. Any thread may make and destroy such objects.
 class Leftover {
   public:
     Leftover(void (*toClear)(const void* what), const void* what);
@@ -16,7 +16,7 @@ class Leftover {
     Leftover& operator=(const Leftover&) = delete;
 
     void clear() const { clear_(what_); }
-    static void clearAll();  // by what ends the program: no thread makes or destroys one any more
+    static void clearAll();  // when the program ends: from then on no thread can make or destroy one
 
   private:
     void (*clear_)(const void* what);
@@ -24,13 +24,14 @@ class Leftover {
     Leftover* older_ = nullptr;
 };
 
-// Deletes a file, or (of the platform) a folder with all that is in it but mounts, as far as it can be done.
+// Deletes a file, or a folder with all that is in it except mounts, as far as possible. Each platform has its
+// own removeFolder.
 void removeFile(const void* path);
 void removeFolder(const void* path);
 
-// Of the platform: signals that end the program call Leftover::clearAll first.
+// Makes signals that end the program call Leftover::clearAll first. Each platform has its own version.
 void handleEndingSignals();
-// Of the platform: calls work() where no such signal can interrupt this thread.
+// Calls work() while no such signal can interrupt this thread. Each platform has its own version.
 void withoutEndingSignals(const std::function<void()>& work);
 
 }  // namespace raytracer

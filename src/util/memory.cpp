@@ -27,7 +27,7 @@ MemoryLeft memoryLeft() {
 }
 
 bool hasMemory(double bytes) {
-    constexpr double little = 1 << 20;  // looking takes a tenth of the time of filling it
+    constexpr double little = 1 << 20;  // bytes; filling them takes ten times as long as this check
     return bytes <= little || bytes <= memoryLeft().bytes;
 }
 

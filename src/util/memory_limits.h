@@ -1,4 +1,4 @@
-// How much memory the process can still take, as the platform tells.
+// What each limit still leaves to the process. Each platform has its own version.
 #pragma once
 
 #include <vector>

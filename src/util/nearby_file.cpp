@@ -21,7 +21,7 @@ bool isFile(const fs::path& path) {
     return fs::is_regular_file(path, error);
 }
 
-// The nearest first.
+// The regular files in a folder and, down to `depth`, below it; those in the fewest subfolders first.
 std::vector<fs::path> filesNear(const fs::path& folder, int depth) {
     constexpr std::size_t most = 1000;
     std::error_code ignored;
@@ -34,7 +34,7 @@ std::vector<fs::path> filesNear(const fs::path& folder, int depth) {
     return files;
 }
 
-// Of the files, the first with this name, in small or large letters, or with this name and some ending.
+// The first of the files with this name, ignoring case; else the first with this name and any ending.
 fs::path named(const fs::path& name, const std::vector<fs::path>& files) {
     const auto same = [](const std::string& a, const std::string& b) {
         return a.size() == b.size() && endsIn(a, b);
@@ -46,7 +46,7 @@ fs::path named(const fs::path& name, const std::vector<fs::path>& files) {
     return {};
 }
 
-// Endings of one kind of file.
+// The same text for all endings of one kind of file.
 std::string kindOf(const std::string& ending) {
     for (const char* const picture : {".png", ".jpg", ".jpeg", ".pfm"})
         if (inLowerCase(ending) == picture) return "picture";
@@ -64,7 +64,8 @@ bool isOfKind(const fs::path& file, const fs::path& name) {
     return wanted.empty() || kindOf(wanted) == kindOf(found) || (!isKnown && nearest.found());
 }
 
-// Programs, which alone have no ending, have short names that are like each other.
+// Names without an ending are those of programs. These are short and similar to each other, so they must be
+// nearer.
 NearestName nearestTo(const fs::path& name, const std::string& part) {
     return NearestName(part, (name.has_extension() ? 1 : 2) * NearestName::lettersAnError);
 }
@@ -80,7 +81,7 @@ fs::path likeName(const fs::path& name, const std::vector<fs::path>& files) {
     return hasStem ? named(stem, alike) : fs::path();
 }
 
-// Of the files with this name's ending, the nearest of those whose names before it are like this one.
+// Of the files with this name's ending, the one whose stem is nearest to this name's.
 fs::path likeStem(const fs::path& name, const std::vector<fs::path>& files) {
     NearestName nearest = nearestTo(name, name.stem().string());
     const auto isAlike = [&](const fs::path& file) { return file.extension() == name.extension(); };
@@ -106,8 +107,8 @@ fs::path nearbyFolder(const fs::path& path) {
     return nearest.found() ? above / nearest.name() : fs::path();
 }
 
-// The file with this name in the folder above the path's, which a command line may have meant; a scene's own
-// files lie below it.
+// The file with this name in the folder above the path's, which a command line may have meant. The names in a
+// scene are not corrected this way: a scene's files lie below it.
 std::string fileAbove(const std::string& path) {
     const fs::path wanted = replaced(path, "\\", "/"), folder = wanted.parent_path(),
                    above = folder.parent_path();
@@ -115,7 +116,7 @@ std::string fileAbove(const std::string& path) {
     return !folder.empty() && above != "/" && isFile(file) ? file.generic_string() : "";
 }
 
-// The last `count` names of a path. Its iterators only go forward (libc++).
+// The last `count` names of a path. In libc++ a path's iterators only go forward.
 fs::path lastNames(const fs::path& path, std::ptrdiff_t count) {
     fs::path last;
     auto left = std::distance(path.begin(), path.end());
@@ -124,7 +125,7 @@ fs::path lastNames(const fs::path& path, std::ptrdiff_t count) {
     return last;
 }
 
-// The file in the folder, or below it, that a path means which was right elsewhere.
+// The file in `folder`, or below it, that is meant by a path which was right elsewhere.
 fs::path fileBelow(const fs::path& folder, const fs::path& written) {
     const auto count = std::distance(written.begin(), written.end());
     const bool isRooted = written.has_root_path();
@@ -140,7 +141,7 @@ fs::path fileBelow(const fs::path& folder, const fs::path& written) {
     return {};
 }
 
-// Relative to the folder.
+// The path of `file` relative to `folder`.
 fs::path relativeTo(const fs::path& folder, const fs::path& file) {
     std::error_code error;
     const auto whole = [&](const fs::path& path) { return fs::absolute(path, error).lexically_normal(); };

@@ -9,7 +9,7 @@
 namespace raytracer {
 namespace {
 
-// Longer text is no misspelled name, and the time to compare grows with the product of the lengths.
+// A longer text is not a misspelled name. The time to compare grows with the product of the lengths.
 constexpr std::size_t longestName = 100;
 
 bool areSwapped(std::string_view a, std::string_view b, std::size_t i, std::size_t j) {
@@ -37,14 +37,15 @@ std::size_t lengthDifference(std::string_view a, std::string_view b) {
     return std::max(a.size(), b.size()) - std::min(a.size(), b.size());
 }
 
-// Whether the name ends with `part`, whole words of it: the last word says what it names.
+// Whether the name ends with `part`, and `part` consists of whole words: a name's last word says what it
+// names.
 bool endsInWord(std::string_view name, std::string_view part) {
-    constexpr std::size_t least = 4;  // letters; fewer end many names
+    constexpr std::size_t least = 4;  // letters; many names end with the same two or three
     if (part.size() < least || part.size() >= name.size() || !name.ends_with(part)) return false;
     return std::isalnum(static_cast<unsigned char>(name[name.size() - part.size() - 1])) == 0;
 }
 
-// Whether the whole begins with the part, which has at least so many letters.
+// Whether `whole` begins with `part`, and `part` has at least `least` letters.
 bool begins(std::string_view whole, std::string_view part, std::size_t least) {
     return part.size() >= least && whole.size() > part.size() && whole.starts_with(part);
 }

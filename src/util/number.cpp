@@ -24,8 +24,9 @@ const char* readNumber(const char* begin, const char* end, double& number) {
 
 #else
 
-// For libc++, which has std::from_chars for double since version 20 only. strtod rounds correctly too, and
-// where setlocale is never called its point is a point. Its blanks, plus and hexadecimal digits are not read.
+// For libc++, which has std::from_chars for double only since version 20. strtod rounds correctly too. Its
+// decimal point is "." since this program never calls setlocale. strtod would also take leading blanks, a
+// plus and hexadecimal digits, so these are kept from it.
 const char* readNumber(const char* begin, const char* end, double& number) {
     const auto isPart = [](char c) {
         return std::string_view("0123456789.+-einfatyEINFATY").find(c) != std::string_view::npos;

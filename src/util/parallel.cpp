@@ -12,12 +12,12 @@
 namespace raytracer {
 namespace {
 
-// Of the thread that asks, in bytes; 0 on the main thread.
+// The current thread's stack in bytes; 0 on the main thread.
 thread_local std::size_t workerStack = 0;
 
 std::size_t stackHere() { return workerStack > 0 ? workerStack : mainStack(); }
 
-// What the threads share.
+// The state that the threads share.
 struct Jobs {
     std::uint32_t count;
     std::atomic<std::uint32_t> next{0};
@@ -44,7 +44,7 @@ class ThreadQueue final : public JobQueue {
 
   private:
     Jobs& jobs_;
-    std::uint32_t job_ = 0;  // taken last
+    std::uint32_t job_ = 0;  // the one taken last
 };
 
 // Threads with a stack of this size, which std::thread cannot ask for.
@@ -60,7 +60,7 @@ class Threads {
         pthread_attr_destroy(&attributes_);
     }
 
-    // The task must outlive the thread. False where the system has no more threads.
+    // Runs the task on a new thread. The task must outlive it. False if the system has no more threads.
     bool start(const std::function<void()>& task) {
         const auto run = [](void* of) -> void* {
             (*static_cast<const std::function<void()>*>(of))();

@@ -11,7 +11,7 @@ namespace raytracer {
 
 namespace {
 constexpr std::size_t widestBar = 40;                  // characters
-constexpr std::chrono::milliseconds quietStart{1000};  // shorter work needs no bar
+constexpr std::chrono::milliseconds quietStart{1000};  // shorter work shows no bar
 constexpr std::chrono::milliseconds betweenFrames{100};
 }  // namespace
 
@@ -26,7 +26,7 @@ bool TerminalLine::isDue() const {
     return terminal_ && now - start_ >= quietStart && now - last_ >= betweenFrames;
 }
 
-// A character in the last column would make some terminals begin a new line.
+// The last column stays empty: a character there would make some terminals begin a new line.
 void TerminalLine::show(const std::string& text) {
     if (!isDue()) return;
     last_ = Clock::now();

@@ -16,7 +16,7 @@ class WordReader {
   public:
     explicit WordReader(std::string_view command) : command_(command) {}
 
-    // False at the end.
+    // Reads the next word. False at the end.
     bool read(ShellWord& word) {
         while (isAt(blanks) || isContinued()) at_ += isContinued() ? 2 : 1;
         if (isAt("#")) at_ = std::min(command_.find('\n', at_), command_.size());
@@ -32,7 +32,7 @@ class WordReader {
     bool isEnd() const { return at_ >= command_.size(); }
     bool isAt(std::string_view characters) const { return !isEnd() && isAmong(command_[at_], characters); }
 
-    // A line that goes on: nothing, as for a shell.
+    // Whether a backslash ends the line here: a shell removes both.
     bool isContinued() const { return command_.substr(std::min(at_, command_.size()), 2) == "\\\n"; }
 
     void readOperator(ShellWord& word) {
@@ -52,7 +52,7 @@ class WordReader {
             else if (!isEscape(quote)) readCharacter(word, quote);
             else if (at_ + 1 < command_.size()) word.text += command_[++at_];
         }
-        if (quote) word.isPlain = false;  // which has no end
+        if (quote) word.isPlain = false;  // the quote is not closed
         const bool isNumber = at_ - word.begin == word.text.size() && std::ranges::all_of(word.text, isDigit);
         if (isNumber && isAt("<>")) readOperator(word);  // 2>
     }

@@ -11,7 +11,7 @@ namespace raytracer {
 namespace {
 
 void writeLines(const std::string& text) {
-    writeAll(STDERR_FILENO, text + "\n");  // where this fails, nobody can be told
+    writeAll(STDERR_FILENO, text + "\n");  // if this fails, there is no way to report it
 }
 
 }  // namespace

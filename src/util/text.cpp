@@ -33,8 +33,8 @@ std::size_t columnsOf(std::uint32_t code) {
     return std::ranges::any_of(wide, has) ? 2 : 1;
 }
 
-// The character with which the text begins; what is not shown as JSON's escape sequence. A byte that is not
-// UTF-8 is \xNN, which JSON has not: there it is taken for Latin-1.
+// The text's first character, or an escape sequence of JSON's if it is not shown. A byte that is not UTF-8
+// becomes \xNN. JSON has no such escape sequence: there the byte is taken for Latin-1.
 std::string escape(std::string_view text, const Character& character, bool isJson) {
     if (text[0] == '"' || text[0] == '\\') return {'\\', text[0]};
     if (text[0] == '\n') return "\\n";
@@ -46,7 +46,7 @@ std::string escape(std::string_view text, const Character& character, bool isJso
     return formatted("\\u%04x", code);
 }
 
-// For JSON in a page, or for a message.
+// The text in quotes: for JSON, or for a message.
 std::string quoted(std::string_view text, bool isJson) {
     std::string quoted = "\"";
     while (!text.empty()) {
@@ -69,7 +69,7 @@ Character firstCharacter(std::string_view text) {
         if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) return {};
         code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
     }
-    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // less is longer than it need be
+    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // a smaller code is an overlong form
     const bool isSurrogate = code >> 11 == 0xd800 >> 11;
     if (code < least[size] || code > 0x10ffff || isSurrogate) return {};
     return {code, size};
@@ -105,7 +105,7 @@ std::string formatted(const char* format, ...) {
 }
 
 std::string wideEncoding(std::string_view text) {
-    const auto hasZeros = [&](std::string_view pattern) {  // 0 where it has 0
+    const auto hasZeros = [&](std::string_view pattern) {  // zeros exactly where the pattern has '0'
         return text.size() >= pattern.size() &&
                std::ranges::equal(text.substr(0, pattern.size()), pattern,
                                   [](char c, char zero) { return (c == 0) == (zero == '0'); });

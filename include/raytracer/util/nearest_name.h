@@ -16,8 +16,8 @@ namespace raytracer {
 // errors as the name has letters.
 //
 // A candidate that shares words with the name is preferred to any with two errors or more, if it is the only
-// one. First, one that ends with the name, or the name with it: "color_diffuse" and "diffuse". If there is
-// none, one that begins with the name, or with which the name begins: "focal" and "focal_length".
+// one. First comes one that ends with the name, or with which the name ends: "color_diffuse" and "diffuse".
+// If there is none, one that begins with the name, or with which the name begins: "focal" and "focal_length".
 class NearestName {
   public:
     static constexpr std::size_t lettersAnError = 3;

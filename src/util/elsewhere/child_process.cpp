@@ -1,4 +1,5 @@
-// Only Linux lets a program find and stop all that another one has started (src/util/linux/supervisor.cpp).
+// Programs are run on Linux only: there, all processes that a program has started can be found and stopped
+// (src/util/linux/supervisor.cpp).
 #include "raytracer/util/child_process.h"
 
 #include "raytracer/util/error.h"

@@ -15,14 +15,14 @@ namespace fs = std::filesystem;
 TemporaryFolder::TemporaryFolder() {
     std::error_code error;
     std::random_device random;
-    const fs::path parent = fs::temp_directory_path(error);  // its owner's alone
+    const fs::path parent = fs::temp_directory_path(error);  // only its owner can enter it
     path_ = (parent / formatted("raytracer-%08x%08x", random(), random())).string();
     if (error || !fs::create_directory(path_, error))
         throw Error({parent.string()}, "cannot make a temporary folder: " + error.message());
     leftover_ = std::make_unique<Leftover>(removeFolder, path_.c_str());
 }
 
-// Where there is no other user's program: child_process.cpp.
+// No programs are run here (child_process.cpp), so no other user needs to enter it.
 std::string TemporaryFolder::hiddenFolder() const {
     std::error_code error;
     if (!fs::create_directory(file("hidden"), error))

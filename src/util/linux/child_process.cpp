@@ -37,7 +37,8 @@ UserIds idsOf(const std::string& name) {
     return {true, user->pw_uid, user->pw_gid};
 }
 
-// Waits, too: what a signal's handler clears is cleared when it goes on. The program may have halted it.
+// Stops the supervisor, and waits until it has ended, so that all is cleared when a signal's handler goes on.
+// SIGCONT is for a supervisor that the program has halted.
 void stopSupervisor(const void* process) {
     const pid_t supervisor = *static_cast<const pid_t*>(process);
     ::kill(supervisor, SIGTERM);
@@ -46,7 +47,8 @@ void stopSupervisor(const void* process) {
     ::waitid(P_PID, static_cast<id_t>(supervisor), &info, WEXITED | WNOWAIT);
 }
 
-// The exit status of a shell whose program a signal has killed is 128 + signal (POSIX says only "over 128").
+// If a signal has killed the program, the shell's exit status is 128 + signal (POSIX only says "greater than
+// 128").
 ProcessEnd endOf(const SupervisorReport& report) {
     constexpr int lastSignal = 31;
     ProcessEnd end = report.end;
@@ -58,8 +60,8 @@ ProcessEnd endOf(const SupervisorReport& report) {
     return end;
 }
 
-// Kills what the supervisor that has ended would have killed. That is ours now, in sessions of its own, and
-// nothing else of ours is.
+// Kills what a supervisor would have killed if it had not been killed itself. Those processes are children of
+// this one now. They are known by their session: no other child of this process has one of its own.
 void killStrays() {
     for (;;) {
         std::vector<pid_t> strays = childrenOf(::getpid());
@@ -71,7 +73,8 @@ void killStrays() {
     }
 }
 
-// A program that runs, with its supervisor, which the program may kill or halt where both are one user's.
+// A running program with its supervisor. The program may kill or halt the supervisor if both have the same
+// user.
 class Running {
   public:
     explicit Running(const ProcessStart& start) {
@@ -80,7 +83,7 @@ class Running {
         if (::pipe2(ends, O_CLOEXEC) != 0) throw systemError(start.output, "cannot start a process");
         report_ = Descriptor(ends[0]);
         wallSeconds_ = start.limits.wallSeconds;
-        ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // for killStrays
+        ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // orphans become our children, for killStrays
         const Descriptor toReport(ends[1]);
         const pid_t self = ::getpid();
         const SignalsWait signalsWait;
@@ -97,17 +100,17 @@ class Running {
         ::waitpid(supervisor_, nullptr, 0);
     }
 
-    // Nothing while it runs.
+    // How the program has ended; empty while it runs.
     std::optional<ProcessEnd> end() {
         siginfo_t info{};
         const bool isThere =
             ::waitid(P_PID, static_cast<id_t>(supervisor_), &info, WEXITED | WNOHANG | WNOWAIT) == 0;
         if (isThere && info.si_pid != supervisor_) {
-            constexpr double forItsReport = 1;  // seconds
+            constexpr double forItsReport = 1;  // seconds that the supervisor gets to stop the program
             if (seconds() > wallSeconds_ + forItsReport) ::kill(supervisor_, SIGKILL);
             return std::nullopt;
         }
-        leftover_.reset();  // before another process can get its number
+        leftover_.reset();  // before waitpid, after which another process can get the number
         int status = 0;
         ::waitpid(supervisor_, &status, 0);
         SupervisorReport report;
@@ -191,7 +194,7 @@ void giveFolderTo(const std::string& user, const std::string& folder) {
     std::filesystem::recursive_directory_iterator entry(folder, error), end;
     for (; !error && entry != end; entry.increment(error)) give(entry->path().string());
     if (error) throw Error({folder}, "cannot give it to " + user + ": " + error.message());
-    give(folder);  // last: until then nobody else can change what is in it
+    give(folder);  // last: until then the user can change nothing in it
 }
 
 }  // namespace raytracer

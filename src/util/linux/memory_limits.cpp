@@ -12,7 +12,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// The number that the file begins with; unlimited where there is none ("max").
+// The number at the file's beginning; unlimited if there is none ("max").
 double numberIn(const std::string& path) {
     double number = 0;
     return std::ifstream(path) >> number ? number : unlimited;
@@ -27,8 +27,8 @@ double availableBytes() {
     return unlimited;
 }
 
-// Of a control group and of all that it is part of. Inside of a container, the outer part of the path is not
-// there.
+// The least limit of a control group and of the groups around it. Inside a container, the outer part of the
+// path does not exist, and counts as unlimited.
 double groupLimit(const std::string& root, std::string path, const char* file) {
     double least = unlimited;
     for (;; path.resize(path.rfind('/'))) {
@@ -57,7 +57,7 @@ struct UsedBytes {
     double addresses = 0, resident = 0, data = 0;
 };
 
-// Of the process: its addresses, what of them is in memory, and what of them only it can write to.
+// The process's address space, the part of it that is resident, and its private writable part.
 UsedBytes usedBytes() {
     double addresses = 0, resident = 0, shared = 0, code = 0, libraries = 0, data = 0;
     std::ifstream("/proc/self/statm") >> addresses >> resident >> shared >> code >> libraries >> data;

@@ -1,4 +1,4 @@
-// What a process has started.
+// Finds and kills the descendants of a process.
 #pragma once
 
 #include <sys/types.h>
@@ -11,11 +11,12 @@ namespace raytracer {
 // The children of all threads of a process.
 std::vector<pid_t> childrenOf(pid_t process);
 
-// These processes and their descendants, until there are more than `most`. One whose parent has ended is a
-// child of ours.
+// These processes and their descendants; stops when there are more than `most`. A descendant whose parent has
+// ended is not found here: it is a child of this process, the subreaper.
 std::vector<pid_t> descendantsOf(std::vector<pid_t> processes, std::size_t most);
 
-// Kills them with their groups, out of which none gets by forking. Our own group is left alone.
+// Kills the processes and their process groups, so that one that forks meanwhile does not escape. Our own
+// group is left alone.
 void killWithGroups(const std::vector<pid_t>& processes);
 
 }  // namespace raytracer

@@ -1,4 +1,5 @@
-// With what POSIX allows in a signal's handler, and Linux' own call for opendir, which it does not allow.
+// Uses only what POSIX allows in a signal handler; in place of opendir, which it does not allow, Linux's own
+// system call.
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -15,14 +16,16 @@
 namespace raytracer {
 namespace {
 
-// What is behind a mount is not ours. Before Linux 5.8, nothing is known to be one.
+// Whether a name is a mount point: what is mounted there is not ours to delete. Before Linux 5.8 this cannot
+// be found out, and is false.
 bool isMounted(int parent, const char* name) {
     struct statx status {};
     return ::statx(parent, name, AT_SYMLINK_NOFOLLOW, 0, &status) == 0 &&
            (status.stx_attributes & STATX_ATTR_MOUNT_ROOT);
 }
 
-// Its maker may have locked it. `name` is no link, for that gives another error.
+// Opens a folder, if it is not a mount point. If that is forbidden, gives this user the right to first.
+// `name` is no symbolic link then: a link gives another error than EACCES.
 Descriptor openFolder(int parent, const char* name) {
     if (isMounted(parent, name)) return {};
     constexpr int flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
@@ -31,7 +34,7 @@ Descriptor openFolder(int parent, const char* name) {
     return Descriptor(::openat(parent, name, flags));
 }
 
-// Calls use(name) for each entry of a folder; `entry` is what the kernel writes for getdents64.
+// Calls use(name) for each entry of a folder. The kernel writes the entries for getdents64.
 template <typename Use>
 void forEachEntry(int folder, const Use& use) {
     ::lseek(folder, 0, SEEK_SET);
@@ -53,13 +56,13 @@ bool removed(int folder, const char* name) {
     return ::unlinkat(folder, name, 0) == 0 || ::unlinkat(folder, name, AT_REMOVEDIR) == 0;
 }
 
-// Removes what is in a folder with few descriptors, however deep it nests: what is in the folders of it that
-// are not empty is moved up, into it, under new names.
+// Removes the contents of a folder with few descriptors, however deeply folders nest in it: the contents of
+// its subfolders are moved up into the folder itself, under new names.
 class Removal {
   public:
     explicit Removal(const Descriptor& top) : top_(top.get()) { ::fchmod(top_, S_IRWXU); }
 
-    // One level. False where nothing could be removed or moved.
+    // Removes one level. False if nothing could be removed or moved.
     bool pass() {
         bool hasChanged = false;
         forEachEntry(top_, [&](const char* name) { hasChanged |= removed(top_, name) || isFlattened(name); });
@@ -80,7 +83,7 @@ class Removal {
 
     bool isMovedUp(int folder, const char* name) {
         const Descriptor moved = openFolder(folder, name);
-        if (moved) ::fchmod(moved.get(), S_IRWXU);  // else it could not be moved
+        if (moved) ::fchmod(moved.get(), S_IRWXU);  // without write permission a folder cannot be moved
         for (;;) {
             char number[16] = {};
             std::to_chars(std::begin(number), std::end(number), next_++);
@@ -98,7 +101,7 @@ class Removal {
 
 void removeFolder(const void* path) {
     const auto* const name = static_cast<const char*>(path);
-    const Descriptor top = openFolder(AT_FDCWD, name);  // not where a link has taken its place
+    const Descriptor top = openFolder(AT_FDCWD, name);  // fails if a link has taken its place
     Removal removal(top);
     while (!removed(AT_FDCWD, name) && errno != ENOENT && removal.pass()) {
     }

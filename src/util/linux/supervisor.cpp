@@ -32,7 +32,8 @@ std::size_t readInto(const char* path, char* text, std::size_t most) {
     return static_cast<std::size_t>(std::max<ssize_t>(0, size));
 }
 
-// Of a process and of those that it has waited for; fields 14 to 17 of proc(5)'s stat.
+// Processor seconds of a process and of the children that it has waited for: fields 14 to 17 of
+// /proc/PID/stat (proc(5)).
 double processorSecondsOf(pid_t process) {
     char path[64], text[1024];
     std::snprintf(path, sizeof path, "/proc/%d/stat", process);
@@ -94,7 +95,7 @@ void defaultSignals(const sigset_t& mask) {
     ::sigprocmask(SIG_SETMASK, &mask, nullptr);
 }
 
-// The new process becomes the program: a shell with the command.
+// Turns this process into the program: a shell that runs the command.
 [[noreturn]] void become(const ProcessStart& start, const UserIds& ids, const sigset_t& signalMask) {
     ::setsid();
     if (!start.folder.empty()) ::setenv("TMPDIR", start.folder.c_str(), 1);
@@ -105,12 +106,12 @@ void defaultSignals(const sigset_t& mask) {
     words.push_back(nullptr);
     ::closefrom(3);
     defaultSignals(signalMask);
-    setLimits(start.limits, ids.other);  // last: they are the program's, and not for what stands above
+    setLimits(start.limits, ids.other);  // last: the limits are not meant for the steps above
     ::execv("/bin/sh", const_cast<char* const*>(words.data()));
     ::_exit(127);
 }
 
-// Watches the descendants of this process.
+// Watches this process's descendants, the program and all that it has started.
 class Supervisor {
   public:
     Supervisor(pid_t child, const ProcessLimits& limits) : child_(child), limits_(limits) {}
@@ -132,7 +133,7 @@ class Supervisor {
   private:
     double seconds() const { return std::chrono::duration<double>(SteadyClock::now() - start_).count(); }
 
-    // Takes the ended ones from the list of processes; true once the program itself is among them.
+    // Reaps the children that have ended. True once the program itself has.
     bool hasEnded() {
         int status = 0;
         for (pid_t ended; (ended = ::waitpid(-1, &status, WNOHANG)) > 0;) {
@@ -143,7 +144,7 @@ class Supervisor {
         return childEnded_;
     }
 
-    // 5 ms are short beside a render. The end of the program cuts them shorter.
+    // Waits for 5 ms, which are short compared with a render, or until the program ends or SIGTERM arrives.
     void waitForSignal() {
         sigset_t set;
         sigemptyset(&set);
@@ -164,7 +165,7 @@ class Supervisor {
             report_.end.stop = ProcessEnd::Stop::TooManyProcesses;
     }
 
-    // Until there is none left to wait for.
+    // Kills all descendants, and repeats that until no child is left to wait for.
     void killAll() {
         for (;;) {
             killWithGroups(descendantsOf(childrenOf(::getpid()), 1 << 16));
@@ -193,7 +194,7 @@ void supervise(const ProcessStart& start, const UserIds& ids, const sigset_t& si
     sigfillset(&all);
     ::sigprocmask(SIG_SETMASK, &all, nullptr);
     defaultSignals(all);
-    ::setpgid(0, 0);  // what a terminal sends to our group is for our parent
+    ::setpgid(0, 0);  // a terminal's signals (Ctrl+C) are for our parent
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) ::_exit(1);

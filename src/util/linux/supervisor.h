@@ -1,5 +1,5 @@
-// The process between this program and one that it runs: it is the parent of all that is left without one
-// there, counts what they use, and kills them all.
+// The supervisor is a process between this program and one that it runs. It becomes the parent of all orphans
+// there (as a subreaper), counts what the processes use, and kills them all in the end.
 #pragma once
 
 #include <sys/types.h>
@@ -12,7 +12,7 @@ namespace raytracer {
 // What the supervisor writes to its pipe at the end.
 struct SupervisorReport {
     int status = 0;    // of waitpid
-    ProcessEnd end{};  // but for what the status says
+    ProcessEnd end{};  // without what `status` says
 };
 
 struct UserIds {
@@ -21,9 +21,9 @@ struct UserIds {
     gid_t group = 0;
 };
 
-// Runs and watches the program; SIGTERM, and the end of this process's parent, stop it. In a process of its
-// own, made by fork where there is one thread. Where no program can be started it ends with errno as its exit
-// status.
+// Runs the program and watches it. SIGTERM, or the end of this process's parent, stops the program. To be
+// called in a process of its own, which is forked while there is only one thread. If no program can be
+// started, this process ends with errno as its exit status.
 [[noreturn]] void supervise(const ProcessStart& start, const UserIds& ids, const sigset_t& signalMask,
                             pid_t parent, int report);
 

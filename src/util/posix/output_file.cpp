@@ -26,18 +26,18 @@ namespace {
 namespace fs = std::filesystem;
 using Status = struct stat;
 
-// The folder of a name that is in /proc: a link there is to an open file, which no rename can replace, and
-// no file can be made beside it. Empty elsewhere.
+// The folder of a name that lies in /proc; else empty. A link in /proc leads to an open file: no rename can
+// replace that file, and no file can be made beside the link.
 std::string folderInProc(const fs::path& name) {
     std::error_code error;
     std::string folder = fs::canonical(name.has_parent_path() ? name.parent_path() : ".", error).string();
     return folder.starts_with("/proc/") ? folder : "";
 }
 
-// What is behind the symbolic links, whether it is there or not; of an open file its link in /proc, behind
-// which a rename cannot get. Empty where there are too many.
+// Follows symbolic links to a path that is none, and that need not exist. Stops at a link in /proc to an open
+// file, which a rename cannot replace. Empty if there are too many links.
 fs::path behindLinks(fs::path path) {
-    constexpr int mostLinks = 40;  // as Linux
+    constexpr int mostLinks = 40;  // Linux's limit
     for (int links = 0; links < mostLinks; ++links) {
         std::error_code isNoLink;
         const fs::path next = fs::read_symlink(path, isNoLink);
@@ -48,8 +48,8 @@ fs::path behindLinks(fs::path path) {
     return {};
 }
 
-// Whether the link in /proc is that of a standard stream of ours which is closed. /dev/null stands in for it
-// (prepareStandardStreams), where what is written would be lost.
+// Whether the link in /proc is that of a closed standard stream of this process. prepareStandardStreams has
+// opened /dev/null in its place, so what is written there would be lost.
 bool isClosedStream(const fs::path& link) {
     const std::string folder = folderInProc(link), ours = "/proc/" + std::to_string(::getpid()) + "/";
     if (!folder.starts_with(ours) || !folder.ends_with("/fd")) return false;
@@ -62,14 +62,14 @@ bool isClosedStream(const fs::path& link) {
     });
 }
 
-// Random, since processes in two containers may have the same number. In the target's folder, since a rename
-// cannot cross file systems. Short, however long the target's name is.
+// The temporary file's name. It is random, not the process's number, which a process in another container may
+// have too. It does not contain the target's name, which may be as long as the system allows.
 std::string randomName() {
     std::random_device random;
     return formatted(".raytracer-%08x%08x.tmp", random(), random());
 }
 
-// False where the new file cannot be its owner's.
+// Gives the new file the owner and the mode of the old one. False if that is not permitted.
 bool takeOver(int descriptor, const Status& old) {
     Status made{};
     if (::fstat(descriptor, &made) != 0) return false;
@@ -83,9 +83,9 @@ bool takeOver(int descriptor, const Status& old) {
 struct OutputFile::State {
     std::string name;
     const char* purpose = "cannot write";
-    std::string target, temporary;  // of the file beside; empty where the file is written in place
-    Descriptor beside, inPlace;     // inPlace: where a file is there already, for the case that beside fails
-    bool isCut = false;             // inPlace loses its old contents first
+    std::string target, temporary;  // paths of the result and the temporary file; empty if written in place
+    Descriptor beside, inPlace;     // the temporary file; the old file, if any, as the fallback
+    bool isCut = false;             // whether inPlace has to lose its old content first
     std::optional<Leftover> leftover{};  // the temporary file
 
     ~State() { discardBeside(); }

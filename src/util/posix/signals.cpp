@@ -7,7 +7,7 @@
 namespace raytracer {
 namespace {
 
-// Those that end no program, and those that no handler can be told of.
+// Signals that do not end a program, and those that no handler can catch.
 constexpr int otherSignals[] = {
     SIGKILL, SIGSTOP, SIGTSTP, SIGTTIN, SIGTTOU, SIGCONT, SIGCHLD, SIGURG, SIGWINCH,
 #if defined(SIGINFO)
@@ -15,7 +15,7 @@ constexpr int otherSignals[] = {
 #endif
 };
 
-// All others, those without a name (SIGRTMIN to SIGRTMAX) too.
+// All other signals, including those without a name (SIGRTMIN to SIGRTMAX).
 sigset_t endingSet() {
     sigset_t set;
     sigfillset(&set);
@@ -23,8 +23,9 @@ sigset_t endingSet() {
     return set;
 }
 
-// The handler stays until all is cleared: a second signal (timeout sends two) may reach another thread
-// meanwhile. The first process of a container outlives the default action.
+// The handler stays in place until all is cleared, since a second signal may reach another thread meanwhile
+// (timeout(1) sends two). _exit is for the first process of a container, which the default action does not
+// end.
 void clearAndEnd(int signal) {
     Leftover::clearAll();
     std::signal(signal, SIG_DFL);

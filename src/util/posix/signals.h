@@ -4,8 +4,8 @@
 
 namespace raytracer {
 
-// Holds back the signals that end the program in this thread. Held from before something is made until its
-// Leftover is there.
+// Blocks, on this thread, the signals that end the program. Use it from before something is made until its
+// Leftover exists.
 class SignalsWait {
   public:
     SignalsWait();

@@ -13,13 +13,13 @@ namespace raytracer {
 void prepareStandardStreams() {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    // Open for the wrong direction, so that using it still fails.
+    // Opens closed streams for the wrong direction, so that using them still fails.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 std::size_t terminalColumns() {
-    constexpr std::size_t usual = 80;  // where the terminal does not know
+    constexpr std::size_t usual = 80;  // if the terminal does not tell
     winsize size{};
     if (!::isatty(STDERR_FILENO)) return 0;
     return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;

@@ -6,7 +6,7 @@
 
 namespace raytracer {
 
-// What the process can commit: memory and the swap file.
+// What the process can still commit, in memory and in the swap file.
 std::vector<MemoryLeft> memoryLimits() {
     MEMORYSTATUSEX status{};
     status.dwLength = sizeof status;

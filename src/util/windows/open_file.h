@@ -6,7 +6,7 @@
 
 namespace raytracer {
 
-// As POSIX's open, of bytes as they are; EISDIR for a folder.
+// Like POSIX's open, without translation of line ends. errno is EISDIR for a folder.
 Descriptor openFile(const std::string& path, int flags);
 
 }  // namespace raytracer

@@ -1,4 +1,5 @@
-// As src/util/posix/output_file.cpp, but owners, modes and links are the folder's business here.
+// Like src/util/posix/output_file.cpp, but without owners, modes and links: on Windows a new file gets its
+// rights from its folder.
 #include "raytracer/util/output_file.h"
 
 #include <fcntl.h>
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 struct OutputFile::State {
     std::string name;
     const char* purpose = "cannot write";
-    std::string temporary;  // beside it; empty where a device is written in place
+    std::string temporary;  // the file beside it; empty if a device is written in place
     Descriptor file;
     std::optional<Leftover> leftover{};
 
@@ -46,7 +47,7 @@ void OutputFile::State::open() {
     else file = std::move(old);
 }
 
-// Such that it can be deleted and renamed while it is open.
+// Opens the file such that it can be deleted and renamed while it is open.
 void OutputFile::State::openBeside() {
     std::random_device random;
     const std::string beside = formatted(".raytracer-%08x%08x.tmp", random(), random());

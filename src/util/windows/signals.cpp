@@ -4,7 +4,8 @@
 
 namespace raytracer {
 
-// For Ctrl+C, and a window that is closed: in a thread of its own. The default then ends the program.
+// Windows calls the handler in a thread of its own, for Ctrl+C and when the console window is closed. FALSE
+// lets the default handler end the program.
 void handleEndingSignals() {
     const auto clear = [](DWORD) WINAPI -> BOOL {
         Leftover::clearAll();

@@ -11,7 +11,7 @@ namespace raytracer {
 Seconds Seconds::now() {
     FILETIME start{}, end{}, kernel{}, user{};
     GetProcessTimes(GetCurrentProcess(), &start, &end, &kernel, &user);
-    const auto seconds = [](const FILETIME& time) {  // of 100 ns
+    const auto seconds = [](const FILETIME& time) {  // FILETIME counts 100 ns
         return 1e-7 * (0x1p32 * time.dwHighDateTime + time.dwLowDateTime);
     };
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();

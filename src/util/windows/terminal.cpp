@@ -18,7 +18,7 @@ bool hasEscapes = false;  // on standard error
 void prepareStandardStreams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) _setmode(stream, _O_BINARY);
     codePageBefore = GetConsoleOutputCP();
-    SetConsoleOutputCP(CP_UTF8);  // of the window, which is left as it was
+    SetConsoleOutputCP(CP_UTF8);  // a property of the window, restored at exit
     std::atexit([] { SetConsoleOutputCP(codePageBefore); });
     HANDLE const console = GetStdHandle(STD_ERROR_HANDLE);
     DWORD mode = 0;

@@ -1,6 +1,6 @@
-// The manifest makes names UTF-8 for Windows. The C library, msvcrt, still has no locale with UTF-8, and
-// libstdc++'s std::filesystem makes wide characters of a name by mbrtowc: the linker puts this in its place
-// (--wrap).
+// Replaces mbrtowc by one that reads UTF-8. The manifest makes names UTF-8 for Windows, but the C library,
+// msvcrt, has no UTF-8 locale, and libstdc++'s std::filesystem converts names to wide characters by mbrtowc.
+// The linker puts this function in its place (--wrap).
 #include <cerrno>
 #include <cwchar>
 #include <string_view>
@@ -15,7 +15,8 @@ constexpr std::size_t wrong = static_cast<std::size_t>(-1), incomplete = static_
 
 std::size_t bytesOf(unsigned char lead) { return lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4; }
 
-// A character beyond U+FFFF is two wide ones: the second, kept in the state, is that of its last byte.
+// A character beyond U+FFFF is two wide ones. The first takes all bytes but the last; the second is kept in
+// `state`, and takes the last byte.
 std::size_t wideFromUtf8(wchar_t* to, const char* from, std::size_t size, std::mbstate_t* state) {
     if (*state != 0) {
         *to = static_cast<wchar_t>(std::exchange(*state, 0));
