@@ -24,7 +24,7 @@ namespace {
 
 namespace files = std::filesystem;
 
-// By any path: links and ".." are followed. Devices may be shared.
+// Whether two paths lead to one file; links and ".." are followed. False for devices, which may be shared.
 bool isSameFile(const std::string& a, const std::string& b) {
     std::error_code error;
     if (files::exists(a, error) && !files::is_regular_file(a, error)) return false;
@@ -56,7 +56,7 @@ void requirePictureFits(const std::string& file, const PixelRectangle& crop, boo
     const PixelRectangle band = largestBand(crop, isPfm);
     const std::string pixels = pixelsInWords(band.width(), band.height());
     if (isPfm) return requireMemory(file, pixels, 3 * sizeof(float) * static_cast<double>(band.area()));
-    // As bytes, as they are filtered, and their compressed form.
+    // The pixels' bytes, the filtered bytes and the compressed ones: three bytes each per pixel.
     requireMemory(file, pixels, 9 * static_cast<double>(band.area()));
 }
 

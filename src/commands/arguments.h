@@ -1,4 +1,4 @@
-// What the commands' command lines have in common.
+// Options and checks that several commands share.
 #pragma once
 
 #include <span>
@@ -11,36 +11,35 @@ namespace raytracer::commands {
 
 constexpr Range longEdgeRange{1, 65536};
 
-// Throws Error, about the file, where the memory is too small for a band of the picture.
+// Throws Error, about the file, if there is too little memory for a band of the picture.
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm);
 
-// Throws Error where writing `out` would replace a regular file that is among the inputs. Empty: no file.
+// Throws Error if writing `out` would replace a regular file that is among the inputs. Empty names are no
+// files.
 void refuseInput(const std::string& out, std::span<const std::string> inputs);
 
-// Throws Error where two of these would be written to one regular file. Empty: no file.
+// Throws Error if two of these are one regular file. Empty names are no files.
 void refuseSameOutput(std::span<const std::string> outputs);
 
-// Whether it is the name of a picture, by its ending.
+// Whether the name has the ending of a picture.
 bool isPictureName(const std::string& name);
 
-// What is said of two pictures alone, which are to be compared; else empty.
+// The message for arguments that are two pictures, which were meant for `compare`; else empty.
 std::string comparisonMeant(std::span<const std::string> arguments);
 
-// --quiet of a command whose exit status tells what matters.
+// Adds --quiet, for a command whose exit status is the result.
 void addSilence(CommandLine& line, bool& quiet);
 
-// --threads.
+// Adds --threads.
 void addThreads(CommandLine& line, int& threads);
 
-// --max-pixels, --tolerance, --min-score: the options that decide what counts as the same picture.
+// Adds --max-pixels, --tolerance and --min-score, which decide what counts as the same picture.
 void addThresholds(CommandLine& line, Thresholds& thresholds);
 
-// Which program this is.
-//
-// Lines: version and commit, the instruction sets that there is code for, the precisions.
+// The text of --version, in lines: version and commit, the instruction sets, the precisions.
 std::string versionText();
 
-// Of the code: two programs of one version make the same pictures.
+// The version of the code: two programs with the same one make the same pictures.
 std::string programVersion();
 
 }  // namespace raytracer::commands

@@ -1,4 +1,4 @@
-// raytracer assemble PART... IMAGE_OUT: the picture of which these are all parts.
+// raytracer assemble PART... IMAGE_OUT: makes a picture from all its parts.
 #include <string>
 #include <vector>
 
@@ -42,7 +42,8 @@ void writeAll(const PartFiles& parts, PictureWriter<Image>& writer, bool quiet) 
 
 int assembleParts(const std::vector<std::string>& paths, const std::string& out, int threads, bool quiet) {
     const bool isPfm = endsIn(out, ".pfm");
-    if (out.find(".part-") != out.npos && !isPfm && !endsIn(out, ".png"))  // as partName makes them
+    if (out.find(".part-") != out.npos && !isPfm &&
+        !endsIn(out, ".png"))  // like the names that partName makes
         throw UsageError("IMAGE_OUT is missing: " + printable(out) + " is the last part");
     if (!isPfm && !endsIn(out, ".png")) throw Error({out}, "expected a name that ends in .png or .pfm");
     refuseInput(out, paths);

@@ -1,4 +1,4 @@
-// The help, the man page and the completions of a command, from what it declares.
+// Makes a command's help, man page and shell completions from its declarations.
 #include <algorithm>
 
 #include "command_line.h"
@@ -8,7 +8,7 @@ namespace raytracer::commands {
 
 namespace {
 
-constexpr std::size_t helpColumns = 80;  // what a terminal shows of a line
+constexpr std::size_t helpColumns = 80;  // the usual width of a terminal
 constexpr std::size_t nameColumns = 26;  // the left column: "  --max-recursion N=3" and blanks
 
 std::string entry(const std::string& name, const std::string& help) {
@@ -18,7 +18,7 @@ std::string entry(const std::string& name, const std::string& help) {
     return left + wrapped(help, helpColumns, nameColumns, nameColumns) + "\n";
 }
 
-// A line of roff: backslashes and hyphens as they are, no request.
+// A line of text in roff: backslashes and hyphens are escaped, and so is a beginning that would be a request.
 std::string roff(const std::string& text) {
     const std::string plain = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
     return plain.starts_with('.') || plain.starts_with('\'') ? "\\&" + plain : plain;
@@ -30,8 +30,8 @@ std::string roffLines(const std::string& text) {
     return lines;
 }
 
-// What a list of options has room for: all of a short help, or else its first phrase; of two ends the first
-// one here counts.
+// A help text shortened for a list of options: its first phrase, up to "; " or ". ". If that is too long, it
+// is cut at the last ": " that fits; if that does not suffice, at " (", and so on.
 std::string brief(const std::string& help) {
     constexpr std::size_t longest = 79;
     std::string first = help.substr(0, std::min(help.find("; "), help.find(". ")));
@@ -40,14 +40,14 @@ std::string brief(const std::string& help) {
     return first;
 }
 
-// A text between single quotes of zsh, in the brackets of an option of _arguments.
+// A text for zsh: between single quotes, in the brackets of an option of _arguments.
 std::string inZsh(const std::string& text) {
     std::string safe = replaced(text, "\\", "\\\\");
     for (const char* const bracket : {"[", "]"}) safe = replaced(safe, bracket, std::string("\\") + bracket);
     return replaced(safe, "'", "'\\''");
 }
 
-// A text between single quotes of fish.
+// A text for fish, between single quotes.
 std::string inFish(const std::string& text) { return replaced(replaced(text, "\\", "\\\\"), "'", "\\'"); }
 
 std::string options(const CommandLine& line) {
@@ -57,7 +57,7 @@ std::string options(const CommandLine& line) {
     return joined(names, " ");
 }
 
-// Cases of "COMMAND PREVIOUS-WORD", and of "COMMAND" for all options.
+// Cases of the completion script: "COMMAND PREVIOUS-WORD" for values, "COMMAND ..." for all options.
 std::string forBash(const CommandLine& line) {
     const std::string command = line.name().empty() ? "render" : line.name();
     std::string cases;
@@ -148,7 +148,7 @@ std::string CommandLine::completion(const std::string& shell) const {
     return shell == "bash" ? forBash(*this) : shell == "zsh" ? forZsh(*this) : forFish(*this);
 }
 
-// What run.cpp asks of each command, to put together what is installed.
+// The command's part of the installed man page and completions: run.cpp asks each command for it.
 std::optional<std::string> CommandLine::document(const std::vector<std::string>& line) const {
     if (line.size() == 1 && line[0] == "--print-manual") return manual();
     if (line.size() != 2 || line[0] != "--print-completion") return std::nullopt;

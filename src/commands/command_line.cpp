@@ -14,15 +14,15 @@ namespace raytracer::commands {
 
 namespace {
 
-// A list that is too long for a line is in the help.
+// What is expected, in words. A list of choices that is too long for a line is left to the help.
 std::string expectedOf(const std::vector<std::string>& choices) {
     constexpr std::size_t longest = 60;
     const std::string list = listed(choices);
     return list.size() <= longest ? list : "a name in --help";
 }
 
-// Of a text that is none of the choices. Where the line, which begins with the command, has no room for all,
-// the one that differs in its case alone is told, or else all choices.
+// Throws UsageError for a text that is none of the choices. The message has all choices and a hint if that
+// fits into a line. Otherwise it has the choice that differs only in case, if there is one, or all choices.
 [[noreturn]] void refuseChoice(const std::string& command, const char* name, const std::string& text,
                                const std::vector<std::string>& choices, const std::string& remedy) {
     NearestName nearest(text);
@@ -35,7 +35,7 @@ std::string expectedOf(const std::vector<std::string>& choices) {
     refuse(name, isSame ? nearest.name() : expected, found);
 }
 
-// "-" is the name of a file, and -1 a number.
+// "-" is the name of a file and "-1" a number: these are not options.
 bool looksLikeOption(const std::string& word) {
     return word.size() > 1 && word[0] == '-' && !numberOf<double>(word);
 }
@@ -44,7 +44,7 @@ bool looksLikeOption(const std::string& word) {
 
 CommandLine::CommandLine(const std::string& name, const std::string& purpose)
     : name_(name), purpose_(purpose), command_(joined({"raytracer", name}, " ")) {
-    // parse answers these, wherever they stand.
+    // parse() answers these, wherever they are on the line.
     words_.push_back({"--help", "Print this; or -h"});
     words_.push_back({"--version", "Print the version, the instruction sets and the precisions; or -V"});
 }
@@ -154,13 +154,13 @@ std::string CommandLine::again(std::initializer_list<std::string_view> without) 
     for (const auto& [word, text, at] : given_) {
         if (std::ranges::find(without, word->name) != without.end()) continue;
         if (word->isOption()) line += " " + word->name;
-        const bool isLikeOption = !word->isOption() && looksLikeOption(text);  // it was behind "--"
+        const bool isLikeOption = !word->isOption() && looksLikeOption(text);  // it stood behind "--"
         if (!word->isFlag()) line += " " + inShellQuotes((isLikeOption ? "./" : "") + text);
     }
     return line;
 }
 
-// The option at line[at], "--samples 4" or "--samples=4"; `at` is left at its last word.
+// Takes the option at line[at], "--samples 4" or "--samples=4", and moves `at` to its last word.
 void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& at) {
     const std::size_t equals = line[at].find('=');
     const std::string name = line[at].substr(0, equals);
@@ -182,7 +182,7 @@ void CommandLine::takeOption(const std::vector<std::string>& line, std::size_t& 
     given_.push_back({option, text, rest_.size()});
 }
 
-// The line's words into options and the rest; all that is behind "--" is rest.
+// Sorts the line's words into options and arguments (rest_). All words behind "--" are arguments.
 void CommandLine::sort(const std::vector<std::string>& line) {
     const auto end = std::ranges::find(line, "--");
     for (std::size_t at = 0; at < std::size_t(end - line.begin()); ++at) {
@@ -208,7 +208,7 @@ void CommandLine::requireTogether() const {
     if (alone != needed_.end()) throw UsageError(alone->first + " has no effect without " + alone->second);
 }
 
-// Whether the line asks for help or for the version, before anything that is not known.
+// Whether the line asks for help or for the version, before any unknown option. Then the answer is printed.
 bool CommandLine::answered(const std::vector<std::string>& line) const {
     for (std::size_t at = 0; at < line.size() && line[at] != "--"; ++at) {
         const std::string& word = line[at];
@@ -220,12 +220,12 @@ bool CommandLine::answered(const std::vector<std::string>& line) const {
             print(isHelp ? help() : versionText());
             return true;
         }
-        if (!option->isFlag() && at + 1 < line.size() && !find(line[at + 1])) ++at;  // over its value
+        if (!option->isFlag() && at + 1 < line.size() && !find(line[at + 1])) ++at;  // skips its value
     }
     return false;
 }
 
-// A command that is not the first word, and no option's value; empty where there is none.
+// A command's name that is neither the first word nor an option's value; empty if there is none.
 std::string CommandLine::lateCommand(const std::vector<std::string>& line) const {
     const std::vector<std::string> commands = commandNames();
     for (std::size_t at = 0; at < line.size() && line[at] != "--"; ++at) {
@@ -236,7 +236,7 @@ std::string CommandLine::lateCommand(const std::vector<std::string>& line) const
     return {};
 }
 
-// Where nothing is the default, an empty text would pass for that: "$VARIABLE" of a variable that is not set.
+// Refuses a blank text, which would pass for an option that is not given: "$VARIABLE" of an unset variable.
 static void take(const Word& word, const std::string& text) {
     if (word.isText && text.find_first_not_of(" \t\n") == text.npos)
         refuse(word.name, word.expected, inQuotes(text));

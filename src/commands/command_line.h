@@ -1,4 +1,4 @@
-// What a command's line may say, what it says wrong, and its help.
+// Declares a command's options and arguments, parses its command line, explains mistakes and makes its help.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace raytracer::commands {
 
-// About the command line. run() names the command before the message.
+// An error in the command line. run() puts the command's name before the message.
 struct UsageError : Error {
     using Error::Error;
 };
@@ -25,7 +25,7 @@ inline constexpr const char* seeHelp = " (see --help)";
 // Throws UsageError: "--samples: expected a number, found nothing".
 [[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& found);
 
-// The numbers that an option takes: from `least` to `most`, but not `least` itself where `open`.
+// The numbers that an option takes: from `least` to `most`; without `least` itself if `open`.
 struct Range {
     double least = std::numeric_limits<double>::lowest();
     double most = std::numeric_limits<double>::max();
@@ -36,33 +36,33 @@ struct Range {
 constexpr Range atLeast(double least) { return {.least = least}; }
 constexpr Range above(double least) { return {.least = least, .open = true}; }
 
-constexpr std::string_view shells[] = {"bash", "zsh", "fish"};  // that --print-completion knows
+constexpr std::string_view shells[] = {"bash", "zsh", "fish"};  // those of --print-completion
 
-// What an argument is, as far as its text shows that: so that arguments in a wrong order are recognised.
+// What an argument is, as far as its text shows that. Arguments in a wrong order are recognised by it.
 enum class ArgumentKind { Any, Scene, Picture, Number, Folder };
 
-// An option or an argument, as it was declared.
+// The declaration of an option or an argument.
 struct Word {
     using Read = std::function<void(const std::string& text)>;
-    // A value that its author has written apart: "has commas, no blanks", "0,0,5,5". Empty where that is not
-    // so.
+    // A value that was split into several words, put together again: what is wrong with it ("has commas, no
+    // blanks") and the whole value ("0,0,5,5"). `value` is empty if the value was not split.
     struct Whole {
         const char* form = "";
         std::string value;
     };
-    // Of an option's text and the words behind it that are no options.
+    // Gets an option's text, and the words behind it that are not options.
     using Rejoin = std::function<Whole(const std::string& text, std::span<const std::string> behind)>;
 
     std::string name;                       // "--samples", or an argument: "SCENE"
     std::string help;                       // one paragraph
-    Read read{};                            // takes a text, or throws UsageError
-    std::string placeholder{};              // of the value: "N"; empty: a flag
-    std::string usual{};                    // the value, where none is given
+    Read read{};                            // stores the value of a text, or throws UsageError
+    std::string placeholder{};              // for the value: "N"; empty: a flag
+    std::string usual{};                    // the default value
     std::string expected{};                 // the value in words: "a whole number from 1 to 65536"
-    ArgumentKind kind = ArgumentKind::Any;  // of the text
-    std::vector<std::string> choices{};     // all that the text may be, where it is one of few
-    bool isMany = false;                    // may be repeated
-    bool isText = false;                    // which is not blank
+    ArgumentKind kind = ArgumentKind::Any;  // kind of the text
+    std::vector<std::string> choices{};     // the possible texts, if they are few; else empty
+    bool isMany = false;                    // whether it may be repeated
+    bool isText = false;                    // whether it is a text, which must not be blank
     Rejoin rejoin{};
 
     bool isOption() const { return name.starts_with("--"); }
@@ -70,73 +70,77 @@ struct Word {
     std::string shown() const { return placeholder + (usual.empty() ? "" : "=" + usual); }  // "N=3"
 };
 
-// A name with dashes is an option. Any other is an argument: it must be given, in the order of the
-// declarations. The variables must outlive `parse`, which fills them; of a repeated option, with the last
-// value. Help is wrapped to 80 columns; it shows the variables' values as the defaults.
+// A name with dashes declares an option. Any other declares an argument: arguments must be given, in the
+// order of their declarations. parse() fills the variables, which must outlive it; of a repeated option the
+// last value counts. The help is wrapped to 80 columns; it shows the variables' values as the defaults.
 class CommandLine {
   public:
     // The command's name, which may be empty, and what it does.
     CommandLine(const std::string& name, const std::string& purpose);
 
     void text(const char* name, std::string& value, const std::string& help,
-              ArgumentKind kind = ArgumentKind::Any);  // not blank
+              ArgumentKind kind = ArgumentKind::Any);  // must not be blank
     void output(const char* name, std::string& value, const std::string& help,
-                ArgumentKind kind = ArgumentKind::Any);  // the name of what is written, which is not "-"
+                ArgumentKind kind = ArgumentKind::Any);  // the name of an output file, which must not be "-"
     void texts(const char* name, std::vector<std::string>& values, const std::string& help,
                ArgumentKind kind = ArgumentKind::Any);  // one or more
-    // `remedy`: what to write for a text that is none of them, "; write --only diffuse", or nothing.
+    // `remedy` makes advice for a text that is none of the choices: "; write --only diffuse", or empty.
     using Remedy = std::function<std::string(const std::string& text)>;
     void choice(const char* name, std::string& value, const std::vector<std::string>& choices,
                 const std::string& help, const Remedy& remedy = {});
     void names(const char* name, std::string& list, const std::vector<std::string>& choices,
-               const std::string& help);  // comma-separated; whether they are known, the caller asks
+               const std::string& help);  // comma-separated; the caller checks them
     void flag(const char* name, bool& value, const std::string& help);
     void alone(const char* name, const std::string& help,
-               const std::vector<std::string>& values = {});  // run.cpp answers it before parse
+               const std::vector<std::string>& values =
+                   {});  // must be alone on the line; run.cpp answers it before parse
 
-    // How the help shows the option's value, and what is said where it is not there: "K/N".
+    // Sets the placeholder that the help shows for the option's value ("K/N"), and what a message says is
+    // expected (by default the placeholder).
     void shown(const char* option, const char* placeholder, const char* expected = nullptr);
 
-    // A decimal, finite number in the range; whole where Value is. Value: int, std::uint64_t or
-    // double, or a std::optional of one.
+    // A finite decimal number in the range; a whole number if Value is an integer. Value is int, double, or a
+    // std::optional of int, double or std::uint64_t.
     template <class Value>
     void number(const char* name, Value& value, const Range& range, const std::string& help);
 
-    // The option and any of the others can't be given together.
+    // The option cannot be given together with any of the others.
     void exclude(const char* option, std::initializer_list<const char*> others);
 
     // The option has no effect without the other.
     void needs(const char* option, const char* other);
 
-    // With the option, these arguments may be left out, all together: numbers in a std::optional.
+    // If the option is given, all of these arguments together may be left out. Their variables are
+    // std::optional.
     void spares(const char* option, std::initializer_list<const char*> arguments);
 
-    // Words behind the option may be parts of its value.
+    // Words behind the option may be parts of its value: `rejoin` puts them together for the message.
     void rejoins(const char* option, Word::Rejoin rejoin);
 
-    // What is said of arguments that are too many, too few or in another order; empty: what fits any command.
+    // Makes the message about arguments that are too many, too few or in a wrong order; empty: the usual
+    // message.
     using Answer = std::function<std::string(std::span<const std::string> arguments)>;
     void answers(Answer answer) { answer_ = std::move(answer); }
 
-    // Options that other commands have and this one has not, for a reason.
+    // Options that other commands have and this one lacks, with the reason for the message.
     void lacks(std::initializer_list<const char*> options, const char* reason);
 
-    // What the help ends with: lines of at most 80 columns.
+    // Sets the end of the help: lines of at most 80 columns.
     void footer(const char* text) { footer_ = text; }
 
-    // True where the line asks for --help or --version, which is printed. Throws UsageError, which says what
-    // was expected and what was found.
+    // Returns true if the line asks for --help or --version, after printing the answer. Throws UsageError,
+    // which says what was expected and what was found.
     bool parse(int argc, char** argv);
 
     // Whether the option was given.
     bool given(std::string_view option) const;
 
-    // The line for a shell, without some of its options.
+    // The command line, quoted for a shell, without some of its options.
     std::string again(std::initializer_list<std::string_view> without) const;
 
     std::string help() const;
     std::string manual() const;                              // a section of a man page, in roff
-    std::string completion(const std::string& shell) const;  // what bash, zsh or fish is to know
+    std::string completion(const std::string& shell) const;  // the script for bash, zsh or fish
     const std::string& name() const { return name_; }
     const std::string& purpose() const { return purpose_; }
     const std::string& footer() const { return footer_; }
@@ -144,11 +148,11 @@ class CommandLine {
     std::string order() const;  // "SCENE IMAGE_OUT LONG_EDGE_PIXELS"
 
   private:
-    // What a line gives to a word.
+    // The text that a line has for a declared word.
     struct Given {
         const Word* word;
         std::string text;
-        std::size_t at = 0;  // how many words of `rest_` are before it
+        std::size_t at = 0;  // how many words of `rest_` come before it
     };
     using Pair = std::pair<std::string, std::string>;
 
@@ -173,7 +177,7 @@ class CommandLine {
                         const std::vector<const Word*>& expected) const;
 
     std::string program_, name_, purpose_, footer_;
-    std::string command_;  // as its user calls it
+    std::string command_;  // as the user calls it: "raytracer compare"
     std::vector<Word> words_;
     std::vector<Pair> excluded_, needed_, lacking_;
     std::string sparing_;
@@ -181,7 +185,7 @@ class CommandLine {
     Answer answer_;
 
     std::vector<Given> given_;
-    std::vector<std::string> rest_;  // the line's words that are no options
+    std::vector<std::string> rest_;  // the line's words that are not options
 };
 
 }  // namespace raytracer::commands

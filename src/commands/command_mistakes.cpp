@@ -1,4 +1,4 @@
-// What is wrong with a command line, as its author would like to be told.
+// Explains what is wrong with a command line's arguments.
 #include <algorithm>
 #include <filesystem>
 #include <span>
@@ -12,7 +12,8 @@ namespace raytracer::commands {
 
 namespace {
 
-// A name with a blank, which a shell takes for two words; empty where there is none.
+// The name of an existing file with a blank, which the shell has split into two words; empty if there is
+// none.
 std::string fileWithBlank(const std::vector<std::string>& words) {
     std::error_code error;
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
@@ -33,13 +34,14 @@ std::string nounOf(ArgumentKind kind) {
     return kind == ArgumentKind::Picture ? "the picture" : "";
 }
 
-// Whether an argument is of this kind, which is not any.
+// Whether one of the arguments is of this kind, and the kind is not Any.
 bool has(const std::vector<const Word*>& expected, ArgumentKind kind) {
     return kind != ArgumentKind::Any && std::ranges::count(expected, kind, &Word::kind) > 0;
 }
 
-// For each text the place of an argument of its kind, behind those of the texts before it; or of any kind,
-// where there are texts enough for all. Ends before the first text for which no place is left.
+// For each text, the place of an argument of its kind (or of kind Any, if there are enough texts for all
+// arguments), behind the places of the texts before it. Ends before the first text for which no place is
+// left.
 std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
                                        const std::vector<const Word*>& expected) {
     std::vector<std::size_t> places;
@@ -58,7 +60,7 @@ std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
     return places;
 }
 
-// The first text of a kind of which there are more texts than arguments.
+// The first surplus text: one of a kind that has more texts than arguments. Null if there is none.
 const std::string* surplusIn(const std::vector<std::string>& texts,
                              const std::vector<const Word*>& expected) {
     for (const ArgumentKind kind : {ArgumentKind::Scene, ArgumentKind::Picture, ArgumentKind::Number}) {
@@ -70,14 +72,14 @@ const std::string* surplusIn(const std::vector<std::string>& texts,
     return nullptr;
 }
 
-// Whether the first is a scene by its place, as a file whose name says nothing: "8".
+// Whether the first text is a scene whose name looks like a number: a file named "8".
 bool isOddlyNamedScene(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
     std::error_code error;
     return texts.size() == expected.size() && expected[0]->kind == ArgumentKind::Scene &&
            kindOf(texts[0]) == ArgumentKind::Number && std::filesystem::exists(texts[0], error);
 }
 
-// The scene or the picture that no text is, where each text is of some kind and none is too many.
+// The scene or picture argument that is missing, if each text is of a known kind and there are not too many.
 const Word* absentKind(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
     const auto isKnown = [&](const std::string& text) { return has(expected, kindOf(text)); };
     if (texts.size() > expected.size() || !std::ranges::all_of(texts, isKnown)) return nullptr;
@@ -86,14 +88,14 @@ const Word* absentKind(const std::vector<std::string>& texts, const std::vector<
     return nullptr;
 }
 
-// "3 3" of "3,3"; empty where the text is no list of numbers.
+// "3 3" for "3,3"; empty if the text is not a list of whole numbers.
 std::string numbersApart(const std::string& text) {
     const std::vector<std::string> numbers = split(text, ",");
     const bool isList = numbers.size() > 1 && std::ranges::all_of(numbers, isWholeNumber);
     return isList ? joined(numbers, " ") : "";
 }
 
-// "is out.png the picture", of the first text that has another's place; empty where none has.
+// "is out.png the picture", about the first text that is in the place of another argument; empty if none is.
 std::string swappedIn(const std::vector<std::string>& texts, const std::vector<const Word*>& expected) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const ArgumentKind kind = kindOf(texts[i]);
@@ -120,7 +122,8 @@ std::string CommandLine::order() const {
     return joined(names, " ");
 }
 
-// One for each that is given: the one that may be repeated, as often as leaves the others one each.
+// The arguments to expect, one for each word that is given. The repeatable one comes as often as leaves one
+// word for each of the others.
 std::vector<const Word*> CommandLine::expectedArguments() const {
     std::vector<const Word*> expected = arguments();
     const auto many = std::ranges::find_if(expected, &Word::isMany);
@@ -133,7 +136,7 @@ std::vector<const Word*> CommandLine::expectedArguments() const {
     return expected;
 }
 
-// Throws where words behind an option are parts of its value.
+// Throws UsageError if words behind an option are parts of its value.
 void CommandLine::requireWholeValues() const {
     for (const auto& [word, text, at] : given_) {
         if (!word->rejoin) continue;
@@ -143,7 +146,8 @@ void CommandLine::requireWholeValues() const {
     }
 }
 
-// Throws where a picture has the place of a scene or of a number, or standard input that of a scene.
+// Throws UsageError if "-" (standard input) is given as the scene, or if a picture is an argument of a
+// command that takes it with --picture.
 void CommandLine::requireKinds() const {
     const std::vector<const Word*> expected = arguments();
     if (!rest_.empty() && rest_[0] == "-" && expected[0]->kind == ArgumentKind::Scene)
@@ -154,7 +158,7 @@ void CommandLine::requireKinds() const {
         throw UsageError("is " + *picture + " the picture? Give it with --picture; the order is " + order());
 }
 
-// Throws where a word is an option without its dashes: "/max-recursion 3", "max-recursion=3".
+// Throws UsageError if a word is an option without its dashes: "/max-recursion 3", "max-recursion=3".
 void CommandLine::requireDashes() const {
     for (std::size_t i = 0; i < rest_.size(); ++i) {
         const std::size_t slash = rest_[i].starts_with('/'), equals = rest_[i].find('=');
@@ -167,7 +171,7 @@ void CommandLine::requireDashes() const {
     }
 }
 
-// Throws where a text that is no number has the place of one.
+// Throws UsageError if a text that is not a number is in the place of one.
 void CommandLine::requireNumbers(const std::vector<std::size_t>& places,
                                  const std::vector<const Word*>& expected) const {
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -179,7 +183,7 @@ void CommandLine::requireNumbers(const std::vector<std::size_t>& places,
     }
 }
 
-// Throws where there are too few arguments, too many, or they are in another order.
+// Throws UsageError if there are too few or too many arguments, or if they are in a wrong order.
 void CommandLine::requireOrder() const {
     requireKinds();
     const std::vector<const Word*> expected = expectedArguments();

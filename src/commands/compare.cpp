@@ -1,4 +1,4 @@
-// raytracer compare A B: how much two pictures differ.
+// raytracer compare A B: measures how much two pictures differ.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -74,7 +74,7 @@ void printJson(const Comparison& c, bool same) {
     json.key("differing_by_more_than_8").value(c.pixelsOver(8));
     json.key("mean").value(c.mean);
     json.key("rmse").value(c.rmse);
-    json.key("psnr").value(c.psnr);  // null: infinite, the pictures are equal
+    json.key("psnr").value(c.psnr);  // null: infinite, since the pictures are equal
     json.key("maximum").value(c.maximum);
     json.key("worst").beginArray().value(c.worstX).value(c.worstY).endArray();
     json.key("score").value(c.score);
@@ -115,7 +115,7 @@ std::string colorAt(const Picture& picture, const Comparison& c) {
     return formatted("(%d, %d, %d)", p[0], p[1], p[2]);
 }
 
-// The verdict in words, and what to do next.
+// Prints the verdict, and a command that tells why the worst pixel differs.
 void printVerdict(const CompareArguments& arguments, const Picture& a, const Picture& b, const Comparison& c,
                   bool same) {
     if (c.maximum > 0)

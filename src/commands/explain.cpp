@@ -1,5 +1,5 @@
-// raytracer explain SCENE X Y LONG_EDGE_PIXELS: the rays behind one pixel; with --picture, what is wrong
-// there.
+// raytracer explain SCENE X Y LONG_EDGE_PIXELS: shows the rays behind one pixel; with --picture, tells what
+// is wrong with that picture.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -74,7 +74,7 @@ std::string bytesInWords(const ByteImage& image, const PixelPlace& pixel) {
     return formatted("(%d, %d, %d)", bytes[0], bytes[1], bytes[2]);
 }
 
-// Someone's picture of the scene.
+// A picture of the scene that is to be checked, the right one, and how they differ.
 struct Suspect {
     ByteImage image, right;
     Diagnosis diagnosis;
@@ -105,7 +105,7 @@ std::string verdict(const Suspect& suspect) {
            std::to_string(found.pixels) + " pixels, as no known mistake explains";
 }
 
-// Of the width of a message (standard_streams.cpp).
+// Wraps a text to the width of a message (messageColumns in standard_streams.h).
 std::string inLines(const std::string& begin, const std::string& text) {
     constexpr std::size_t columns = 100, indent = 2;
     return begin + wrapped(text, columns, indent, columnCount(begin)) + "\n";

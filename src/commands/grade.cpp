@@ -1,4 +1,4 @@
-// raytracer grade DIR: scenes with reference pictures, rendered and compared.
+// raytracer grade DIR: renders scenes that have reference pictures, and compares.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -34,7 +34,7 @@ RenderArguments argumentsOf(const GradeCase& test, int longEdge) {
     return arguments;
 }
 
-// Our own renderer, in this process.
+// Renders with our own renderer, in this process.
 Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out) {
     SceneDescription scene = loadScene(test.scene).description;
     const RenderOptions options = argumentsOf(test, longEdge).prepare(scene);
@@ -45,7 +45,7 @@ Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out)
     return {};
 }
 
-// What our pictures of a case are held against.
+// Makes the namer that explains wrong pictures of a case. Null if the scene cannot be rendered at this size.
 std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& size) {
     try {
         SceneDescription scene = loadScene(test.scene).description;
@@ -59,7 +59,7 @@ std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& si
     }
 }
 
-// The stage that alone is graded; empty: all.
+// The only stage that is graded; empty: all stages.
 std::string stageOf(const GradeArguments& arguments) {
     if (!arguments.stage.empty() || arguments.program.empty()) return arguments.stage;
     return std::string(completeStage().name);
@@ -108,7 +108,7 @@ void refuseInputs(const GradeArguments& arguments, const GradePlan& plan) {
     for (const std::string& output : outputs) refuseInput(output, inputs);
 }
 
-// The files that were asked for, opened before the work.
+// The output files that the user asks for. They are opened before the work begins.
 struct GradeFiles {
     GradeFiles(const GradeArguments& arguments, const GradePlan& plan) {
         refuseInputs(arguments, plan);
@@ -122,7 +122,7 @@ struct GradeFiles {
         open(gradescope, arguments.gradescope);
     }
 
-    // All but the report.
+    // Writes all files except the report.
     void write(std::span<const GradedSubmission> graded, const GradeArguments& arguments) {
         const Thresholds& thresholds = arguments.thresholds;
         if (csv) csv->write(gradesAsCsv(graded, thresholds));
@@ -156,7 +156,8 @@ std::string missingInAll(const std::string& name) {
     return "no submission has a file " + printable(name);
 }
 
-// A program that no submission has is a slip of the command line, not of sixty students.
+// Throws UsageError if no submission has the program: that is a slip of the command line, not of all
+// students.
 void requireProgramIn(const std::vector<Submission>& submissions, const std::string& program) {
     for (const std::string& name : filesStarted(program))
         if (name.find("{}") != name.npos &&

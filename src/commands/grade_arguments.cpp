@@ -51,7 +51,7 @@ std::vector<std::string> stageNames() {
     return names;
 }
 
-// What is said of several arguments, where one folder is graded.
+// The message for more than one argument: `grade` takes one folder.
 std::string otherCommandMeant(std::span<const std::string> words) {
     if (words.size() != 2) return {};
     std::string first = words[0], second = words[1];
@@ -63,7 +63,8 @@ std::string otherCommandMeant(std::span<const std::string> words) {
     return "one folder is graded; write --references " + second;
 }
 
-// What is run for each submission has its folder, which the grader quotes.
+// Throws UsageError unless the command has a "{}", the submission's folder, outside of quotes: the grader
+// quotes the folder itself.
 void requireFolderIn(const std::string& program) {
     if (program.find("{}") == program.npos)
         throw UsageError("--program: expected {} for the submission's folder, found " + inQuotes(program));

@@ -13,16 +13,16 @@ struct GradeArguments {
     std::string csv, json, junit, gradescope;
     double points = 10;
     int memory = 8192, jobs = 1;
-    ProgramOptions options;  // but for the memory
+    ProgramOptions options;  // without `memory`; programOptions() has all
     bool quiet = false;
     Thresholds thresholds;
 
     void addTo(CommandLine& line);
 
-    // To standard output, unless `quiet`.
+    // Prints to standard output, unless `quiet`.
     void show(const std::string& text) const;
 
-    // Throws Error for what cannot be done, before anything is read.
+    // Throws Error for impossible options, before any file is read.
     void check() const;
 
     ProgramOptions programOptions() const;

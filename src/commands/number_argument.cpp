@@ -13,7 +13,7 @@ namespace raytracer::commands {
 
 namespace {
 
-// Refuses a number that is beyond its type, where nothing else limits it.
+// Refuses an integer that does not fit its type, if the range has no limit of its own on that side.
 template <class Number>
 void refuseBeyondType(const char* name, const std::string& text, const Range& range) {
     const bool isNegative = text[0] == '-';
@@ -25,7 +25,8 @@ void refuseBeyondType(const char* name, const std::string& text, const Range& ra
     refuse(name, limit, inQuotes(text));
 }
 
-// "; write 10" for "10s", and so for "2%", "600px" and "0,02"; empty where no number of the range is meant.
+// "; write 10" for "10s", and the like for "2%", "600px" and "0,02". Empty if no number of the range is
+// meant.
 template <class Number>
 std::string meantNumber(const std::string& text, const Range& range) {
     const std::size_t end = text.find_last_of("0123456789.") + 1;
@@ -56,7 +57,7 @@ std::string expectedNumber(const Range& range, bool isFinite = true) {
     return kind + inWords(range);
 }
 
-// Throws UsageError where the text is no number of the range.
+// Reads a number. Throws UsageError if the text is not a number in the range.
 template <class Number>
 Number numberIn(const char* name, const std::string& text, const Range& range) {
     const std::optional<Number> number = numberOf<Number>(text);
@@ -68,7 +69,7 @@ Number numberIn(const char* name, const std::string& text, const Range& range) {
     return *number;
 }
 
-// What an option's value is, in the variable's type.
+// The number's type for a variable that is one, or a std::optional of one; and the default in the help.
 template <class Number>
 struct Variable {
     using Type = Number;

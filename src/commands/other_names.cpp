@@ -1,4 +1,4 @@
-// An option that there is none of: what is meant.
+// Finds out what is meant by an unknown option.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -13,9 +13,9 @@ namespace raytracer::commands {
 
 namespace {
 
-// What other programs, and people, call our options and arguments.
+// Names that other programs, and people, use for our options and arguments.
 struct OtherName {
-    std::string_view name, ours;  // perhaps with a value
+    std::string_view name, ours;  // `ours` may have a value
 };
 constexpr OtherName otherNames[] = {
     {"depth", "--max-recursion"},
@@ -69,7 +69,7 @@ std::string_view withoutDashes(std::string_view name) {
     return name;
 }
 
-// What to write instead of --no-TERM.
+// The advice for --no-TERM; empty if there is no such term.
 std::string withoutTerm(std::string_view name) {
     return isTerm(name) ? ": --only names the terms that are left" : "";
 }
@@ -88,13 +88,13 @@ void CommandLine::failUnknown(const std::string& option) const {
     throw UsageError(unknown + "; the order is " + order());
 }
 
-// By its exact other name, else by what is near to the names here, and last to the other names. It may be an
-// argument; empty where there is none.
+// The option or argument that is meant: by an exact other name, else the nearest of this command's options,
+// else by the nearest other name. Empty if there is none.
 std::string CommandLine::meantOption(std::string_view name) const {
     NearestName own(name), others(name);
     for (const Word& word : words_)
         if (word.isOption()) own.consider(withoutDashes(word.name));
-    std::map<std::string, std::string_view> here;  // the other names of what this command has
+    std::map<std::string, std::string_view> here;  // other names of this command's options and arguments
     for (const OtherName& other : otherNames)
         if (std::ranges::find(words_, other.ours.substr(0, other.ours.find(' ')), &Word::name) !=
             words_.end()) {

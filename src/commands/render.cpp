@@ -1,4 +1,4 @@
-// raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS: the picture of a scene.
+// raytracer SCENE.json IMAGE_OUT LONG_EDGE_PIXELS: renders a scene to a picture.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -54,7 +54,7 @@ Examples:
   # half of it here, the other half (2/2) on another machine
   raytracer scenes/texture.json out.png 8000 --part 1/2)";
 
-// What only this command asks for.
+// The options that only this command has.
 struct PictureArguments {
     std::string out;
     bool stats = false, watch = false, skipExisting = false;
@@ -69,7 +69,7 @@ struct PictureArguments {
     std::string file() const { return isPart() ? partName(out, parsePart(part)) : out; }
 };
 
-// Before any work is done.
+// Opens the output before any work is done.
 OutputFile openOutput(const PictureArguments& wanted) {
     if (wanted.out != "-") {
         if (!wanted.isPfm() && !endsIn(wanted.out, ".png"))
@@ -83,7 +83,7 @@ OutputFile openOutput(const PictureArguments& wanted) {
     return OutputFile::standardOutput();
 }
 
-// One picture, from its scene to its file.
+// The rendering of one picture, from its scene to its file.
 struct RenderJob {
     const RenderArguments& arguments;
     const PictureArguments& wanted;
@@ -94,7 +94,7 @@ struct RenderJob {
     PartHead part{};
     RenderCounts counts{};
     std::optional<TargetChoice> choice{};
-    bool isBlack = true;  // as far as it is rendered
+    bool isBlack = true;  // whether all pixels so far are black
 };
 
 void renderBand(PixelSink& sink, RenderJob& job, const PixelRectangle& band, StepProgress& progress) {
@@ -142,7 +142,7 @@ void choose(RenderJob& job) {
     job.timings.choose = watch.lap();
 }
 
-// With the exit status.
+// Returns the exit status.
 int tellSkipped(const RenderArguments& arguments, const PictureArguments& wanted) {
     if (!arguments.quiet) tell(wanted.file() + ": skipped, it is there");
     return 0;
@@ -180,13 +180,13 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     tellLimited(job.counts, options, options.crop.area() / options.part.count, arguments.quiet || job.choice);
     if (wanted.stats) printStats(job.counts, timings, options);
     tellDone(wanted.file(), options.crop, timings.wall(), arguments.quiet);
-    return job.choice && !job.choice->reached && !wanted.isPart() ? 1 : 0;  // assemble tells it of parts
+    return job.choice && !job.choice->reached && !wanted.isPart() ? 1 : 0;  // of parts, assemble reports it
 }
 
-// Renders again whenever a file has changed; an error waits for the change that mends it.
+// Renders again whenever a file has changed. After an error, waits for a change that may mend it.
 [[noreturn]] void watchScene(const RenderArguments& arguments, PictureArguments wanted) {
     std::vector<std::string> files{arguments.scene};
-    openOutput(wanted);  // throws what no change of a file mends
+    openOutput(wanted);  // throws errors that no change of the scene can mend
     for (bool isFirst = true;;) {
         const auto start = FileWatch::Time::clock::now();
         FileWatch watch;
@@ -206,7 +206,7 @@ int renderPicture(const RenderArguments& arguments, const PictureArguments& want
     }
 }
 
-// Each frame with its own values of --set and its own name. The worst exit status.
+// Renders each frame with its own values of --set and its own name. Returns the worst exit status.
 int renderFrames(const RenderArguments& arguments, const PictureArguments& wanted) {
     const Frames frames = parseFrames(wanted.frames);
     int status = 0;

@@ -32,7 +32,7 @@ std::vector<std::string> listParts(const std::string& list) {
     return parts;
 }
 
-// The pass of which this is the name, or part of it; empty where there is none.
+// The pass whose name begins with `name`, of at least six letters; empty if there is none.
 std::string passMeant(const std::string& name) {
     constexpr std::size_t least = 6;  // letters: "normal"
     if (name.size() < least) return {};
@@ -40,10 +40,10 @@ std::string passMeant(const std::string& name) {
     return std::string_view("raycasting").starts_with(name) ? "raycast" : "";
 }
 
-// The term alone, or with light where it has none.
+// The term, with "diffuse" before it if it is dark by itself.
 std::string visibly(const std::string& term) { return isDark(termsNamed(term)) ? "diffuse," + term : term; }
 
-// "ambient,diffuse" of "ambient_diffuse", a stage's name; empty where it is none.
+// "ambient,diffuse" for "ambient_diffuse", a stage's name; empty for any other name.
 std::string termsOfStage(const std::string& name) {
     std::string terms = name;
     std::ranges::replace(terms, '_', ',');
@@ -67,7 +67,8 @@ bool Terms::*termNamed(const std::string& name) {
                      (nearest.found() ? nearest.question() : "; --help lists them"));
 }
 
-// One that is too large for int is outside of any picture, as the largest int is.
+// A coordinate. One that does not fit into int becomes the largest or smallest int, which is outside of any
+// picture too.
 std::optional<int> edgeIn(const std::string& text) {
     using Limits = std::numeric_limits<int>;
     const std::optional<int> edge = numberOf<int>(text);

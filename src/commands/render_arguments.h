@@ -1,4 +1,4 @@
-// The options that say what a picture is: shared by every command that renders.
+// The options that determine a picture, shared by all commands that render.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ struct RenderArguments {
     std::string scene;
     std::vector<std::string> sets;  // edits of the scene, "/pointer=value"
     int longEdge = 0;
-    RenderOptions options;  // those that a line gives as they are; prepare() makes the others
+    RenderOptions options;  // those that the line gives directly; prepare() sets the others
     std::string only;       // comma-separated terms; empty: all
     bool opaque = false;
     std::string pass = "color";
@@ -28,9 +28,9 @@ struct RenderArguments {
     bool strict = false;
     bool quiet = false;
 
-    // What every command that renders has, but for LONG_EDGE_PIXELS, which not every command has next.
+    // Adds what every command that renders has, except LONG_EDGE_PIXELS, whose place differs.
     void addTo(CommandLine& line);
-    void addPictureTo(CommandLine& line);  // what concerns many pixels
+    void addPictureTo(CommandLine& line);  // options that concern more than one pixel
     void addLongEdgeTo(CommandLine& line);
 
     // The terms named by `only`. Throws Error.
@@ -38,32 +38,31 @@ struct RenderArguments {
 
     Precision chosenPrecision() const;
 
-    // Warns where the scene's numbers need a wider precision than the one chosen.
+    // Warns if the scene's numbers need a wider precision than the chosen one.
     std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene) const;
 
-    // The scene of the file. Its warnings, the loader's and the advice on it, go to stderr unless `quiet`.
-    // Where `strict`, all are told as errors, and the last one is thrown.
-    // `files` gets the names of the scene and of all files that it names, also where this
-    // throws.
+    // Loads the scene. Warnings, those of the loader and the advice on the scene, go to stderr unless
+    // `quiet`. If `strict`, they are errors: all are printed, except the last one, which is thrown. `files`
+    // gets the names of the scene file and of all files that it names, even if this throws.
     SceneDescription load(std::vector<std::string>* files = nullptr, FileKind kind = FileKind::Any) const;
 
-    // Whether anyone hears what `warn` is told.
+    // Whether `warn` has any effect.
     bool warns() const { return strict || !quiet; }
 
-    // What is said about the scene as a whole, in the same way.
+    // Warns about the scene as a whole; with `strict` this is an error, too.
     void warn(const std::string& warning) const;
 
-    // What is said about what the picture takes: no fault of the scene, so not for `strict`.
+    // Warns about the cost of the picture. That is no fault of the scene, so never an error.
     void remark(const std::string& text) const;
 
-    // Whether the picture is what the scene file describes: all of it, with all terms. Of no other can the
-    // scene be blamed.
+    // Whether the picture shows all that the scene describes, with all terms. Only then may a message blame
+    // the scene for the picture.
     bool isWhole() const { return pass == "color" && only.empty() && crop.empty(); }
 
-    // Applies `only` and `opaque` to the scene. Returns all options for it. Throws Error.
+    // Applies `only` and `opaque` to the scene, and returns the complete options. Throws Error.
     RenderOptions prepare(SceneDescription& scene) const;
 
-    // Throws Error for terms that are not there, and for an option that was given and can change nothing.
+    // Throws Error for unknown terms, and for an option that is given but has no effect.
     void check(const CommandLine& line) const;
 
   private:

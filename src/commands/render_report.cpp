@@ -26,7 +26,7 @@ void printTimes(JsonWriter& json, const Timings& timings, const char* name, doub
     json.endObject();
 }
 
-// Estimates: that of the samples may be zero where there is an error.
+// The estimated errors in words. The estimate for the samples may be zero although there is an error.
 std::string errorInWords(double ofSamples, double ofDepth) {
     if (ofSamples == 0)
         return "pilot samples show no error for want of samples; for want of depth it is about " +
@@ -49,8 +49,8 @@ class NoPicture final : public PixelSink {
     void write(int, int, std::span<const glm::dvec3>) override {}
 };
 
-// What one thread takes, in seconds: by some tiles from all over the picture, and by one sample where all
-// pixels have equally many.
+// Estimates the seconds that the picture takes on one thread. It renders a number of tiles from all over the
+// picture, with one sample per pixel if all pixels have equally many.
 double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
     constexpr int tiles = 64, samples = 64;  // 65,536 pixels: some milliseconds a sample
     RenderOptions options = wanted;
@@ -62,7 +62,7 @@ double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
         NoPicture sink;
         Stopwatch watch;
         renderer.render(options, sink);
-        return watch.lap().cpu;  // other programs take no part
+        return watch.lap().cpu;  // does not depend on other programs
     };
     once();  // fetches the scene into the caches
     const double times = wanted.adaptive > 0 ? 1 : wanted.samples;
@@ -71,7 +71,8 @@ double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
 
 double brightest(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }
 
-// A cutoff ends the doubling where one of the two rays contributes less than the one before them.
+// Whether a cutoff ends the doubling of rays: in every glass that reflects, one of the two new rays must
+// contribute less than the one before.
 bool canCutOff(const SceneDescription& scene) {
     return std::ranges::none_of(scene.materials, [](const auto& m) {
         return m.reflective && m.refractive &&
@@ -143,7 +144,7 @@ TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options
     options = withSetting(options, choice.setting);
     if (command.empty()) return choice;
     Setting told = choice.setting;
-    told.bilinear = false;  // the command says it already
+    told.bilinear = false;  // `command` has that option already
     tell("--target-time: the expected time is " + durationInWords(choice.seconds) +
          (choice.seconds > seconds ? "; no setting takes less" : ""));
     tell("--target-time: " + errorInWords(choice.sampleError, choice.depthError));
@@ -178,8 +179,8 @@ void remarkOnFrames(const RenderArguments& arguments, int more, double secondsOf
 }
 
 void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options) {
-    constexpr double few = 3e7;         // samples: of any of our scenes they take less than a minute
-    constexpr int adaptiveSamples = 4;  // at least, in the mean of a picture that takes long
+    constexpr double few = 3e7;         // samples: in any of our scenes they take less than a minute
+    constexpr int adaptiveSamples = 4;  // the least mean number of samples per pixel to reckon with
     if (arguments.quiet) return;
     const bool isAdaptive = options.adaptive > 0;
     const double samples = static_cast<double>(options.crop.area()) / options.part.count *

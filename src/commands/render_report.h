@@ -1,5 +1,5 @@
-// What `raytracer SCENE ...` tells of its work, and of what it takes where that is more than its author may
-// think.
+// The messages of `raytracer SCENE ...`: results, and warnings if a picture takes longer than its author may
+// expect.
 #pragma once
 
 #include <string>
@@ -21,33 +21,32 @@ struct Timings {
 // --stats: JSON on standard output.
 void printStats(const RenderCounts& counts, const Timings& timings, const RenderOptions& options);
 
-// Where the limit on samples decided more than a few of so many pixels.
+// Reports that --samples stopped more than 0.1 % of `pixels` pixels before --adaptive was reached.
 void tellLimited(const RenderCounts& counts, const RenderOptions& options, double pixels, bool quiet);
 
-// "out.png: 600 × 600, 0.06 s", for who waits at a terminal.
+// Prints "out.png: 600 × 600, 0.06 s", if standard error is a terminal.
 void tellDone(const std::string& out, const PixelRectangle& crop, double seconds, bool quiet);
 
-// Says how many rays a deep recursion casts, where they are many.
+// Warns if a deep recursion casts very many rays, and says how many.
 void remarkOnRays(const RenderArguments& arguments, const SceneDescription& scene, const Renderer& renderer,
                   const RenderOptions& options);
 
-// Says how long the picture, or this part of it, takes, where that is long.
+// Warns if the picture, or this part of it, takes long, and says how long.
 void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options);
 
-// Says how long so many frames take after the first one, where that is long.
+// Warns if the `more` frames after the first one take long, and says how long.
 void remarkOnFrames(const RenderArguments& arguments, int more, double secondsOfFirst);
 
 // "under 0.01 s", "4.50 s", "12 min", "3.5 h", "2.1 days".
 std::string durationInWords(double seconds);
 
-// That --watch goes on, for who waits at a terminal.
+// Says that --watch waits for a change, if standard error is a terminal.
 void tellWaiting(bool quiet);
 
-// --target-error and --target-time, on stderr.
-//
-// Chooses the setting, says which unless `quiet`, and puts it into the options.
+// For --target-error: chooses the setting, puts it into the options, and reports it on stderr unless `quiet`.
 TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet);
-// `command`: the command line without --target-time; empty: says nothing.
+// The same for --target-time. `command` is the command line without --target-time; if it is empty, nothing is
+// reported.
 TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options, double seconds,
                                 const std::string& command);
 

@@ -1,4 +1,4 @@
-// Which command a line is for.
+// Finds the command that a command line is for, and runs it.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -29,7 +29,7 @@ constexpr Command commandTable[] = {
     {"grade", grade},       {"tradeoff", tradeoff},
 };
 
-// What people write for a command that has no name.
+// Words that people write for commands, but that are no command's name.
 struct Nameless {
     std::string_view name, instead;
 };
@@ -44,7 +44,8 @@ constexpr Nameless nameless[] = {
     {"completion", "--print-completion bash"},
 };
 
-// A scene's name mostly has an ending, and else there is a file of that name, perhaps with a blank in it.
+// Whether the first word looks like a command rather than a scene: it has no ending, and there is no file
+// with that name, not even with a blank in it.
 bool looksLikeCommand(const std::vector<std::string>& words) {
     const std::string& word = words[0];
     std::error_code error;
@@ -55,7 +56,7 @@ bool looksLikeCommand(const std::vector<std::string>& words) {
            !exists(word) && !(words.size() > 1 && exists(word + " " + words[1]));
 }
 
-// The one command whose name begins so; empty where there is none.
+// The only command whose name begins with the word; empty if there is none.
 std::string_view commandBegunBy(std::string_view word) {
     constexpr std::size_t least = 3;  // letters
     const auto begins = [&](const Command& command) { return command.name.starts_with(word); };
@@ -63,7 +64,7 @@ std::string_view commandBegunBy(std::string_view word) {
     return std::ranges::find_if(commandTable, begins)->name;
 }
 
-// Empty where a scene is meant.
+// The message about an unknown command; empty if a scene is meant.
 std::string unknownCommand(const std::string& word) {
     const std::string unknown = "raytracer: unknown command " + inQuotes(word);
     for (const Nameless& known : nameless)
@@ -77,14 +78,14 @@ std::string unknownCommand(const std::string& word) {
            ")";
 }
 
-// Of a command.
+// Prints a command's part of the man page or of the completions.
 void printPart(std::string name, int (*command)(int, char**), std::vector<std::string> words) {
     std::vector<char*> argv{name.data()};
     for (std::string& word : words) argv.push_back(word.data());
     command(static_cast<int>(argv.size()), argv.data());
 }
 
-// Of all commands with a name.
+// Prints those parts of all commands that have a name.
 void printParts(const std::vector<std::string>& words) {
     for (const Command& command : commandTable) printPart(std::string(command.name), command.run, words);
 }
@@ -103,7 +104,7 @@ void printManual() {
     printParts({"--print-manual"});
 }
 
-// The command without a name is what all others are not, so it comes last.
+// The command without a name comes last: it matches whatever the others do not.
 void printCompletions(const std::string& shell) {
     printParts({"--print-completion", shell});
     printPart("raytracer", render, {"--print-completion", shell});
@@ -137,12 +138,12 @@ void printCompletion(const std::string& shell) {
     }
 }
 
-// What is installed beside the program.
+// Options that print a document, to be installed beside the program.
 constexpr std::string_view documents[] = {"--print-schema", "--print-manual", "--print-completion"};
 
 std::string_view withoutValue(std::string_view word) { return word.substr(0, word.find('=')); }
 
-// A line of `words` that asks for the document at `asked`, whose values are what is behind.
+// Throws UsageError unless the option `asked` and its value are the only words of the line.
 void requireAlone(const std::vector<std::string>& words, const std::string& asked, bool isCompletion,
                   const std::vector<std::string>& values) {
     const bool hasValue = asked.find('=') != asked.npos;
@@ -157,7 +158,7 @@ void requireAlone(const std::vector<std::string>& words, const std::string& aske
 
 bool asksForHelp(std::string_view word) { return word == "--help" || word == "-h"; }
 
-// Whether the line asks for a document, which is printed; help goes first.
+// Prints the document that the line asks for. Returns false if it asks for none, or for --help.
 bool printDocument(const std::vector<std::string>& words) {
     if (std::any_of(words.begin(), std::ranges::find(words, "--"), asksForHelp)) return false;
     const auto asked = std::ranges::find_if(words, [](const std::string& word) {
@@ -178,7 +179,7 @@ int renderOrPrint(int argc, char** argv) {
     return printDocument({argv + std::min(argc, 1), argv + argc}) ? 0 : render(argc, argv);
 }
 
-// With the command's name before what its line says wrong.
+// Runs a command, and puts its name before the message of a UsageError.
 int called(const std::string& name, int (*command)(int, char**), int argc, char** argv) {
     try {
         return command(argc, argv);
@@ -198,7 +199,7 @@ std::vector<std::string> commandNames() {
 int run(int argc, char** argv) {
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     if (words.size() == 2 && asksForHelp(words[0])) std::swap(argv[1], argv[2]);  // --help compare
-    defaultInstructionSet();  // throws, in each command and before its work, where RAYTRACER_SIMD is wrong
+    defaultInstructionSet();  // throws if RAYTRACER_SIMD is wrong, before any command does its work
     for (const Command& command : commandTable)
         if (argc > 1 && command.name == argv[1])
             return called("raytracer " + std::string(command.name), command.run, argc - 1, argv + 1);

@@ -22,7 +22,7 @@ struct Ends {
     explicit operator bool() const { return from && to; }
 };
 
-// "a..b".
+// The two ends of "a..b"; empty ones if the text is anything else.
 template <class Number>
 Ends<Number> endsOf(const std::string& text) {
     const std::size_t dots = text.find("..");
@@ -30,7 +30,7 @@ Ends<Number> endsOf(const std::string& text) {
     return {numberOf<Number>(text.substr(0, dots)), numberOf<Number>(text.substr(dots + 2))};
 }
 
-// A {a..b} in a text.
+// The place of a {a..b} in a text, and its ends.
 struct Span {
     std::size_t begin = 0, end = 0;
     Ends<double> ends{};
@@ -49,7 +49,7 @@ std::optional<Span> findRange(const std::string& text, std::size_t begin) {
     return std::nullopt;
 }
 
-// Whether the pointer is of a name, a path or another text.
+// Whether the pointer leads to a string: a name, a path and the like.
 bool isOfText(std::string_view pointer) {
     static constexpr std::string_view keys[] = {"/name",      "/type", "/material",
                                                 "/transform", "/path", "/diffuse_texture"};
@@ -57,7 +57,8 @@ bool isOfText(std::string_view pointer) {
            std::ranges::any_of(keys, [&](std::string_view key) { return pointer.ends_with(key); });
 }
 
-// "0-1", "0:1", "0..", "0...3", and with --frames "0,1"; "0,0,4" is a list.
+// Whether the text between braces was probably meant as a range: "0-1", "0:1", "0..", "0...3", and with
+// --frames "0,1". "0,0,4" is a list.
 bool isNearRange(const std::string& inside, bool hasFrames) {
     if (inside.find_first_not_of("0123456789.,:;- ") != inside.npos) return false;
     if (inside.find_first_of("0123456789") == inside.npos) return false;
@@ -69,7 +70,8 @@ bool isNearRange(const std::string& inside, bool hasFrames) {
     return inside.find("..") != inside.npos || std::ranges::count_if(inside.substr(1), isSeparator) == 1;
 }
 
-// Numbers between braces, or dots between numbers, that are no range, where the value is meant as numbers.
+// Whether the value, which is meant as numbers, has something that is meant as a range but is none: numbers
+// between braces, or dots between numbers.
 bool hasNearRange(const std::string& set, bool hasFrames) {
     const std::size_t equals = set.find('=');
     if (equals == set.npos || isOfText(std::string_view(set).substr(0, equals))) return false;
@@ -85,7 +87,7 @@ bool hasNearRange(const std::string& set, bool hasFrames) {
     return value.find("..") != value.npos && value.find_first_not_of("0123456789.-+") == value.npos;
 }
 
-// The "%04d" of a name, which has one.
+// The place of the "%04d" in a name, and its width.
 struct NumberPlace {
     std::size_t begin, end;
     int width;

@@ -11,14 +11,14 @@ namespace raytracer::commands {
 
 namespace {
 
-// Without the empty ones.
+// The parts of a list, without empty ones.
 std::vector<std::string> partsOf(const std::string& text, const ListForm& form) {
     std::vector<std::string> parts = split(text, form.separators);
     std::erase(parts, "");
     return parts;
 }
 
-// Empty where the text is whole, or what is behind is no part.
+// The list that begins with `text` and goes on in the words behind it. Empty if it does not go on there.
 std::string joinedList(const std::string& text, Behind behind, const ListForm& form) {
     std::vector<std::string> parts = partsOf(text, form);
     const std::size_t own = parts.size();
@@ -32,7 +32,7 @@ std::string joinedList(const std::string& text, Behind behind, const ListForm& f
     return joined(parts, form.between);
 }
 
-// An object's text whose quotes a shell has taken away: {"type":"sphere"} of type:sphere.
+// Restores the quotes that a shell has taken from an object: {"type":"sphere"} for type:sphere.
 std::string objectOf(const std::string& bare) {
     std::string object = "{";
     for (std::size_t start = 0, end = 0; start < bare.size(); start = end + 1) {
@@ -45,7 +45,7 @@ std::string objectOf(const std::string& bare) {
     return object + "}";
 }
 
-// "0" "1" "2", which a shell has made of {0..2}; or downwards.
+// Whether the values count up or down by 1, as a shell makes "0" "1" "2" from {0..2}.
 bool isCount(const std::vector<std::string>& values) {
     const auto step = [](const std::string& a, const std::string& b) {
         const auto from = numberOf<int>(a), to = numberOf<int>(b);
@@ -57,9 +57,10 @@ bool isCount(const std::vector<std::string>& values) {
     return first == 1 || first == -1;
 }
 
-// "/a={0..2}" of "/a=0" "/a=1" "/a=2", which a shell has made of braces; empty where it has not.
+// "/a={0..2}" from "/a=0" "/a=1" "/a=2", into which a shell has expanded it. Empty if there is only one
+// value.
 std::string joinedBraces(const std::string& text, Behind behind) {
-    constexpr std::size_t longest = 24;  // leaves room on a line
+    constexpr std::size_t longest = 24;  // characters; fits into the message's line
     const std::string pointer = text.substr(0, text.find('=') + 1);
     std::vector<std::string> values{text.substr(pointer.size())};
     for (const std::string& word : behind) {
@@ -73,7 +74,7 @@ std::string joinedBraces(const std::string& text, Behind behind) {
     return pointer + (whole.size() > longest ? "{...}" : whole);
 }
 
-// Whether a value is still to come, or its end.
+// Whether the value of an edit, or the end of it, is still to come.
 bool isUnfinished(const std::string& edit) {
     const auto count = [&](const char* brackets) {
         return std::ranges::count_if(
@@ -85,7 +86,8 @@ bool isUnfinished(const std::string& edit) {
 
 bool isFile(const std::string& word) { return word == "-" || endsIn(word, ".json") || isPictureName(word); }
 
-// In double quotes, which any shell has, but for what a shell changes in them.
+// The text in double quotes, which every shell has; in single quotes if a shell would change something in
+// double ones.
 std::string inAnyShell(const std::string& text) {
     return text.find_first_of("\"$`\\!") == text.npos ? '"' + text + '"' : inShellQuotes(text);
 }

@@ -1,6 +1,6 @@
-// Values of options that their author, or a shell, has set apart: "--crop 0, 0, 5, 5". What a Word::Rejoin
-// makes of them is whole, and as it is written in a shell; empty where the text is whole already, or what is
-// behind is no part of it.
+// Recognises values of options that their author, or a shell, has split into several words: "--crop 0, 0, 5,
+// 5". A Word::Rejoin puts them together, as the value is written in a shell. Its result is empty if the value
+// is complete already, or if the words behind it are not parts of it.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@
 
 namespace raytracer::commands {
 
-// How an option's list is written.
+// The form of an option's list.
 struct ListForm {
-    const char* inWords;
-    std::string_view separators;  // characters
-    const char* between;          // its parts, as the list is written
-    std::size_t least, most;      // parts
+    const char* inWords;          // for the message: "has commas, no blanks"
+    std::string_view separators;  // characters that may separate parts
+    const char* between;          // the right separator
+    std::size_t least, most;      // number of parts
     std::function<bool(const std::string&)> isPart;
 };
 Word::Rejoin rejoinedList(const ListForm& form);
 
 using Behind = std::span<const std::string>;
 
-// "/pointer=value" of "/pointer" "=" "[0," "1]", and of "/pointer=0" "/pointer=1", which a shell makes of
-// braces.
+// Restores "/pointer=value" from "/pointer" "=" "[0," "1]", and from "/pointer=0" "/pointer=1", into which a
+// shell expands braces.
 Word::Whole joinedEdit(const std::string& text, Behind behind);
 
 }  // namespace raytracer::commands

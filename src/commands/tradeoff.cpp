@@ -1,4 +1,4 @@
-// raytracer tradeoff SCENE...: what speed costs in accuracy, measured.
+// raytracer tradeoff SCENE...: measures what speed costs in accuracy.
 #include <array>
 #include <filesystem>
 
@@ -52,7 +52,7 @@ struct TradeoffArguments {
     }
 };
 
-// The other commands have a picture and a size behind the scene.
+// Throws UsageError for a picture or a size behind the scene, which other commands take there.
 void requireScenes(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         std::string remedy;
@@ -75,7 +75,7 @@ void makeFolder(const std::string& out) {
 
 int measure(TradeoffArguments& arguments) {
     if (!arguments.quiet) arguments.options.report = [](const std::string& what) { tell(what + " ..."); };
-    std::vector<LoadedScene> loaded;  // all first: a mistake in the last is told before an hour of work
+    std::vector<LoadedScene> loaded;  // all are loaded first, since the work may take an hour
     for (const std::string& scene : arguments.scenes) loaded.push_back(loadScene(scene));
     print("");
     makeFolder(arguments.out);
@@ -92,7 +92,8 @@ int measure(TradeoffArguments& arguments) {
     csv.append(tradeoffCsv(scenes));
     svg.append(tradeoffSvg(scenes));
     page.append(tradeoffPage(scenes));
-    for (OutputFile* const file : {&csv, &svg, &page}) file->finish();  // all, or none where the disk is full
+    for (OutputFile* const file : {&csv, &svg, &page})
+        file->finish();  // last: if the disk is full, append() has thrown
     print("wrote " + printable(page.name()) + ", .svg and .csv\n");
     return 0;
 }
