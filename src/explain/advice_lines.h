@@ -1,4 +1,4 @@
-// Lines of advice: so many as fit a terminal, and how many more there are.
+// Collects lines of advice: as many as fit a terminal, and the number of the others.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace raytracer {
 class AdviceLines {
   public:
     void add(const std::string& line) {
-        constexpr std::size_t most = 20;  // fit a terminal
+        constexpr std::size_t most = 20;  // fit on a terminal
         if (lines_.size() < most) lines_.push_back(line);
         else ++notShown_;
     }

@@ -18,13 +18,13 @@ bool isBlack(const glm::dvec3& color) { return color == glm::dvec3(0); }
 
 double brightest(const glm::dvec3& color) { return std::max({color.x, color.y, color.z}); }
 
-// Why the lights do not reach the explained points: one count for each point and light.
+// Counts why the lights do not reach the explained points: once for each point and light.
 struct Tally {
     std::size_t behind = 0, shadowed = 0, black = 0;
     std::set<std::size_t> shadowedBy;
-    double brightest = 0;               // of the pixels
-    std::size_t material = 0;           // of what the first pixel shows
-    std::optional<std::size_t> around;  // the one shape whose inner side all pixels see
+    double brightest = 0;               // the largest channel of all pixels
+    std::size_t material = 0;           // that of the first pixel's shape
+    std::optional<std::size_t> around;  // the shape whose inner side all pixels show, if there is one
 
     void add(const LightExplanation& light) {
         if (!(light.N_L > 0)) {
@@ -43,7 +43,7 @@ struct Tally {
     }
 };
 
-// What a picture of the scene is black for, and what to change.
+// Finds the reason, and what to change.
 class Reason {
   public:
     Reason(const Tally& tally, const SceneDescription& scene) : tally_(tally), scene_(scene) {}
@@ -90,7 +90,7 @@ class Reason {
         return pointer("shapes", *tally_.shadowedBy.begin()) + " shadows what is seen: move it";
     }
 
-    // The one that is black, or keeps the other from being seen.
+    // The ambient colour to set: the light's if all lights' are black, else the material's.
     std::string ambientColor() const {
         const bool noLight = std::ranges::all_of(
             scene_.lights, [](const LightDescription& light) { return isBlack(light.color_ambient); });
@@ -101,8 +101,8 @@ class Reason {
     const SceneDescription& scene_;
 };
 
-// Pass::Normals has 54/255 for a miss, in the core's precision. The unit normal with three equal components
-// is 4e-4 away from it.
+// Pass::Normals has 54/255 for a miss, in the core's precision. The nearest colour of a hit, of the unit
+// normal with three equal components, is 4e-4 away from it.
 bool isMiss(const glm::dvec3& color) {
     return glm::all(glm::lessThan(glm::abs(color - 54.0 / 255), glm::dvec3(1e-4)));
 }
@@ -120,10 +120,10 @@ std::optional<PixelPlace> firstHit(const Renderer& renderer, const RenderOptions
     return PixelPlace{static_cast<int>(centre.x), static_cast<int>(centre.y)};
 }
 
-// Of each cell of a grid, the first pixel in reading order that hits something.
+// For each cell of a grid, the first pixel in reading order whose ray hits something.
 std::vector<PixelPlace> pixelsThatHit(const Renderer& renderer, RenderOptions options) {
-    constexpr int cells = 24;       // across; 576 explanations take milliseconds
-    constexpr int rowsAtOnce = 64;  // little memory
+    constexpr int cells = 24;       // across and down; 576 explanations take milliseconds
+    constexpr int rowsAtOnce = 64;  // limits the memory
     const auto begin = [](int cell, int pixels) {
         return static_cast<int>((std::int64_t{cell} * pixels + cells - 1) / cells);
     };

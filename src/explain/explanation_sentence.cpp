@@ -25,7 +25,7 @@ std::string lightNames(const std::vector<std::size_t>& some, std::size_t all) {
     return (some.size() == 1 ? "light " : "lights ") + listed(numbers, "and");
 }
 
-// What comes before the light's name.
+// The words before a light's name.
 std::string reachOf(const LightExplanation& light, const SceneDescription& scene) {
     if (!(light.N_L > 0)) return "turned away from ";
     if (!light.shadowedBy) return "lit by ";
@@ -78,12 +78,12 @@ std::vector<Part> partsOf(const RayExplanation& ray, const SceneDescription& sce
     return parts;
 }
 
-// What a shadow adds: nothing, or less.
+// What a light's shadow adds to the colour: zero or less.
 glm::dvec3 shadowOf(const LightExplanation& light) {
     return (light.S_L - 1.0) * (light.diffuse + light.specular);
 }
 
-// All of the tree, as they reach the pixel.
+// What all shadows of the tree add to the pixel's colour.
 glm::dvec3 shadowsOf(const RayExplanation& ray) {
     glm::dvec3 sum(0);
     for (const LightExplanation& light : ray.lights) sum += ray.weight * shadowOf(light);
@@ -91,8 +91,8 @@ glm::dvec3 shadowsOf(const RayExplanation& ray) {
     return sum;
 }
 
-// "81 % of the red is ambient light, 19 % what it mirrors": of the strongest channel, parts from 1 % on. What
-// light of a negative colour takes away is no part.
+// "81 % of the red is ambient light, 19 % what it mirrors": the parts of the strongest channel, from 1 % on.
+// Negative parts, of lights with a negative colour, are left out.
 std::string shares(const RayExplanation& ray, const SceneDescription& scene) {
     int channel = 0;
     for (const int other : {1, 2})
@@ -100,9 +100,10 @@ std::string shares(const RayExplanation& ray, const SceneDescription& scene) {
     if (!(ray.color[channel] > 0)) return "black";
     std::vector<Part> parts = partsOf(ray, scene);
     std::ranges::stable_sort(parts, std::greater(), [=](const Part& part) { return part.color[channel]; });
-    const auto toLargest = [&](const Part& part) {  // colours may be as large as numbers can be
-        return std::max(0.0, part.color[channel] / parts.front().color[channel]);
-    };
+    const auto toLargest =
+        [&](const Part& part) {  // relative, since colours may be as large as numbers can be
+            return std::max(0.0, part.color[channel] / parts.front().color[channel]);
+        };
     double all = 0;
     for (const Part& part : parts) all += toLargest(part);
     constexpr const char* names[] = {"red", "green", "blue"};

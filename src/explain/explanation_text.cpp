@@ -18,7 +18,7 @@ std::string bytes(const glm::dvec3& color) {
     return formatted("(%d, %d, %d)", toByte(color.x), toByte(color.y), toByte(color.z));
 }
 
-// By TerminationReason.
+// Texts, in the order of TerminationReason.
 constexpr const char* reasonTexts[] = {"left out", "no further ray: max_recursion is used up",
                                        "no further ray: its factor is black",
                                        "no further ray: it could change the pixel by less than the cutoff",
@@ -78,7 +78,7 @@ class Writer {
 
     // A line "name = left right ... = result", with the equals signs aligned.
     void term(int depth, const std::string& name, const std::string& factors, const glm::dvec3& result) {
-        constexpr std::size_t widest = 18;  // of names: K_S I_L (V.R)^1000
+        constexpr std::size_t widest = 18;  // the longest name: K_S I_L (V.R)^1000
         const std::size_t padding = name.size() < widest ? widest - name.size() : 0;
         line(depth, "    " + name + std::string(padding, ' ') + " = " + factors + triple(result));
     }

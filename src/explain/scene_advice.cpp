@@ -1,4 +1,4 @@
-// In long double (CMakeLists.txt): the products of up to four numbers of the file neither overflow nor
+// Real is long double here (CMakeLists.txt): products of up to four numbers of the file neither overflow nor
 // underflow, whatever the unit of length.
 #include "raytracer/explain/scene_advice.h"
 
@@ -23,24 +23,24 @@ namespace {
 using Vec = Vec3;
 using Type = ShapeType;
 
-// The length of a unit vector written with three decimals has an error of at most sqrt(3) * 0.0005; the
-// cosine between two such vectors, of at most twice that.
+// If a unit vector is written with three decimals, its length has an error of at most sqrt(3) * 0.0005. The
+// cosine between two such vectors has an error of at most twice that.
 constexpr Real lengthTolerance = 1e-3L, cosineTolerance = 2e-3L;
 
-// Relative to the numbers that were added: far above the rounding errors here, far below what is visible.
+// Relative to the numbers that are added: far above the rounding errors, far below what is visible.
 constexpr Real margin = 1e-9L;
 
 std::string number(Real value) { return formatted("%.4Lg", value); }
 
-// A bounding plane of the view: normal . p >= least inside, relative to the eye.
+// A bounding plane of the view: points p of the view, relative to the eye, have normal . p >= least.
 struct Bound {
     Vec normal;
     Real least;
-    const char* beyond;  // the place of a shape on the other side, in words
+    const char* beyond;  // where a shape on the other side is, in words
 };
 
-// The points p + s d, s >= 0, relative to the eye, for all p between `starts` and d between `directions`: a
-// convex region.
+// The region that the camera's rays may reach: the points p + s d, s >= 0, relative to the eye, for all p in
+// the convex hull of `starts` and all d in that of `directions`. It is convex.
 struct View {
     Vec eye;
     std::array<Vec, 4> starts, directions;
@@ -67,7 +67,7 @@ View viewOf(const CameraDescription& camera) {
         view.starts[i] = perspective ? Vec(0) : corner;
         view.directions[i] = perspective ? corner + forward : forward;
     }
-    Vec ahead = glm::cross(u, v);  // across the film
+    Vec ahead = glm::cross(u, v);  // perpendicular to the film
     if (glm::dot(ahead, look) < 0) ahead = -ahead;
     view.bounds = {Bound{ahead, 0, "behind the camera"},
                    sideOf(perspective, u, v, forward, left, right, "to the left of the view"),
@@ -125,7 +125,7 @@ const char* whereUnseen(const PlacedShape& placed, const View& view) {
     return isBehind(placed, view) ? "behind the camera" : nullptr;
 }
 
-// Whether shapes outside of the view may be visible in this material.
+// Whether this material may show shapes that are outside of the view.
 bool showsOthers(const MaterialDescription& material) { return material.reflective || material.refractive; }
 
 bool anyShowsOthers(const SceneDescription& scene, const View& view) {
@@ -134,7 +134,8 @@ bool anyShowsOthers(const SceneDescription& scene, const View& view) {
     });
 }
 
-// Whether the point is inside of the solid by more than rounding, in object units.
+// Whether the point, in object space, is inside the solid by more than rounding errors. False for other
+// shapes.
 bool isDeepInside(Type type, const Vec& p) {
     return visit(type, [&](auto kind) {
         if constexpr (requires { kind.offsets(p); }) return std::ranges::max(kind.offsets(p)) < -margin;
@@ -142,7 +143,8 @@ bool isDeepInside(Type type, const Vec& p) {
     });
 }
 
-// `point` is relative to the eye. Most points are outside of the solid's world box, which needs no inverse.
+// Whether the point, relative to the eye, is inside the solid. The solid's box in world space is tested
+// first: most points are outside, and that test needs no inverse matrix.
 bool isInside(const PlacedShape& solid, const Vec& point) {
     const Vec from = point - solid.center;
     for (int i = 0; i < 3; ++i) {
@@ -176,7 +178,7 @@ bool isOpaqueAround(const SceneDescription& scene, const PlacedShape& solid, con
 
 bool isBlack(const LightDescription& light) { return light.color == glm::dvec3(0); }
 
-// Whether the light is inside of the solid, which is opaque and no room that the camera is in, too.
+// Whether the light is inside the solid, and the solid is opaque and does not contain the camera too.
 bool isHidden(const LightDescription& light, const PlacedShape& solid, const SceneDescription& scene,
               const View& view) {
     return !isBlack(light) && isOpaqueAround(scene, solid, Vec(light.position) - view.eye) &&

@@ -23,24 +23,24 @@ double most(const Color& color) { return std::max({color.x, color.y, color.z}); 
 
 bool isNegative(const Color& color) { return std::min({color.x, color.y, color.z}) < 0; }
 
-// The white of the bytes, or of 16 bits, that the color is written in; 0 where it is in neither. `least`, of
-// white: what the largest number of such a color reaches. Twice as much as white is as far as one is
-// overdone.
+// 255 or 65535 if the color seems to be written in bytes or in 16 bits, else 0. Its largest channel must be
+// at least `least` times that white, and at most twice white, to allow for colors that are brighter than
+// white.
 int otherWhite(const Color& color, double least) {
     for (const int white : {255, 65535})
         if (!isNegative(color) && most(color) >= least * white && most(color) <= 2.0 * white) return white;
     return 0;
 }
 
-// The film of a camera, on which lenses of 18 mm are wide. Taken with a film 2 wide, such a number is 9 times
-// the film; in mm, no usual lens is.
+// A real camera's film is 36 mm wide, and a lens of 18 mm is a wide-angle lens. Written in mm for a film of
+// width 2, 18 is 9 times the film's width. No usual lens is that long.
 constexpr double filmInMm = 36, leastTele = 9;
 
-// In a white light, what has a color of 10 is burnt out where the light comes from up to 84 degrees beside
-// the normal, and shows no shape; in bytes, 10 is nearly black.
+// In white light, a surface with a color of 10 is overexposed wherever the light comes from at most 84
+// degrees beside the normal, so that its shape cannot be seen. As a byte, 10 is nearly black.
 constexpr double leastOfSurface = 10.0 / 255;
-// A light may well be ten times as bright as white, for dark surfaces or grazing light; one in bytes is white
-// or near to it.
+// A light may well be ten times as bright as white, for dark surfaces or grazing light. One that is written
+// in bytes is usually white or near it.
 constexpr double leastOfLight = 0.5;
 
 class SlipFinder {
@@ -118,8 +118,8 @@ class SlipFinder {
         lookAtLamp(place + "/color_ambient", scene_.lights[i].color_ambient);
     }
 
-    // The areas of a closed surface, as vectors, add up to nothing; then a sixth of the sum of the triple
-    // products is its volume, negative where the triangles are clockwise seen from outside.
+    // The area vectors of a closed surface add up to zero. Its volume is then a sixth of the sum of the
+    // triple products; it is negative if the triangles are clockwise as seen from outside.
     static bool isInsideOut(const MeshData& mesh) {
         constexpr double open = 1e-6;  // far above rounding errors, far below the area of a hole
         const glm::dvec3 middle = 0.5 * (mesh.low + mesh.high);

@@ -1,4 +1,4 @@
-// Why a picture is all black, from what its rays hit.
+// Finds out why a picture is all black, from what its rays hit.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace raytracer {
 bool isAllBlack(const ByteImage& image);
 bool isAllBlack(const FloatImage& image);
 
-// One line, "all black: REASON: REMEDY", for a whole picture of options.size in which Pass::Color is
-// black. Renders the first hit of every pixel, and explains some hundred of the pixels that hit something,
-// evenly spread. `scene` as it was rendered.
+// One line, "all black: REASON: REMEDY", for a whole picture of options.size that is black with Pass::Color.
+// It divides the picture into 24 x 24 cells, and explains one pixel of each cell in which something is hit.
+// `scene` is the scene as it was rendered.
 std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, const RenderOptions& options);
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-// An explanation as text for people and as JSON for programs.
+// Writes an explanation as text for people and as JSON for programs.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace raytracer {
 
-// All take `scene` as it was rendered: the texts have its names and its colours.
+// All of these take the scene as it was rendered: its names and colours are in the texts.
 
 // One sentence, without its full stop: what is hit, which lights reach it, and what its colour is made of.
 std::string explanationSentence(const RayExplanation& explanation, const SceneDescription& scene);
@@ -26,8 +26,8 @@ std::string explanationText(const RayExplanation& explanation, const SceneDescri
 std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene,
                             const std::function<void(JsonWriter&)>& before = {});
 
-// The terms of the first hit of which each, left out alone, gives the pixel these bytes: "the diffuse term of
-// light 1".
+// Terms of the first hit, such as "the diffuse term of light 1". Leaving out any one of them gives the pixel
+// these bytes.
 std::vector<std::string> missingTerms(const RayExplanation& explanation, const SceneDescription& scene,
                                       const std::uint8_t* bytes);
 

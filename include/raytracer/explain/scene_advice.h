@@ -1,6 +1,7 @@
-// Warnings about a valid scene that its author may not have meant.
+// Warns about scenes that are valid, but probably not what their author meant.
 //
-// From the geometry alone, in the file's own numbers. A case within the error bounds gives no warning.
+// The warnings follow from the geometry alone, in the file's own numbers. A case within the error bounds
+// gives no warning.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +13,18 @@
 
 namespace raytracer {
 
-// One line each, "/json/pointer: ..."; of more than 20, the first ones and a line with the number of the
-// others:
+// One line for each warning, "/json/pointer: ...". Of more than 20, the first 20 and a line with the number
+// of the others. Warnings are about:
 // - a camera whose look and up are not orthogonal unit vectors;
 // - a shape outside of the view that no mirror or glass could show;
 // - a light inside of an opaque shape (not a mesh) with the camera outside.
 std::vector<std::string> sceneAdvice(const SceneDescription& scene);
 
-// The first opaque shape (no plane, no mesh) around all that the camera's rays begin at, and around no light
-// but black ones.
+// The first opaque shape (not a plane, not a mesh) that contains all starting points of the camera's rays,
+// but no light except black ones.
 std::optional<std::size_t> darkShapeAroundCamera(const SceneDescription& scene);
 
-// Whether each light, but black ones, is inside of an opaque shape with the camera outside.
+// Whether each light, except black ones, is inside an opaque shape with the camera outside.
 bool areLightsHidden(const SceneDescription& scene);
 
 }  // namespace raytracer

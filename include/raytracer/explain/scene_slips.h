@@ -1,4 +1,4 @@
-// Slips in a scene's numbers that make a picture which its author hardly means.
+// Finds slips in a scene's numbers that make a picture which its author hardly wants.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace raytracer {
 
-// One line each, "/json/pointer: ...", that says what to change; of more than 20, the first ones and a line
-// with the number of the others:
+// One line for each slip, "/json/pointer: ...", that says what to change. Of more than 20, the first 20 and a
+// line with the number of the others. Slips are:
 // - a color that is written from 0 to 255, or to 65535, or is negative;
 // - a texture that no material uses, a material that names one without use_diffuse_texture, and a textured
 //   mesh without texture coordinates;
@@ -17,9 +17,9 @@ namespace raytracer {
 // - a closed mesh whose triangles are wound inwards.
 std::vector<std::string> sceneSlips(const SceneDescription& scene);
 
-// In the same form, what the course's own scenes do, and is said only to who asks for an explanation: a
-// material's color_reflect without reflective, color_refract without refractive, and an index of refraction
-// of 1; a light at the origin.
+// Notes in the same form. The course's own scenes have these cases too, so only `explain` mentions them: a
+// material's color_reflect without reflective, color_refract without refractive, an index of refraction of 1,
+// and a light at the origin.
 std::vector<std::string> sceneNotes(const SceneDescription& scene);
 
 }  // namespace raytracer
