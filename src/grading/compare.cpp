@@ -27,9 +27,9 @@ double sampleDifference(float a, float b) {
     return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
 
-// The sums over all samples and the worst pixel.
+// The sums over all samples, and the worst pixel.
 struct Totals {
-    double sum = 0, sumOfSquares = 0;  // of bytes: whole numbers, exact up to 2^53
+    double sum = 0, sumOfSquares = 0;  // for bytes these are integers, exact up to 2^53
     double worstMaximum = 0, worstSum = 0;
     std::size_t worstPixel = 0;
 
@@ -64,7 +64,7 @@ void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImag
     }
 }
 
-// samplesA and samplesB are the pictures' samples, a and b the same pictures as bytes.
+// Compares two pictures. samplesA and samplesB are their samples; a and b are the same pictures as bytes.
 template <class Image>
 Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteImage& a, const ByteImage& b,
                      double peak) {
@@ -138,7 +138,7 @@ Comparison compareImages(const Picture& a, const Picture& b) {
 
 ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
     requireSameSize(sizeOf(a), sizeOf(b));
-    // 64 differs from black on any screen; 8 per level leaves 24 levels up to 255.
+    // 64 can be told from black on any screen. With 8 per level, 255 is reached at a difference of 24.
     constexpr int base = 64, gain = 8;
     ByteImage result{a.width, a.height, {}};
     result.pixels.reserve(a.pixels.size());

@@ -1,5 +1,5 @@
-// The comparisons over 3 x 3 neighbourhoods. The loops over rows of planar bytes have no branch, so that the
-// compiler vectorises them: a pair of four million pixels takes 0.1 to 0.2 seconds.
+// The comparisons over 3 x 3 neighbourhoods. The loops over rows of planar bytes have no branches, so that
+// the compiler vectorises them: a pair of pictures of four million pixels takes 0.1 to 0.2 seconds.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -31,8 +31,8 @@ struct Planes {
 
 int absoluteDifference(std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); }
 
-// Calls take(x, dr, dg, db) with the differences of each pixel x of row y and each pixel of its neighbourhood
-// in `to`, as far as that is inside of the picture.
+// Calls take(x, dr, dg, db) with the differences between each pixel x of row y and each pixel of its
+// neighbourhood in `to`, as far as that is inside the picture.
 template <class Take>
 void forEachNeighbour(const Planes& from, const Planes& to, int y, bool withItself, Take take) {
     const std::uint8_t *r = from.row(0, y), *g = from.row(1, y), *b = from.row(2, y);
@@ -50,7 +50,7 @@ void forEachNeighbour(const Planes& from, const Planes& to, int y, bool withItse
 
 using Distances = std::vector<std::uint16_t>;  // sums of three bytes
 
-// Of each pixel of the row: the smallest sum of absolute differences to its neighbourhood in `to`.
+// For each pixel of the row, the smallest sum of absolute differences to its neighbourhood in `to`.
 void nearestDistances(const Planes& from, const Planes& to, int y, Distances& nearest) {
     nearest.assign(nearest.size(), 3 * 255);
     forEachNeighbour(from, to, y, true, [row = nearest.data()](int x, int r, int g, int b) {
@@ -58,7 +58,7 @@ void nearestDistances(const Planes& from, const Planes& to, int y, Distances& ne
     });
 }
 
-// Of each pixel of the row: 0 if it is isolated (speckleCount), else 1.
+// For each pixel of the row, 0 if it is isolated (speckleCount), else 1.
 void findConnected(const Planes& planes, int y, std::vector<std::uint8_t>& connected) {
     // Of 255: well above rounding and smooth shading, well below a visible speckle.
     constexpr int similar = 8;

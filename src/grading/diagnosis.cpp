@@ -15,7 +15,7 @@ namespace raytracer {
 
 namespace {
 
-// Fewer wrong pixels, which right programs have at edges, say nothing.
+// Fewer wrong pixels tell nothing: right programs have some at edges.
 constexpr std::size_t fewestWrong = 24;
 constexpr std::size_t mostNames = 3;
 
@@ -30,7 +30,7 @@ NamedMistake nameOf(const Candidate& candidate) {
     return name;
 }
 
-// Programs seldom make what is not looked for together with other mistakes.
+// Whether the mistake is one that is only looked for alone: programs seldom make it.
 bool isRare(const Candidate& candidate) { return candidate.variant->mistakes()[0]->alone; }
 
 void addNames(Diagnosis& diagnosis, const Candidates& candidates, bool rare) {
@@ -44,7 +44,7 @@ void addNames(Diagnosis& diagnosis, const Candidates& candidates, bool rare) {
 
 using Names = std::set<std::string>;
 
-// The other mistakes of those pairs that have this one.
+// The partners of this mistake in the pairs that contain it.
 Names partnersOf(const std::string& one, const std::set<Names>& pairs) {
     Names partners;
     for (const Names& pair : pairs)
@@ -54,8 +54,8 @@ Names partnersOf(const std::string& one, const std::set<Names>& pairs) {
 
 std::string alternatives(const Names& names) { return listed({names.begin(), names.end()}, "or"); }
 
-// Many pairs as one name, where they are each of a few mistakes with each of a few others: "A or B, and C".
-// Nothing where they are not.
+// One name for many pairs, if they are the product of a few mistakes and a few others: "A or B, and C". Empty
+// if they are not.
 std::optional<NamedMistake> productOf(const Candidates& candidates) {
     std::set<Names> pairs;
     for (const Candidate& candidate : candidates) {
@@ -74,7 +74,7 @@ std::optional<NamedMistake> productOf(const Candidates& candidates) {
     return name;
 }
 
-// What all begin with is said once: "flipped left and right or up and down".
+// Alternatives, with the words that all begin with written once: "flipped left and right or up and down".
 std::string shortAlternatives(const Names& names) {
     const std::string &first = *names.begin(), &last = *names.rbegin();  // they are sorted
     const auto common = std::ranges::mismatch(first, last).in1 - first.begin();
@@ -84,7 +84,7 @@ std::string shortAlternatives(const Names& names) {
     return first.substr(0, prefix) + listed(rests, "or");
 }
 
-// Single mistakes of one kind as one name. Nothing where there are pairs.
+// One name for all single mistakes of a kind. Empty if there are pairs.
 std::vector<NamedMistake> namesOfKinds(const Candidates& candidates) {
     std::map<std::string, NamedMistake> names;
     std::map<std::string, Names> members;
@@ -103,7 +103,8 @@ std::vector<NamedMistake> namesOfKinds(const Candidates& candidates) {
     return list;
 }
 
-// More names than mostNames say nothing, unless they are few of other sorts: the picture shows too little.
+// Adds the candidates' names. If there are more than mostNames, the picture shows too little to tell them
+// apart: then they are joined by kind, or as a product of pairs. Names that are still too many are left out.
 void nameAll(Diagnosis& diagnosis, const Candidates& candidates) {
     addNames(diagnosis, candidates, false);
     if (diagnosis.mistakes.size() > mostNames) {
@@ -123,7 +124,7 @@ bool isOneColor(const ByteImage& picture) {
     return true;
 }
 
-// "equals the picture", or how far it is from that.
+// "equals the picture", or how many pixels keep it from that.
 std::string likenessInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
     const std::string pixels = std::to_string(diagnosis.pixels) + " pixels";
     if (!mistake.off)

@@ -46,7 +46,8 @@ void requireRegular(const fs::path& file) {
     if (!fs::is_regular_file(file, error)) FileBytes(file.string(), FileKind::Regular);  // throws
 }
 
-// Of a scene whose reference is there, if only as a link that leads nowhere: then both must be files.
+// Adds a case if the reference is there. If it is, even as a broken link, both files must be regular: throws
+// Error otherwise.
 void addCase(GradePlan& plan, const fs::path& scene, const fs::path& reference, const Stage& stage) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(reference, error))) return;
@@ -72,7 +73,7 @@ std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c)
     return {pixel[0], pixel[1], pixel[2]};
 }
 
-// An Error here is the program's.
+// Any Error here is the fault of the program's picture.
 ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
     const FileBytes file(picture, FileKind::Regular);
     if (const auto size = sizeInHeader(file))
@@ -87,9 +88,10 @@ ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference,
     return ours;
 }
 
-// What the grader itself needs, before the program is blamed.
+// Throws Error if there is too little room for the program's files, so that the program is not blamed for
+// that.
 void requireRoom(const TemporaryFolder& folder, const ByteImage& reference) {
-    constexpr std::size_t printed = std::size_t{1} << 20;  // bytes: for what the program prints
+    constexpr std::size_t printed = std::size_t{1} << 20;  // bytes for the program's output
     folder.requireRoom(reference.pixels.size() * 2 + printed);
 }
 
@@ -127,16 +129,17 @@ CaseRenderer programRenderer(const std::string& command, const ProgramOptions& o
 ReferencePicture::ReferencePicture(const std::string& path) {
     const FileBytes file(path, FileKind::Regular);
     image = readImage(file);
-    requireMemoryToDecode(file);  // for the program's picture, so that this cannot be what fails then
+    requireMemoryToDecode(file);  // for the program's picture: it is not to be blamed for that
     png = file.text();
 }
 
 NamedCase::NamedCase(const GradeCase& test, const ReferencePicture& reference, NamerMaker makeNamer)
     : test_(test), reference_(reference), makeNamer_(std::move(makeNamer)) {}
 
-// Only where we make the reference: what is held against our picture says nothing about another model's.
+// Only if our own picture is the reference: mistakes are named by comparison with our picture, which says
+// nothing about a reference of another light model.
 void NamedCase::name(GradeResult& result, const ByteImage& picture) {
-    constexpr double another = 0.002;  // of the pixels: above what roundings change
+    constexpr double another = 0.002;  // share of the pixels: more than rounding changes
     if (!std::exchange(isTried_, true) && makeNamer_) {
         namer_ = makeNamer_(test_, {reference_.image.width, reference_.image.height});
         if (!namer_) return;

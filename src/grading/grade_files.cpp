@@ -69,7 +69,7 @@ std::string outputFor(const GradeResult& result) {
     return text.empty() ? "as the reference" : text;
 }
 
-// The program's last line, which mostly says what went wrong.
+// The last line of the program's output, which mostly says what went wrong.
 std::string lastWords(const GradeResult& result) {
     const std::string& text = result.output;
     const std::size_t end = text.find_last_not_of(" \r\n\t");
@@ -94,7 +94,7 @@ std::string gradeTableRow(const GradeResult& result) {
                         count(c->pixelsOver(1)), count(c->pixelsOver(8)), count(c->speckle), result.seconds);
     const std::string message = result.message.empty() ? "" : ": " + result.message;
     row += printable(result.test.name + message) + "\n";
-    const std::string below(59, ' ');  // the picture's name begins two columns before
+    const std::string below(59, ' ');  // two columns to the right of the picture's name
     for (const std::string& line : {result.sentence, lastWords(result)})
         if (!line.empty()) row += below + line + "\n";
     return row;
@@ -111,13 +111,13 @@ std::string gradeSummary(const GradedSubmission& graded, const GradePlan& plan,
 
 namespace {
 
-// To so many columns of a terminal.
+// The text, padded to this many columns of a terminal.
 std::string padded(std::string text, std::size_t width) {
     text.append(width - std::min(width, columnCount(text)), ' ');
     return text;
 }
 
-// Of the pictures that are there.
+// The worst of the pictures that were handed in, in words; empty if none is wrong.
 std::string worstOf(const GradedSubmission& submission, const Thresholds& thresholds) {
     const GradeResult* worst = nullptr;
     for (const GradeResult& result : submission.results)

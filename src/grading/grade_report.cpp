@@ -21,7 +21,7 @@ std::string fixedScore(double value) { return formatted("%.1f", value); }
 
 std::string percent(double part, int whole) { return number(100 * part / whole, "%.3f") + "%"; }
 
-// A ring around the worst pixel, which is hard to see in a small picture.
+// A ring that marks the worst pixel, which is hard to see in a small picture.
 std::string ring(const GradeResult& result) {
     const auto& c = result.comparison;
     if (!c || c->maximum == 0) return {};
@@ -29,8 +29,8 @@ std::string ring(const GradeResult& result) {
     return "<i style=\"left:" + left + ";top:" + top + "\"></i>";
 }
 
-// `key`: of a picture on a shelf, whose address the script knows. `overlay`: over the picture, or in its
-// place.
+// A picture, as a button that opens it. `key` is that of a picture on a shelf, whose address the script
+// knows. `overlay` is shown over the picture, or in its place if there is none.
 std::string picture(const char* kind, const std::string& png, const std::string& key,
                     const std::string& overlay = {}) {
     if (png.empty() && key.empty())
@@ -64,7 +64,7 @@ std::string numbers(const GradeResult& result) {
     return html + "</dl>\n";
 }
 
-// Those with which explain tells of the stage's light.
+// The options with which `explain` shows the stage's light.
 std::string optionsOf(const Stage& stage) {
     return stage.only.empty() ? "" : " --only " + std::string(stage.only);
 }
@@ -78,7 +78,7 @@ std::string message(const GradeResult& result) {
     return html;
 }
 
-// What is wrong, and the command that tells why.
+// The mistake, and the command that explains the worst pixel.
 std::string mistake(const GradeResult& result) {
     std::string html;
     if (!result.sentence.empty()) html += "<p class=\"mistake\">" + escaped(result.sentence) + "</p>\n";
@@ -96,7 +96,7 @@ std::string mistake(const GradeResult& result) {
            "</code></p>\n";
 }
 
-// For the script: what it sorts by and the pixel it shows.
+// Attributes for the script: what it sorts by, and the pixel that it shows first.
 std::string attributes(const GradeResult& result) {
     std::string html =
         attribute("data-name", result.test.name) + attribute("data-group", result.test.group) +
@@ -107,13 +107,13 @@ std::string attributes(const GradeResult& result) {
     return html;
 }
 
-// "near": different, but with a score of 100.
+// The card's class: "same", "off", or "near" for a different picture with a score of 100.
 std::string verdict(const GradeResult& result, const Thresholds& thresholds) {
     if (within(result, thresholds)) return "same";
     return result.score() == 100 ? "near" : "off";
 }
 
-// In the place of a picture that is not there.
+// The text in place of a graded picture that is missing.
 std::string absence(const GradeResult& result) {
     if (result.comparison) return {};
     return result.isUnreadable ? "not comparable" : "no picture";
@@ -132,7 +132,7 @@ std::string card(const GradeResult& result, const Thresholds& thresholds) {
 
 using Group = std::vector<const GradeResult*>;
 
-// Worst first, in each group and among the groups, which count by their worst member.
+// The results in groups, the worst first. Groups are sorted by their worst members.
 std::vector<Group> groupsOf(std::span<const GradeResult> results) {
     Group sorted;
     for (const GradeResult& result : results) sorted.push_back(&result);

@@ -8,15 +8,15 @@ namespace raytracer {
 
 namespace {
 
-// A name explains at least this share of the wrong pixels. Pictures that have another reason were like some
-// variant in up to 0.98 of them.
+// A mistake is named if it explains at least this share of the wrong pixels. In tests, some variant explained
+// up to 0.98 of them in pictures that are wrong for another reason.
 constexpr double leastExplained = 0.99;
-// What explains this much is not improved by a second mistake: the rest is the rounding of another program.
+// If a mistake explains this much, no second one is looked for: the rest is the rounding of another program.
 constexpr double fullyExplained = 0.998;
 
 double netOf(const Candidate& candidate) { return candidate.fit.net(); }
 
-// One picture, held against the variants.
+// Searches the variants that explain one picture.
 class Search {
   public:
     Search(const KnownVariants& known, const ByteImage& picture, const SplitPixels& split)
@@ -26,7 +26,7 @@ class Search {
           some_(split, 96, 32, picture.width),
           many_(split, 1000, 1000, picture.width) {}
 
-    // What explains the picture, all equally well; nothing where nothing does.
+    // The variants that explain the picture, all equally well. Empty if none does.
     Candidates best() {
         const Candidates& singles = bestSingles();
         if (isWhole(singles)) return singles;
@@ -38,15 +38,15 @@ class Search {
     }
 
   private:
-    // Whether it explains all wrong pixels, also those that show glass. Two mistakes have to: by less, too
-    // many pairs are like a picture that has another reason.
+    // Whether the best explains all wrong pixels, also those that show glass. Two mistakes must: too many
+    // pairs explain a bit less of a picture that is wrong for another reason.
     static bool isWhole(const Candidates& some) {
         return rest(some) <= 1 - fullyExplained && some.front().fit.unknown == 0;
     }
     static double rest(const Candidates& some) { return some.empty() ? 1 : 1 - netOf(some.front()); }
 
     const Candidates& bestSingles() {
-        constexpr double least = 0.3;  // by the first sample
+        constexpr double least = 0.3;  // in the first sample
         for (const auto& single : known_.singles) {
             const Fit fit = fitTo(some_, *single, single->mistakes()[0]->moves);
             alone_.push_back(fit.explained);
@@ -58,9 +58,9 @@ class Search {
         return singles_;
     }
 
-    // What explains the pixels that the best single mistakes leave unexplained, together with these.
+    // Pairs of the best single mistakes with others that explain the pixels which these leave unexplained.
     Candidates pairsWithSingles() {
-        constexpr double least = 0.5;  // of a single mistake, and then of what is left
+        constexpr double least = 0.5;  // for a single mistake, and then for the other in the rest
         Candidates candidates;
         for (const Candidate& base : hopeful_) {
             if (netOf(base) < least) continue;
@@ -77,7 +77,7 @@ class Search {
     }
 
     Candidates bestPairs() {
-        constexpr double least = 0.75;  // by the first sample
+        constexpr double least = 0.75;  // in the first sample
         Candidates candidates;
         Sample few(split_, 24, 12, picture_.width);
         for (std::size_t a = 0; a < known_.singles.size(); ++a)
@@ -97,15 +97,15 @@ class Search {
         return a != b && !one.alone && !other.alone && (one.kind.empty() || one.kind != other.kind);
     }
 
-    // Of a scene that takes long to build, a pair that needs one of its own is tried where one of the two
-    // alone explains some pixels.
+    // Whether to try a pair. If it needs a scene of its own, which takes long to build, then only if one of
+    // the two explains some pixels alone.
     bool isWorthIt(std::size_t a, std::size_t b) const {
         constexpr double some = 0.04;
         const bool isCheap = known_.isSmall || !known_.mistakes[a].edit || !known_.mistakes[b].edit;
         return isCheap || std::max(alone_[a], alone_[b]) >= some;
     }
 
-    // The best of them, each held against more pixels.
+    // The best candidates, each compared with more pixels.
     Candidates refitted(Candidates candidates) const {
         keepBest(candidates, 16, [](const Candidate& c) { return c.fit.explained; });
         for (Candidate& candidate : candidates) candidate.fit = fitTo(many_, *candidate.variant, true);
@@ -113,15 +113,15 @@ class Search {
         return candidates;
     }
 
-    // The best of these, each held against the whole picture.
+    // The best of these, each compared with the whole picture.
     Candidates narrowed(Candidates candidates) const {
         constexpr double equallyWell = 0.003, hopeful = 0.1;
         std::erase_if(candidates, [&](const Candidate& c) { return netOf(c) < leastExplained - hopeful; });
         for (Candidate& candidate : candidates)
             if (candidate.variant->isPicture())
                 candidate.fit = fitOfAll(picture_, known_.right, split_, *candidate.variant);
-        // What stands alone is another picture as a whole: it may not merely be like this one. Nor may what
-        // is not known of some pixels.
+        // A mistake that is only looked for alone must explain everything: it makes another picture as a
+        // whole. So must one whose bytes are not known for some pixels.
         std::erase_if(candidates, [](const Candidate& c) {
             return (c.variant->mistakes()[0]->alone || c.fit.unknown > 0) && netOf(c) < fullyExplained;
         });
@@ -149,8 +149,8 @@ class Search {
     const KnownVariants& known_;
     const ByteImage& picture_;
     const SplitPixels& split_;
-    mutable Sample some_, many_;  // whose trees are made when needed
-    std::vector<double> alone_;   // what each mistake explains without another
+    mutable Sample some_, many_;  // mutable: their trees are made when needed
+    std::vector<double> alone_;   // share that each mistake explains alone
     Candidates hopeful_, singles_;
 };
 

@@ -1,4 +1,4 @@
-// Which known mistakes, one or two, explain a picture.
+// Searches the known mistakes, one or two together, that explain a picture.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace raytracer {
 
-// A scene, of which the right picture shows these terms, and what each mistake makes of it.
+// A scene, of which the right picture shows the `terms`, and what each mistake makes of it.
 struct KnownVariants {
     KnownVariants(const SceneDescription& whole, RenderOptions options, const Terms& terms,
                   Precision precision);
@@ -19,7 +19,7 @@ struct KnownVariants {
     Mistakes mistakes;
     std::vector<std::shared_ptr<Variant>> singles;
     ByteImage right;
-    bool isSmall;  // to build such a scene takes less than a tenth of a millisecond
+    bool isSmall;  // whether building such a scene takes less than a tenth of a millisecond
 };
 
 struct Candidate {
@@ -29,7 +29,7 @@ struct Candidate {
 
 using Candidates = std::vector<Candidate>;
 
-// What explains the picture, all equally well; nothing where nothing does.
+// The variants that explain the picture, all equally well. Empty if none does.
 Candidates explanationsOf(const ByteImage& picture, const SplitPixels& split, const KnownVariants& known);
 
 }  // namespace raytracer

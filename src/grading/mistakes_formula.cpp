@@ -1,8 +1,8 @@
-// Mistakes inside of the light model: its sums, made anew from the rays that explain records.
+// Mistakes inside the light model: its sums are recomputed from the rays that `explain` records.
 //
-// A second light model and a second recursion, on purpose: the tracer knows nothing of mistakes, and its one
-// recursion would need a switch for each of these in every ray's way. Here a mistake costs sums alone, and
-// other rays only where it turns a normal; programs that make the mistake check them (bench/mistakes.py).
+// This is a second light model and a second recursion, on purpose. The tracer knows nothing of mistakes: its
+// recursion would need a switch for each of them. Here a mistake costs only sums, and other rays only if it
+// turns a normal or needs other shadows. Programs that make the mistakes serve as tests (bench/mistakes.py).
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -34,12 +34,13 @@ LightTerm recordedTerm(const LitPoint& point) {
     return term;
 }
 
-// As the plain tracer does it (test/tracer/plain_tracer.h): a little ahead, by a share of the coordinates.
+// A starting point a little ahead of a surface, by a share of the coordinates, as in the plain tracer
+// (test/tracer/plain_tracer.h).
 glm::dvec3 ahead(const glm::dvec3& position, const glm::dvec3& cameFrom, const glm::dvec3& unit) {
     return position + 1e-9 * (glm::length(position) + glm::length(cameFrom)) * unit;
 }
 
-// What is hit on the way to the light, nearest first, up to what is opaque.
+// The shapes that are hit on the way to the light, the nearest first, up to the first opaque one.
 std::vector<std::size_t> shapesBefore(const LitPoint& point, const CastRay& cast) {
     constexpr std::size_t most = 16;  // panes of glass
     const glm::dvec3 light = point.scene->lights[point.light].position;
@@ -61,7 +62,7 @@ glm::dvec3 shadowOf(const SceneDescription& scene, std::size_t shape) {
     return material.refractive ? material.color_refract : glm::dvec3(0);
 }
 
-// Where no shadow ray was cast, since the light is behind the surface.
+// S_L where no shadow ray was cast, since the light is behind the surface.
 glm::dvec3 shadowBehind(const LitPoint& point, const CastRay& cast) {
     const auto shapes = shapesBefore(point, cast);
     return shapes.empty() ? glm::dvec3(1) : shadowOf(*point.scene, shapes.front());
@@ -101,8 +102,8 @@ glm::dvec3 lightAnew(const SceneDescription& scene, const RayExplanation& ray, c
     return color;
 }
 
-// The normal that the hit has if it goes to the world by the matrix: the recorded one went by the inverse
-// transpose, which the transpose takes back.
+// The normal that the hit has if it is transformed by the matrix. The recorded one was transformed by the
+// inverse transpose, which the transpose undoes.
 glm::dvec3 normalByMatrix(const SceneDescription& scene, const RayExplanation& ray) {
     const Affine affine = worldFromObject(scene, scene.shapes[ray.shape]);
     const glm::dmat3 transpose(affine.linear[0], affine.linear[1], affine.linear[2]);
@@ -110,7 +111,7 @@ glm::dvec3 normalByMatrix(const SceneDescription& scene, const RayExplanation& r
 }
 
 bool differs(const glm::dvec3& a, const glm::dvec3& b) {
-    constexpr double rounding = 1e-9;  // of the products of three matrices, with a wide margin
+    constexpr double rounding = 1e-9;  // in products of three matrices, with a wide margin
     return glm::dot(a - b, a - b) > rounding * rounding;
 }
 
@@ -142,7 +143,7 @@ void makeGlassClear(const LitPoint& point, const CastRay& cast, LightTerm& term)
     term.S_L = glm::dvec3(shapes.empty() || materialOf(*point.scene, shapes.back()).refractive ? 1 : 0);
 }
 
-// By all hits, or once by each shape.
+// Makes S_L the product over all hits, or over all shapes that are hit.
 void multiplyShadows(const LitPoint& point, const CastRay& cast, LightTerm& term, bool isEachHit) {
     if (!isShadowedByGlass(point)) return;
     std::vector<std::size_t> shapes = shapesBefore(point, cast);
@@ -152,8 +153,8 @@ void multiplyShadows(const LitPoint& point, const CastRay& cast, LightTerm& term
     for (const std::size_t shape : shapes) term.S_L *= shadowOf(*point.scene, shape);
 }
 
-// The directions of the rays that leave where the normal is another one: of the reflected one, and of the
-// refracted one unless it is reflected totally.
+// The directions of the reflected and the refracted ray at another normal. Empty for total internal
+// reflection.
 glm::dvec3 reflectedAnew(const glm::dvec3& d, const glm::dvec3& N) { return d - 2 * glm::dot(d, N) * N; }
 
 std::optional<glm::dvec3> refractedAnew(const glm::dvec3& d, const glm::dvec3& exterior, double index) {
@@ -165,7 +166,7 @@ std::optional<glm::dvec3> refractedAnew(const glm::dvec3& d, const glm::dvec3& e
     return ratio * d + (ratio * cosine - std::sqrt(squared)) * N;
 }
 
-// The rays that leave the hit, turned by its other normal.
+// The rays that leave the hit if its normal is this one.
 std::vector<RayExplanation> raysAnew(const SceneDescription& scene, const RayExplanation& ray,
                                      const glm::dvec3& normal, const CastRay& cast) {
     const MaterialDescription& material = materialOf(scene, ray.shape);
@@ -240,7 +241,7 @@ void addFormulaMistakes(Mistakes& mistakes, const SceneDescription& scene) {
         change([](const LitPoint&, const CastRay&, LightTerm& term) { term.ambientShadowed = true; }));
     add("in which light from behind a surface counts, too", "Light with N.L below 0 adds nothing.", "",
         change([](const LitPoint&, const CastRay&, LightTerm& term) { term.shinesFromBehind = true; }));
-    mistakes.back().alone = true;  // pairs of sums made anew take the most time
+    mistakes.back().alone = true;  // saves time: pairs of recomputed sums take the most
     add("with Blinn's half vector for specular light",
         "The specular term is (V.R)^n, with R = 2 (N.L) N - L.", "specular",
         change([](const LitPoint&, const CastRay&, LightTerm& term) { term.halfVector = true; }));

@@ -1,5 +1,5 @@
-// Mistakes in what becomes of colours: other bytes, or a picture of something else than was asked for, as of
-// another stage, other terms, several rays a pixel.
+// Mistakes behind the light model: other bytes, or a picture of something else than was asked for (another
+// stage, other terms, several rays per pixel).
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -29,7 +29,7 @@ double toGamma(double linear) { return std::pow(linear, 1 / 2.2); }
 double fromGamma(double value) { return std::pow(value, 2.2); }
 double squareRoot(double linear) { return std::sqrt(linear); }
 
-// What is far above any byte wraps anywhere.
+// The integer part, clamped to the range of int: far above a byte, it does not matter to which byte it wraps.
 int toInt(double value) { return static_cast<int>(std::clamp(value, 0.0, 1e9)); }
 
 std::uint8_t wrapped(double channel) { return static_cast<std::uint8_t>(toInt(255 * channel + 0.5) & 255); }
@@ -45,7 +45,8 @@ std::string stageInWords(const Stage& stage) {
     return "that shows " + (isLight ? std::string(stage.only) + " light alone, as " + name + " does" : name);
 }
 
-// The whole scene anew: the terms that the right picture leaves out are no longer in its scene.
+// Starts again from the whole scene, since the right picture's scene no longer has the terms that it leaves
+// out.
 Edit shownAs(const std::shared_ptr<const SceneDescription>& whole, Pass pass, const Terms& terms) {
     return [=](SceneDescription& scene, RenderOptions& options) {
         scene = *whole;
@@ -85,7 +86,7 @@ void addMoreTerms(Mistakes& mistakes, const std::shared_ptr<const SceneDescripti
 }
 
 glm::dvec3 turnedInwards(const glm::dvec3& color) {
-    const glm::dvec3 miss(54.0 / 255);  // of Pass::Normals
+    const glm::dvec3 miss(54.0 / 255);  // Pass::Normals' colour of a miss
     return color == miss ? color : 1.0 - color;
 }
 
@@ -111,7 +112,7 @@ void addSamples(Mistakes& mistakes, const std::vector<glm::dvec2>& places) {
                         .samples = places});
 }
 
-// On the usual grids, and where `--samples` has them.
+// Samples on the usual grids, and at the places of `--samples`.
 void addSampleMistakes(Mistakes& mistakes) {
     for (const std::size_t across : {2, 3, 4}) {
         std::vector<glm::dvec2> grid;

@@ -1,4 +1,4 @@
-// Mistakes of transforms and of the camera: edits of the scene's description too.
+// Mistakes in transforms and in the camera. These are edits of the scene's description, too.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -22,7 +22,7 @@ glm::dmat4 part(const TransformDescription& transform, char which) {
     return unit;
 }
 
-// The product of the parts in this order, then the matrix.
+// Makes the transform the product of its parts in this order, times its matrix.
 void reorder(TransformDescription& transform, const std::array<char, 3>& order) {
     glm::dmat4 product = part(transform, order[0]) * part(transform, order[1]) * part(transform, order[2]);
     if (transform.matrix) product *= *transform.matrix;
@@ -44,7 +44,7 @@ void turnBy(TransformDescription& transform, double (*degrees)(double)) {
     if (transform.rotate) transform.rotate->degrees = degrees(transform.rotate->degrees);
 }
 
-// The camera is edited so that what it sees is the picture moved over its pixels.
+// Edits the camera so that it sees the picture flipped, turned or shifted.
 using CameraEdit = std::function<void(CameraDescription& camera, const ImageSize& size)>;
 
 void flipLeftRight(CameraDescription& camera, const ImageSize&) {
@@ -63,14 +63,14 @@ void turnUpsideDown(CameraDescription& camera, const ImageSize& size) {
 void lookBack(CameraDescription& camera, const ImageSize&) {
     if (camera.type == CameraDescription::Type::Perspective) {
         camera.focal_length = -camera.focal_length;
-    } else {  // the film's u stays as it is
+    } else {  // the new look flips u; the film's signs undo that
         camera.look = -camera.look;
         camera.film_left = -camera.film_left;
         camera.film_right = -camera.film_right;
     }
 }
 
-// The picture, turned clockwise: what was to the left is above. u = up x -look.
+// Turns the picture clockwise: what was on the left is at the top. Recall that u = up x -look.
 void turnClockwise(CameraDescription& camera, const ImageSize&) {
     camera.up = -glm::cross(camera.up, -camera.look);
     const CameraDescription before = camera;
@@ -90,7 +90,7 @@ void transpose(CameraDescription& camera, const ImageSize& size) {
     flipLeftRight(camera, size);
 }
 
-// Of a pixel, from its centre: to the right and up.
+// A corner of a pixel, relative to its centre, in pixels to the right and up.
 struct Corner {
     const char* name;
     double x, y;
@@ -111,10 +111,12 @@ void edgeToEdge(CameraDescription& camera, const ImageSize& size) {
     widen(camera.film_bottom, camera.film_top, size.height);
 }
 
-// To turn it, u = v x w and -u x w = v are needed: w of unit length and a right angle. What is no square is
-// stretched: u and v are exchanged, of 0 to 1 each.
+// Whether the camera can be turned. turnClockwise needs u = v x w and -u x w = v, so w must have unit length
+// and be perpendicular to v. A picture that is not square is stretched: u and v are exchanged, as fractions
+// of the film from 0 to 1.
 bool canTurn(const CameraDescription& camera) {
-    constexpr double threeDecimals = 2e-3;  // of vectors written so, as in scene_advice.cpp
+    constexpr double threeDecimals =
+        2e-3;  // the error of vectors with three decimals, as in scene_advice.cpp
     const auto near = [](double value, double expected) {
         return std::abs(value - expected) < threeDecimals;
     };
@@ -140,7 +142,7 @@ void addTransformMistakes(Mistakes& mistakes) {
                  ofTransforms([](TransformDescription& transform) { transform.scale.reset(); }));
     mistakes.add("without translations", "Is translate read?", "translation",
                  ofTransforms([](TransformDescription& transform) { transform.translate.reset(); }));
-    // Last of the edits, as it leaves a matrix alone.
+    // Last of the edits, since it puts all parts into the matrix.
     constexpr std::array<char, 3> orders[] = {
         {'t', 's', 'r'}, {'s', 'r', 't'}, {'r', 's', 't'}, {'r', 't', 's'}, {'s', 't', 'r'}};
     for (const auto& order : orders)
@@ -151,7 +153,7 @@ void addTransformMistakes(Mistakes& mistakes) {
     for (std::size_t i = first; i < mistakes.size(); ++i) mistakes[i].moves = true;
 }
 
-// Turned pictures before rays through corners: those are corners of the picture's pixels as it is shown.
+// Turned pictures come before rays through corners: those are corners of the pixels as they are shown.
 void addCameraMistakes(Mistakes& mistakes, const SceneDescription& scene, const RenderOptions& options) {
     const auto add = [&](const std::string& what, const char* hint, const char* kind,
                          const CameraEdit& edit) {

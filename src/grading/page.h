@@ -1,4 +1,4 @@
-// The fixed parts of the grading report: the files in page/, which cmake/embed.cmake makes strings of.
+// The fixed parts of the grading report. cmake/embed.cmake turns the files in page/ into these strings.
 #pragma once
 
 namespace raytracer::grading_page {

@@ -9,17 +9,17 @@ namespace {
 
 const std::uint8_t* at(const ByteImage& image, std::size_t pixel) { return &image.pixels[3 * pixel]; }
 
-// Some of them, the same on every machine.
+// A random choice of `count` elements, the same on every machine.
 std::vector<std::size_t> someOf(std::vector<std::size_t> all, std::size_t count) {
     std::mt19937 bits(1);
     count = std::min(count, all.size());
     for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + bits() % (all.size() - i)]);
     all.resize(count);
-    std::ranges::sort(all);  // neighbours are faster
+    std::ranges::sort(all);  // neighbouring pixels are faster
     return all;
 }
 
-// A pixel of a picture, and which of several colours is most like it.
+// A pixel of a picture, and its difference from the most similar of several colours.
 class Likest {
   public:
     Likest(const std::uint8_t* picture, const std::uint8_t* right) : picture_(picture), right_(right) {}
@@ -29,7 +29,8 @@ class Likest {
     bool isEqual() const { return off_ == 0; }
     bool isOff() const { return off_ > 1; }
 
-    // An equal pixel counts 1. One that is off by 1 is rounding, unless all are.
+    // 1 for an equal pixel. A difference of 1 is taken for rounding, unless the right picture is that near
+    // too.
     double likeness() const {
         constexpr double offByOne = 0.8;
         if (off_ == 0) return 1;
@@ -51,7 +52,7 @@ SplitPixels::SplitPixels(const ByteImage& picture, const ByteImage& right) {
         differing += off != 0;
         (off == 0 ? rightPixels : off == 1 ? offByOne : wrongPixels).push_back(i);
     }
-    constexpr double rounding = 0.05;  // of the pixels: above what float does
+    constexpr double rounding = 0.05;  // share of the pixels: more than float arithmetic causes
     if (static_cast<double>(offByOne.size()) < rounding * static_cast<double>(count)) return;
     wrongPixels.insert(wrongPixels.end(), offByOne.begin(), offByOne.end());
 }
@@ -86,7 +87,7 @@ Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, 
         if (i < sample.wrongCount) explained += likest.likeness();
         else contradicted += likest.isOff();
     }
-    constexpr double leastKnown = 0.25;  // of the wrong pixels
+    constexpr double leastKnown = 0.25;  // share of the wrong pixels
     if (wrong < leastKnown * static_cast<double>(sample.wrongCount)) return {};
     const auto known = static_cast<std::size_t>(wrong + rights);
     return {explained / wrong, rights > 0 ? contradicted / rights * sample.rightsOfWrong : 0, known,

@@ -1,4 +1,4 @@
-// Pixels of a picture, held against those that a mistake makes.
+// Compares pixels of a picture with those that a mistake makes.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace raytracer {
 
-// The pixels of a picture that are wrong, and those that are right: numbers in reading order. Where few
-// differ by 1 only, that is rounding, and neither.
+// The pixels of a picture that are wrong, and those that are right, as numbers in reading order. If the
+// pixels that differ by only 1 are few, they are taken for rounding, and are neither.
 struct SplitPixels {
     SplitPixels(const ByteImage& picture, const ByteImage& right);
 
@@ -19,26 +19,28 @@ struct SplitPixels {
     std::vector<std::size_t> wrongPixels, rightPixels;
 };
 
-// Pixels to hold variants against.
+// A sample of pixels to compare variants with.
 struct Sample {
-    // Some wrong pixels and some right ones, the same on every machine; `width` is the picture's.
+    // Chooses at most `wrong` wrong pixels and `right` right ones, the same on every machine. `width` is the
+    // picture's.
     Sample(const SplitPixels& split, std::size_t wrong, std::size_t right, int width);
 
     std::vector<std::size_t> numbers;
-    std::size_t wrongCount;  // the first ones
-    double rightsOfWrong;    // in the whole picture
+    std::size_t wrongCount;  // the first ones are wrong
+    double rightsOfWrong;    // right pixels per wrong one in the whole picture
     Pixels pixels;
     Trees trees;  // of the scene without a mistake; see Variant::bytes
 };
 
-// By the pixels of the sample. With `anyRounding`, a pixel may be as one of the variant's other roundings.
+// The fit measured on the sample. With `anyRounding`, a pixel may also be as in one of the variant's other
+// roundings.
 Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant,
               bool anyRounding = false);
 
-// By all pixels, with any rounding.
+// The fit measured on all pixels, with any rounding.
 Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels& split, Variant& variant);
 
-// Of some wrong pixels, those that the variant does not explain, or does not tell of.
+// Reduces the wrong pixels to some that the variant does not explain, or for which its bytes are not known.
 SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
                           const SplitPixels& split);
 

@@ -23,9 +23,9 @@ namespace {
 
 namespace files = std::filesystem;
 
-// The end of what a program printed, where errors are.
+// The end of a program's output, where errors usually are.
 std::string endOfFile(const std::string& path) {
-    constexpr std::streamoff most = 2000;  // characters: some 20 lines
+    constexpr std::streamoff most = 2000;  // bytes: some 20 lines
     std::error_code error;
     if (files::symlink_status(path, error).type() != files::file_type::regular) return {};
     std::ifstream file(path, std::ios::binary | std::ios::ate);
@@ -37,22 +37,22 @@ std::string endOfFile(const std::string& path) {
     return start > 0 ? "... " + text : text;
 }
 
-// The shell, too, reports a signal that killed the program. The message has that already.
+// Removes the shell's report of the signal that killed the program: the message has that already.
 void removeShellsReport(std::string& output, const ProcessEnd& end) {
     const std::size_t last = output.find_last_of('\n', output.empty() ? 0 : output.size() - 2);
     const std::size_t start = last == std::string::npos ? 0 : last + 1;
     if (end.signal && output.find(signalName(end.signal), start) != std::string::npos) output.erase(start);
 }
 
-// How many folders above its own a path leads: 1 for "../a", 2 for "a/../../../b".
+// How many folders a relative path leads upwards: 1 for "../a", 2 for "a/../../../b".
 int stepsUp(const files::path& relative) {
     int up = 0;
     for (const files::path& part : relative.lexically_normal()) up += part == "..";
     return up;
 }
 
-// The scene with the files that it names, copied so that the relative paths lead to them. A file that is
-// named absolutely is found where it is.
+// Copies the scene and the files that it names, so that its relative paths lead to the copies. A file that it
+// names by an absolute path is found where it is. Returns the copy of the scene.
 std::string copyScene(const std::string& scene, const std::string& folder) {
     const std::vector<std::string> named = loadScene(scene).files;
     const files::path from = files::path(scene).parent_path();
@@ -75,7 +75,7 @@ using WordSet = std::set<std::string_view>;
 
 bool hasSlash(std::string_view word) { return word.find('/') != word.npos; }
 
-// Whether a command runs the script that it is given, by its name: python for /usr/bin/python3.12.
+// Whether the command is an interpreter, which runs a script: python, also as /usr/bin/python3.12.
 bool isInterpreter(std::string_view command) {
     static const WordSet interpreters{"sh",   "bash", "dash", "zsh",    "ksh", "python", "pypy",  "node",
                                       "ruby", "perl", "lua",  "luajit", "php", "java",   "julia", "Rscript"};
@@ -83,8 +83,8 @@ bool isInterpreter(std::string_view command) {
     return interpreters.contains(name.substr(0, name.find_last_not_of("0123456789.") + 1));
 }
 
-// Follows a command, in which a path of ours is found, though it runs in another folder. A word that means
-// a file which the command itself makes is left as it is.
+// Finds the words of a command that are relative paths to files here: the command runs in another folder, so
+// they need absolute paths. A word that means a file which the command itself makes is left as it is.
 class PathsFromHere {
   public:
     bool isOurs(const ShellWord& word) {
@@ -104,17 +104,17 @@ class PathsFromHere {
     }
 
   private:
-    // The shell's words before a command.
+    // Words of the shell that may stand before a command.
     inline static const WordSet leading{"if", "then", "elif", "else", "do", "while", "until", "{", "!"};
-    // Commands, and words of the shell, that make no file.
+    // Commands, and words of the shell, that make no files.
     inline static const WordSet harmless{"export", "ulimit", "umask", "set",  "unset", "trap",
                                          ":",      "true",   "false", "test", "[",     "echo",
                                          "printf", "for",    "done",  "fi",   "}"};
-    // Commands that start what they are given: p in "timeout 8 p".
+    // Commands that start another one: p in "timeout 8 p".
     inline static const WordSet wrappers{"env",    "timeout", "nice",    "nohup", "time", "stdbuf",
                                          "setsid", "taskset", "command", "exec",  "sudo", "xvfb-run"};
 
-    // The name of a function, before (), is not run.
+    // Ends a command. With `isName`, the word was a function's name before (), which is not run.
     void endCommand(bool isName) {
         const bool isFresh = isFresh_ && (isName || !makes_), isHere = isHere_ && !moves_;
         *this = {};
@@ -135,9 +135,9 @@ class PathsFromHere {
         startsFile_ = startsFile_ || awaitsScript_ || (isStarted && hasSlash(word));
     }
 
-    bool isHere_ = true, isFresh_ = true;  // no command before has left our folder, or may have made files
-    bool makes_ = false, moves_ = false, isWrapped_ = false, startsFile_ = false;  // this command
-    bool isFirst_ = true, isTarget_ = false, awaitsScript_ = false;                // its next word
+    bool isHere_ = true, isFresh_ = true;  // no earlier command has left our folder, or can have made files
+    bool makes_ = false, moves_ = false, isWrapped_ = false, startsFile_ = false;  // of this command
+    bool isFirst_ = true, isTarget_ = false, awaitsScript_ = false;                // of its next word
 };
 
 std::string commandFromHere(const std::string& command) {
@@ -152,7 +152,7 @@ std::string commandFromHere(const std::string& command) {
     return text + command.substr(done);
 }
 
-// A run in progress. The program's folder is in one of this run's own, so that .. holds nothing of others.
+// A run in progress. The program's folder is inside one of this run's own: ".." has no files of other runs.
 struct ActiveRun {
     TemporaryFolder own;
     std::string folder = own.hiddenFolder(), picture = folder + "/out.png", printed = own.file("log");
@@ -169,7 +169,8 @@ ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const Progr
             options.user};
 }
 
-// A program of our user can reach the pictures that are kept, and no score may come of that.
+// Throws Error if a program has changed a kept picture. One that runs as our user can reach these pictures,
+// and must not get a score that way.
 void requireKept(const FileWatch& kept, const ProgramRun& run) {
     const std::string folder = files::path(run.picture).parent_path().string();
     std::error_code error;
@@ -178,7 +179,7 @@ void requireKept(const FileWatch& kept, const ProgramRun& run) {
                               ", or one beside it; as root, --user NAME prevents that");
 }
 
-// False where there is no regular file, or one that the program has locked.
+// Copies a program's picture. False if it is not a regular file, or if the program has made it unreadable.
 bool keepPicture(const std::string& picture, const std::string& place) {
     std::error_code error;
     if (files::symlink_status(picture, error).type() != files::file_type::regular) return false;
@@ -189,7 +190,7 @@ bool keepPicture(const std::string& picture, const std::string& place) {
 }
 
 Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const ProcessEnd& end) {
-    // With a picture, an exit status other than 0 is no failure: the course grades the picture.
+    // An exit status other than 0 is no failure if there is a picture: the course grades the picture.
     Rendered rendered{end.stop != ProcessEnd::Stop::None || end.signal != 0, end.description(),
                       endOfFile(active.printed)};
     rendered.seconds = end.seconds;
@@ -205,16 +206,16 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
     return rendered;
 }
 
-// Whether "{}" stands in the word for a submission's folder.
+// Whether the word contains "{}", which stands for a submission's folder.
 bool hasFolder(const std::string& word) { return word.find("{}") != word.npos; }
 
 std::string noFile(const std::string& name) { return "there is no file " + printable(name) + hintAt(name); }
 
-// The shell that will run it is asked: it knows its own commands, and where it looks for others.
+// Asks the shell that will run the command: it knows its own commands, and where to look for others.
 bool isCommand(const std::string& name) { return runProcess({"command -v", {name}, "/dev/null"}).well(); }
 
-// The script that an interpreter surely runs: the name of a file that is no option's value. Empty where none
-// is sure.
+// The script that an interpreter certainly runs: a file's name that is not an option's value. Empty if that
+// is not certain.
 std::string scriptAmong(std::span<const ShellWord> words) {
     static constexpr std::string_view endings[] = {".py", ".sh",  ".js",  ".rb",
                                                    ".pl", ".lua", ".jar", ".java"};

@@ -1,4 +1,4 @@
-// Programs of submissions, run where they see their scene and nothing else of the class.
+// Runs programs of submissions, each in a folder that has its scene and nothing else of the class.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace raytracer {
 
-// One run: its program, its scene, and the place for its picture. It runs in the folder of the scene's copy,
-// but what its command names is found from ours.
+// One run: its program, its scene, and the path for its picture. It runs in the folder with the scene's copy,
+// but relative paths in its command lead to files of this program's folder.
 struct ProgramRun {
     std::string command;
     const GradeCase* test = nullptr;
     int longEdge = 0;
-    std::string picture;  // made there, unless the program has failed
+    std::string picture;  // path to which the picture is copied, unless the program fails
 };
 
-// Runs them, up to `atOnce` side by side; ended(i, how) is told of each. A picture that was not written, or
-// is no regular file, is a failure.
+// Runs the programs, up to `atOnce` at a time, and calls ended(i, how) after each. It is a failure if no
+// picture was written, or if it is not a regular file.
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended);
 

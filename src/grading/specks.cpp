@@ -9,23 +9,27 @@ namespace raytracer {
 
 namespace {
 
-// Measured at 160 px with the programs of test/grading/students.py: with acne on our 16 scenes, with mistakes
-// that have no name (light that fades, more contrast, wider highlights, another camera) on four of them.
-// Of all pixels. Acne: 0.9 to 12 %; the others: 0 to 0.03 %, but for another camera, 0.6 to 3.5 %.
+// These limits were measured at 160 px with the programs of test/grading/students.py: with acne on our 16
+// scenes; on four of them with mistakes that have no name (light that fades, more contrast, wider highlights,
+// another camera).
+//
+// The least share of specks among all pixels. Acne: 0.9 to 12 %. The others: 0 to 0.03 %, except another
+// camera, 0.6 to 3.5 %.
 constexpr double leastSpecks = 0.003;
-// Of the wrong pixels, what shadows and mirrors explain. Acne: 97 % or more (on textures 89 %, which gets no
-// name); light that fades: up to 81 %; another camera: 2 %.
+// The least share of wrong pixels that shadows and mirrors explain. Acne: 97 % or more (on textures 89 %,
+// which is not named). Light that fades: up to 81 %. Another camera: 2 %.
 constexpr double leastOfSpecks = 0.9;
-// Of the wrong pixels. Those that show glass are known only where shadows explain them, so that few known
-// ones are all explained. Acne: 73 % or more in six scenes with glass, 24 % in one that shows little else.
+// The least share of wrong pixels that are known. A pixel that shows glass is known only if shadows explain
+// it: if few are known, all of them would be explained. Acne: 73 % or more in six scenes with glass, 24 % in
+// one that shows little else.
 constexpr double leastKnown = 0.25;
 
 int offBy(const ByteImage& a, std::size_t pixelA, const ByteImage& b, std::size_t pixelB) {
     return largestDifference(&a.pixels[3 * pixelA], &b.pixels[3 * pixelB]);
 }
 
-// A wrong pixel where the right picture is smooth, whose error is like that of three neighbours at most: at a
-// straight border between a wrong area and a right one five are alike.
+// A speck is a wrong pixel where the right picture is smooth, with an error like that of at most three
+// neighbours. At a straight border between a wrong area and a right one, five neighbours are alike.
 bool isSpeck(const ByteImage& picture, const ByteImage& right, std::size_t pixel) {
     constexpr int similar = 8;  // as for speckleCount (compare.h)
     const int off = offBy(picture, pixel, right, pixel);
@@ -43,7 +47,7 @@ bool isSpeck(const ByteImage& picture, const ByteImage& right, std::size_t pixel
     return off > similar && steepest <= similar && alike <= 3;
 }
 
-// A camera ray, what it is reflected to, and so on, up to glass or to the ray's end.
+// A camera ray, its reflection, the reflection's reflection and so on, up to glass or the last ray.
 std::vector<const RayExplanation*> mirrorsOf(const SceneDescription& scene, const RayExplanation& tree) {
     std::vector<const RayExplanation*> mirrors;
     const RayExplanation* ray = &tree;
@@ -55,9 +59,10 @@ std::vector<const RayExplanation*> mirrorsOf(const SceneDescription& scene, cons
 
 using Colors = std::vector<glm::dvec3>;
 
-// What shadows could take away from the pixel: each light's share that is not black, the largest first.
+// Collects what shadows could take away from the pixel: the lights' shares that are not black, the largest
+// first.
 void collectLit(const RayExplanation& ray, const RayExplanation* end, Colors& lit) {
-    constexpr std::size_t most = 6;  // each more doubles the ways to shadow them: 64
+    constexpr std::size_t most = 6;  // 2^6 = 64 ways to shadow them
     for (const LightExplanation& light : ray.lights) {
         const glm::dvec3 share = ray.weight * (light.diffuse + light.specular) * light.S_L;
         if (share != glm::dvec3(0)) lit.push_back(share);
@@ -69,17 +74,17 @@ void collectLit(const RayExplanation& ray, const RayExplanation* end, Colors& li
     if (lit.size() > most) lit.resize(most);
 }
 
-// The pixel, held against the colours that it has where secondary rays meet the surface that they leave.
+// A pixel, compared with the colours that it has if secondary rays hit the surface that they leave.
 class AcnePixel {
   public:
     AcnePixel(const SceneDescription& scene, const RayExplanation& tree, const std::uint8_t* bytes)
         : scene_(scene), tree_(tree), bytes_(bytes) {}
 
-    // Some shadow rays do.
+    // Whether some shadow rays do.
     bool hasShadows() const { return isLike(tree_.color, litUpTo(nullptr)); }
 
-    // A reflected ray does, and perhaps some shadow rays. From inside, the surface has ambient light alone,
-    // and sends the ray on into a body whose far side is the same again.
+    // Whether a reflected ray does, and perhaps some shadow rays. Seen from inside, the surface has only
+    // ambient light. It reflects the ray on inside the body, whose far side is the same again.
     bool isReflectedHere(bool shadows) const {
         for (const RayExplanation* mirror : mirrorsOf(scene_, tree_)) {
             const Colors lit = shadows ? litUpTo(mirror) : Colors();
@@ -102,7 +107,7 @@ class AcnePixel {
         return lit;
     }
 
-    // Whether the bytes are the colour's, or those without some of the shares that are lit.
+    // Whether the bytes are those of the colour, or of the colour without some of the lit shares.
     bool isLike(const glm::dvec3& whole, const Colors& lit) const {
         for (unsigned shadowed = 0; shadowed < 1u << lit.size(); ++shadowed) {
             glm::dvec3 color = whole;

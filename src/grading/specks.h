@@ -1,4 +1,4 @@
-// Specks: single wrong pixels among right ones, which rays make that meet again the surface they leave.
+// Recognises specks: single wrong pixels among right ones, made by rays that hit the surface that they leave.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace raytracer {
 
-// Shadow acne, where a shadow on some lights of a pixel's ray tree gives its bytes; reflection acne, where a
-// mirror that sees itself does; or both. `wrong`: all wrong pixels, numbered in reading order; `sample`: some
-// of them, with their ray trees.
+// Names shadow acne if shadows on some lights of a pixel's ray tree give its bytes, reflection acne if a
+// mirror that reflects itself does, or both. `wrong` are all wrong pixels, as numbers in reading order;
+// `sample` has some of them, with their ray trees.
 std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& right,
                                      std::span<const std::size_t> wrong, const SceneDescription& scene,
                                      const Sample& sample);

@@ -1,4 +1,4 @@
-// What is to be said of a submission as a whole.
+// Sums up what is wrong with a submission as a whole.
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -33,9 +33,9 @@ double GradedSubmission::seconds() const {
 
 namespace {
 
-// "a, b and 3 more are missing, but a.jpg is there"; empty where none is.
+// "a, b and 3 more are missing, but a.jpg is there"; empty if no picture is missing.
 std::string missingPictures(const std::vector<GradeResult>& results) {
-    constexpr std::size_t most = 3;  // parts of the list: names, the last for all that are left
+    constexpr std::size_t most = 3;  // entries of the list; if there are more, the last is "N more"
     std::vector<std::string> names;
     for (const GradeResult& result : results)
         if (result.isMissing) names.push_back(result.test.name);
@@ -50,13 +50,13 @@ std::string missingPictures(const std::vector<GradeResult>& results) {
            (with == results.end() ? "" : with->butInstead());
 }
 
-// "too slow: 2.1 s" and "too slow: 2.2 s" are one fault.
+// Removes numbers: "too slow: 2.1 s" and "too slow: 2.2 s" are one fault.
 std::string withoutTimes(std::string message) {
     std::erase_if(message, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
     return message;
 }
 
-// A fault of some of the wrong pictures.
+// A fault, and the number of wrong pictures that have it.
 struct Fault {
     std::string key, text;
     std::size_t pictures = 0;
@@ -64,7 +64,7 @@ struct Fault {
 
 class FaultCount {
   public:
-    // `key`: what pictures with the same fault have in common.
+    // `key` is the same for all pictures with the same fault.
     void add(const std::string& key, const std::string& text) {
         if (key.empty()) return;
         auto known = std::ranges::find(faults_, key, &Fault::key);
@@ -72,7 +72,7 @@ class FaultCount {
         ++known->pictures;
     }
 
-    // The first of those with the most pictures; null where there is none.
+    // The fault with the most pictures; of several, the first. Null if there is none.
     const Fault* most() const {
         return faults_.empty() ? nullptr : &*std::ranges::max_element(faults_, {}, &Fault::pictures);
     }
@@ -81,7 +81,7 @@ class FaultCount {
     std::vector<Fault> faults_;
 };
 
-// Wrong pictures that no mistake explains: those of a right program, but for rounding?
+// The fault of wrong pictures that no mistake explains: rounding if all differ by that only.
 std::string withoutMistake(const std::vector<const GradeResult*>& wrong) {
     if (!std::ranges::all_of(wrong, &GradeResult::isRounding)) return "no known mistake";
     std::uint64_t pixels = 0, byMore = 0;
@@ -93,7 +93,8 @@ std::string withoutMistake(const std::vector<const GradeResult*>& wrong) {
            (byMore == 0 ? " by 1)" : ")");
 }
 
-// A picture that several mistakes explain counts for each of them: what explains the others too is the one.
+// The fault of most of the wrong pictures. A picture that several mistakes explain counts for each of them,
+// so that the one that explains other pictures too wins.
 std::string mistakeOfMost(const std::vector<GradeResult>& results, const Thresholds& thresholds) {
     std::vector<const GradeResult*> wrong;
     FaultCount count;

@@ -20,13 +20,14 @@ namespace {
 
 namespace files = std::filesystem;
 
-// Where a picture was found, or a file that may be meant instead; relative to the submission's folder.
+// The path of a picture that was found, or of a file that may be meant instead, relative to the submission's
+// folder; and what is odd about its name.
 struct FoundPicture {
     std::string path, note, instead;
 };
 
-// The files beneath a folder, by name in small letters: PNG files with their ending, others without; of each
-// name the nearest to the top first, then by path.
+// The files beneath a folder, by their names in small letters: PNG files with their ending, others without.
+// The places of each name are sorted by depth, the nearest to the top first, then by path.
 using FilesByName = std::map<std::string, std::vector<std::pair<int, files::path>>>;
 
 FilesByName filesBeneath(const std::string& folder) {
@@ -44,7 +45,7 @@ FilesByName filesBeneath(const std::string& folder) {
     return found;
 }
 
-// A reference X-raytracing.png is matched by X.png, too. Without the ending.
+// The names, without ending, that a case's picture may have: X.png matches a reference X-raytracing.png, too.
 std::vector<std::string> fileNames(const GradeCase& test) {
     std::vector<std::string> names{test.name};
     const std::string ending = "-" + std::string(completeStage().name);
@@ -52,7 +53,7 @@ std::vector<std::string> fileNames(const GradeCase& test) {
     return names;
 }
 
-// What is odd about the picture that counts for this name, the first.
+// What is odd about the picture that counts for this name, which is the first place; empty if nothing is.
 std::string noteOn(const std::string& name, const FilesByName::mapped_type& places) {
     const auto inside = [&](std::size_t i) { return places[i].second.string(); };
     if (places.size() > 1 && places[1].first == places[0].first)
@@ -71,7 +72,7 @@ FoundPicture findPicture(const FilesByName& files, const GradeCase& test) {
     return found;
 }
 
-// The whole class: results, in which a fault may be told already, and the paths of pictures.
+// The grading of a class: the results, some of which may have a fault already, and the pictures' paths.
 class ClassGrading {
   public:
     ClassGrading(const GradePlan& plan, const std::vector<Submission>& submissions,
@@ -125,7 +126,7 @@ class ClassGrading {
         });
     }
 
-    // Scene by scene: what is known of one scene's mistakes is needed for its pictures only.
+    // Grades case by case, so that only the cases in work keep what is known of their scene's mistakes.
     void grade(const NamerMaker& makeNamer, PictureShelf* shelf) {
         std::mutex mutex;
         std::size_t done = 0;
@@ -155,7 +156,7 @@ class ClassGrading {
     static int longEdgeOf(const GradeCase& test) {
         const FileBytes file(test.reference, FileKind::Regular);
         const auto size = sizeInHeader(file);
-        if (!size) readImage(file);  // says what is wrong with it
+        if (!size) readImage(file);  // throws what is wrong with it
         return std::max(size->width, size->height);
     }
 
@@ -183,7 +184,7 @@ class ClassGrading {
     std::vector<std::string> paths_;  // submission by submission; empty: there is no picture
 };
 
-// The name of the folder that an archive is to become; empty where the file is none.
+// The name of the folder that an archive should have been unpacked to; empty if the file is not an archive.
 std::string unpackedName(const std::string& file) {
     for (const std::string_view ending :
          {".zip", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".7z", ".rar"})

@@ -12,7 +12,7 @@ namespace raytracer {
 namespace {
 
 void moveEye(CameraDescription& camera, double way) {
-    constexpr double littleMore = 1e-9;  // than rounding; of an eye in free space hardly a byte changes
+    constexpr double littleMore = 1e-9;  // than rounding; if the eye is in free space, hardly a byte changes
     const double size = glm::length(camera.eye) + std::abs(camera.focal_length);
     camera.eye += way * littleMore * size * glm::dvec3(1);
 }
@@ -24,7 +24,7 @@ void otherNearest(SceneDescription& scene, RenderOptions&) {
 
 void otherSide(SceneDescription& scene, RenderOptions&) { moveEye(scene.camera, -1); }
 
-// For Variant::otherRoundings.
+// The edits of Variant::otherRoundings.
 const Mistake roundings[] = {{.what = "", .hint = "", .edit = otherNearest},
                              {.what = "", .hint = "", .edit = otherSide}};
 
@@ -127,7 +127,7 @@ std::vector<std::optional<Rgb>> Variant::bytes(const Pixels& pixels, Trees& righ
     Trees own;
     Trees& trees = made_ == right_ ? rightTrees : own;
     if (trees.empty()) {
-        if (colorsOf(pixels).empty()) return result;  // their trees would fill the memory
+        if (colorsOf(pixels).empty()) return result;  // too many rays: their trees would fill the memory
         for (const PixelPlace& pixel : pixels) trees.push_back(scene.explain(pixel));
     }
     const CastRay cast = [&](const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion) {

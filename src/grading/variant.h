@@ -1,4 +1,4 @@
-// A scene as one or two mistakes have it, and its pixels.
+// A scene as one or two mistakes change it, and its pixels.
 #pragma once
 
 #include <memory>
@@ -22,14 +22,14 @@ class RenderedScene {
     const Renderer& renderer() const { return *renderer_; }
 
     RayExplanation explain(const PixelPlace& pixel) const;
-    // Any ray: the one through the only pixel of a camera that stands there. Builds the scene anew.
+    // Casts any ray, as that through the only pixel of a camera placed at `origin`. Builds the scene anew.
     RayExplanation cast(const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion);
 
   private:
     SceneDescription scene_;
     RenderOptions options_;
     std::unique_ptr<Renderer> renderer_;
-    std::optional<SceneDescription> castScene_;  // scene_, of which the camera moves
+    std::optional<SceneDescription> castScene_;  // scene_ with the camera of cast()
 };
 
 using Pixels = std::vector<PixelPlace>;
@@ -42,23 +42,23 @@ class Variant {
     Variant(Variant& a, Variant& b);  // both mistakes
 
     std::span<const Mistake* const> mistakes() const { return mistakes_; }
-    bool edits() const;      // the scene, which is then built anew
-    bool isOfTrees() const;  // made anew from ray trees, at a hundred times the cost
-    bool isPicture() const;  // made at the cost of a picture
+    bool edits() const;      // whether it edits the scene, which is then built anew
+    bool isOfTrees() const;  // whether it is recomputed from ray trees, at a hundred times the cost
+    bool isPicture() const;  // whether it costs no more than an ordinary picture
 
-    // The pixels' bytes; nothing where a ray tree does not tell, or where the rays are too many. `rightTrees`
-    // are those of the scene without a mistake, made here where they are empty and needed.
+    // The pixels' bytes; empty where a ray tree does not determine them, or if the rays are too many.
+    // `rightTrees` are those of the scene without a mistake; they are made here if they are empty and needed.
     std::vector<std::optional<Rgb>> bytes(const Pixels& pixels, Trees& rightTrees);
 
-    ByteImage picture();  // isPicture
+    ByteImage picture();  // only if isPicture()
 
-    // isPicture: the same mistakes where rounding decides otherwise which of two surfaces in one place is
-    // nearer, and whether an eye sees the surface that it lies on.
+    // Only if isPicture(): the same mistakes, but rounding decides otherwise which of two surfaces in one
+    // place is nearer, and whether an eye that lies on a surface sees it.
     std::vector<Variant>& otherRoundings();
 
   private:
     const std::shared_ptr<RenderedScene>& madeScene();
-    std::vector<glm::dvec3> colorsOf(const Pixels& pixels);  // none where the rays are too many
+    std::vector<glm::dvec3> colorsOf(const Pixels& pixels);  // empty if the rays are too many
     std::span<const glm::dvec2> samples() const;
     Rgb toBytes(glm::dvec3 color) const;
 

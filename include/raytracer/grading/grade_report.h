@@ -1,4 +1,4 @@
-// The grading as one self-contained HTML file.
+// Writes the grading as one self-contained HTML file.
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace raytracer {
 
-// Grouped by the first word of the names, worst first. A click on a picture opens it large at the worst
-// pixel; each further click swaps reference and ours in place. The page lists its keys. Without scripts it is
-// a table.
+// The pictures are grouped by scene, the worst first. A click on a picture opens it large, at the worst
+// pixel; each further click swaps the reference and the graded picture in place. The page lists its keys.
+// Without scripts it is a list of all results.
 std::string gradeReport(const GradedSubmission& graded, const Thresholds& thresholds,
                         const std::string& title);
 
-// A class: a table of the submissions, the worst first, that opens the pictures of each, which are on the
-// shelf; loaded when they are opened. Without scripts it is the table.
+// For a class: a table of the submissions, the worst first. Each row opens the submission's pictures, which
+// are on the shelf and loaded only then. Without scripts it is only the table.
 std::string classReport(std::span<const GradedSubmission> graded, const Thresholds& thresholds,
                         const std::string& title, const PictureShelf& shelf);
 

@@ -1,4 +1,5 @@
-// The pictures of a page: equal ones once; few of them in the page, many in a folder beside it.
+// Stores the pictures of a page, equal ones once. If they are few, they are in the page itself, else in a
+// folder beside it.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +11,14 @@ namespace raytracer {
 
 class PictureShelf {
   public:
-    // Of the page that will be at this path: "out.html" has the folder "out_pictures".
+    // For the page that will be at this path: "out.html" has the folder "out_pictures".
     explicit PictureShelf(const std::string& page);
 
-    // A PNG file's bytes; returns its key. Empty bytes have the empty key. From any thread; throws Error
-    // where the folder cannot be written.
+    // Adds the bytes of a PNG file and returns their key. Empty bytes have the empty key. Thread-safe. Throws
+    // Error if the folder cannot be written.
     std::string add(const std::string& png);
 
-    // JSON, from keys to addresses for an <img>.
+    // A JSON object from keys to addresses for an <img>.
     std::string addresses() const;
 
   private:
@@ -27,8 +28,8 @@ class PictureShelf {
 
     std::string folder_, link_;  // the folder's path, and its name
     std::mutex mutex_;
-    std::map<std::string, std::string> keys_;    // by the hash of the bytes, and their number
-    std::map<std::string, std::string> inPage_;  // the bytes, by key, while they are few
+    std::map<std::string, std::string> keys_;    // by the bytes' hash and number
+    std::map<std::string, std::string> inPage_;  // the bytes by key, while they are few
     std::size_t size_ = 0;
     bool isBeside_ = false;
 };

@@ -36,11 +36,11 @@ function arrange() {
 const visible = () => [...main.querySelectorAll("article")].filter(card => !card.hidden);
 for (const id of ["sort", "grouped", "offOnly", "filter"]) $(id).addEventListener("input", arrange);
 
-// The viewer: one picture at a time, all in the same place.
+// The viewer shows one picture at a time, all in the same place.
 const viewer = $("viewer"), stage = $("stage");
 const mark = Object.assign(document.createElement("div"), { id: "mark" });
 let card = null, pictures = {}, kind = "", pixels = {}, blinking = 0;
-let scale = 1, left = 0, top_ = 0;  // screen pixels: of a picture's pixel, and where its corner is
+let scale = 1, left = 0, top_ = 0;  // screen pixels: size of a picture's pixel, place of its corner
 
 const size = () => { const p = Object.values(pictures)[0]; return [p.naturalWidth, p.naturalHeight]; };
 const worst = () => (card.dataset.worst || "").split(",").map(Number);
@@ -88,7 +88,7 @@ function valueOf(name, x, y) {
   if (!pictures[name]) return "";
   try {
     pixels[name] ||= readPixels(pictures[name]);
-  } catch { return ""; }  // a page on a disk may not read the pictures beside it
+  } catch { return ""; }  // browsers forbid a page on a disk to read pictures beside it
   const at = 4 * (y * size()[0] + x);
   return `${name} ${[...pixels[name].slice(at, at + 3)].join(" ")}`;
 }
@@ -144,7 +144,7 @@ function leave() {
   card.scrollIntoView({ block: "nearest" });
   if (button) button.focus();
 }
-viewer.addEventListener("close", leave);  // by other means than the key
+viewer.addEventListener("close", leave);  // closed by other means than the key
 const keys = {
   " ": swap, Enter: swap, b: () => blink(!blinking), "1": () => show("reference"), "2": () => show("graded"),
   "3": () => show("difference"), d: () => show(kind === "difference" ? "graded" : "difference"),
@@ -186,7 +186,7 @@ stage.addEventListener("wheel", event => {
 }, { passive: false });
 addEventListener("resize", () => { if (viewer.open) { showWorst(); draw(); } });
 
-// A class: a table of submissions, each of which opens its pictures. The address names the opened one.
+// For a class: a table of submissions. Each row opens its pictures. The address names the opened submission.
 const overview = $("overview");
 if (overview) {
   const addresses = JSON.parse($("addresses").textContent), body = overview.querySelector("tbody");
@@ -233,7 +233,7 @@ if (overview) {
     const wanted = $("find").value.toLowerCase();
     for (const row of rows) row.hidden = !row.textContent.toLowerCase().includes(wanted);
   });
-  // Sorted by a column: numbers as numbers; a second click turns the order.
+  // Sorts by a column, numbers as numbers. A second click reverses the order.
   const sortBy = head => {
     const column = heads.indexOf(head), order = head.ariaSort === "ascending" ? "descending" : "ascending";
     for (const other of heads) other.ariaSort = other === head ? order : "none";
