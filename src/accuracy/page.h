@@ -1,5 +1,5 @@
-// The fixed parts of the trade-off's charts and page. cmake/embed.cmake turns the files in page/ into these
-// strings.
+// The fixed parts of the trade-off's charts and page.
+// cmake/embed.cmake turns the files in page/ into these strings.
 #pragma once
 
 namespace raytracer::accuracy_page {

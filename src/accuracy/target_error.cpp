@@ -52,8 +52,8 @@ class Search {
           target_(target),
           listener_(listener),
           area_(areaOf(options.size)) {
-        // Halving the picture overestimates the error, which is safe: more of a smaller picture's pixels are
-        // edges.
+        // Halving the picture overestimates the error, which is
+        // safe: more of a smaller picture's pixels are edges.
         while (areaOf(options_.size) > mostFirst)
             options_.size = {std::max(1, options_.size.width / 2), std::max(1, options_.size.height / 2)};
         options_.crop = {0, 0, options_.size.width, options_.size.height};
@@ -147,8 +147,8 @@ class Search {
             takeSamples(adaptive);
             const SquaredError error = squaredErrorOfPicture();
             const double left = target_ * target_ - depth_.squaredError - error.mean;
-            // The search tends to stop where the mean is too small by chance: one standard error makes up
-            // for that.
+            // The search tends to stop where the mean is too small
+            // by chance: one standard error makes up for that.
             choice_.sampleError = std::sqrt(error.mean + error.margin / standardErrors);
             choice_.reached = left >= (isLast ? error.margin / standardErrors : error.margin);
             if (isSpent()) endHere();
@@ -174,9 +174,9 @@ class Search {
             choice_.setting.samples = std::max(choice_.setting.samples, pixel.own.samples());
     }
 
-    // Whether more pilot pixels are a better use of rays than more samples in the picture. Twice as many
-    // pilot pixels shrink the margin by a factor of sqrt(2). The picture's squared error falls as
-    // samples^-3/2.
+    // Whether more pilot pixels are a better use of rays than more samples
+    // in the picture. Twice as many pilot pixels shrink the margin by a
+    // factor of sqrt(2). The picture's squared error falls as samples^-3/2.
     bool mayDrawMore(const SquaredError& error) const {
         double taken = 0, perPixel = 0;  // perPixel: without the first sample
         for (const PilotPixel& pixel : pilots_) {
@@ -188,8 +188,8 @@ class Search {
         return error.margin * (1 - std::sqrt(0.5)) * samples > 1.5 * error.mean * taken;
     }
 
-    // Samples each pilot pixel until it stops by its own estimate, or until the rays are spent. Each takes at
-    // least one step.
+    // Samples each pilot pixel until it stops by its own estimate,
+    // or until the rays are spent. Each takes at least one step.
     void takeSamples(double adaptive) {
         bool isEnd = false;
         do {

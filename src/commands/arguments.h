@@ -14,8 +14,8 @@ constexpr Range longEdgeRange{1, 65536};
 // Throws Error, about the file, if there is too little memory for a band of the picture.
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm);
 
-// Throws Error if writing `out` would replace a regular file that is among the inputs. Empty names are no
-// files.
+// Throws Error if writing `out` would replace a regular
+// file that is among the inputs. Empty names are no files.
 void refuseInput(const std::string& out, std::span<const std::string> inputs);
 
 // Throws Error if two of these are one regular file. Empty names are no files.

@@ -110,15 +110,15 @@ class CommandLine {
     // The option has no effect without the other.
     void needs(const char* option, const char* other);
 
-    // If the option is given, all of these arguments together may be left out. Their variables are
-    // std::optional.
+    // If the option is given, all of these arguments together
+    // may be left out. Their variables are std::optional.
     void spares(const char* option, std::initializer_list<const char*> arguments);
 
     // Words behind the option may be parts of its value: `rejoin` puts them together for the message.
     void rejoins(const char* option, Word::Rejoin rejoin);
 
-    // Makes the message about arguments that are too many, too few or in a wrong order; empty: the usual
-    // message.
+    // Makes the message about arguments that are too many,
+    // too few or in a wrong order; empty: the usual message.
     using Answer = std::function<std::string(std::span<const std::string> arguments)>;
     void answers(Answer answer) { answer_ = std::move(answer); }
 

@@ -12,8 +12,8 @@ namespace raytracer::commands {
 
 namespace {
 
-// The name of an existing file with a blank, which the shell has split into two words; empty if there is
-// none.
+// The name of an existing file with a blank, which the
+// shell has split into two words; empty if there is none.
 std::string fileWithBlank(const std::vector<std::string>& words) {
     std::error_code error;
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
@@ -39,9 +39,9 @@ bool has(const std::vector<const Word*>& expected, ArgumentKind kind) {
     return kind != ArgumentKind::Any && std::ranges::count(expected, kind, &Word::kind) > 0;
 }
 
-// For each text, the place of an argument of its kind (or of kind Any, if there are enough texts for all
-// arguments), behind the places of the texts before it. Ends before the first text for which no place is
-// left.
+// For each text, the place of an argument of its kind (or of kind Any, if
+// there are enough texts for all arguments), behind the places of the
+// texts before it. Ends before the first text for which no place is left.
 std::vector<std::size_t> placesInOrder(const std::vector<std::string>& texts,
                                        const std::vector<const Word*>& expected) {
     std::vector<std::size_t> places;

@@ -156,8 +156,8 @@ std::string missingInAll(const std::string& name) {
     return "no submission has a file " + printable(name);
 }
 
-// Throws UsageError if no submission has the program: that is a slip of the command line, not of all
-// students.
+// Throws UsageError if no submission has the program: that
+// is a slip of the command line, not of all students.
 void requireProgramIn(const std::vector<Submission>& submissions, const std::string& program) {
     for (const std::string& name : filesStarted(program))
         if (name.find("{}") != name.npos &&

@@ -25,8 +25,8 @@ void refuseBeyondType(const char* name, const std::string& text, const Range& ra
     refuse(name, limit, inQuotes(text));
 }
 
-// "; write 10" for "10s", and the like for "2%", "600px" and "0,02". Empty if no number of the range is
-// meant.
+// "; write 10" for "10s", and the like for "2%", "600px"
+// and "0,02". Empty if no number of the range is meant.
 template <class Number>
 std::string meantNumber(const std::string& text, const Range& range) {
     const std::size_t end = text.find_last_of("0123456789.") + 1;

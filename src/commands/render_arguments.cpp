@@ -67,8 +67,8 @@ bool Terms::*termNamed(const std::string& name) {
                      (nearest.found() ? nearest.question() : "; --help lists them"));
 }
 
-// A coordinate. One that does not fit into int becomes the largest or smallest int, which is outside of any
-// picture too.
+// A coordinate. One that does not fit into int becomes the
+// largest or smallest int, which is outside of any picture too.
 std::optional<int> edgeIn(const std::string& text) {
     using Limits = std::numeric_limits<int>;
     const std::optional<int> edge = numberOf<int>(text);

@@ -1,5 +1,5 @@
-// The messages of `raytracer SCENE ...`: results, and warnings if a picture takes longer than its author may
-// expect.
+// The messages of `raytracer SCENE ...`: results, and warnings
+// if a picture takes longer than its author may expect.
 #pragma once
 
 #include <string>
@@ -45,8 +45,8 @@ void tellWaiting(bool quiet);
 
 // For --target-error: chooses the setting, puts it into the options, and reports it on stderr unless `quiet`.
 TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet);
-// The same for --target-time. `command` is the command line without --target-time; if it is empty, nothing is
-// reported.
+// The same for --target-time. `command` is the command line
+// without --target-time; if it is empty, nothing is reported.
 TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options, double seconds,
                                 const std::string& command);
 

@@ -21,8 +21,8 @@ std::string partName(const std::string& out, const PicturePart& part);
 // All options that change the picture, written as on a command line.
 std::string pictureOptions(const RenderArguments& arguments, const RenderOptions& options);
 
-// The head of a part's file: which part of which picture it is. Throws Error if a file of the scene cannot be
-// read again.
+// The head of a part's file: which part of which picture it is.
+// Throws Error if a file of the scene cannot be read again.
 PartHead partHead(const RenderArguments& arguments, const RenderOptions& options, const PicturePart& part,
                   const std::vector<std::string>& sceneFiles);
 
@@ -41,9 +41,8 @@ std::string frameName(const std::string& name, int frame);
 // after the last.
 std::string atFrame(const std::string& set, const Frames& frames, int frame);
 
-// Throws Error if a value of --set has something that is meant as a range but is none: "{0-1}", "{0..",
-// "0..1".
-// "{0,1}" counts as such only with --frames.
+// Throws Error if a value of --set has something that is meant as a range but
+// is none: "{0-1}", "{0..", "0..1". "{0,1}" counts as such only with --frames.
 void refuseNearRanges(const std::vector<std::string>& sets, bool hasFrames);
 
 // For a render without --frames: throws Error if the picture's name or a value of --set needs --frames.

@@ -57,8 +57,8 @@ bool isCount(const std::vector<std::string>& values) {
     return first == 1 || first == -1;
 }
 
-// "/a={0..2}" from "/a=0" "/a=1" "/a=2", into which a shell has expanded it. Empty if there is only one
-// value.
+// "/a={0..2}" from "/a=0" "/a=1" "/a=2", into which a
+// shell has expanded it. Empty if there is only one value.
 std::string joinedBraces(const std::string& text, Behind behind) {
     constexpr std::size_t longest = 24;  // characters; fits into the message's line
     const std::string pointer = text.substr(0, text.find('=') + 1);
@@ -86,8 +86,8 @@ bool isUnfinished(const std::string& edit) {
 
 bool isFile(const std::string& word) { return word == "-" || endsIn(word, ".json") || isPictureName(word); }
 
-// The text in double quotes, which every shell has; in single quotes if a shell would change something in
-// double ones.
+// The text in double quotes, which every shell has; in single
+// quotes if a shell would change something in double ones.
 std::string inAnyShell(const std::string& text) {
     return text.find_first_of("\"$`\\!") == text.npos ? '"' + text + '"' : inShellQuotes(text);
 }

@@ -134,8 +134,8 @@ bool anyShowsOthers(const SceneDescription& scene, const View& view) {
     });
 }
 
-// Whether the point, in object space, is inside the solid by more than rounding errors. False for other
-// shapes.
+// Whether the point, in object space, is inside the solid
+// by more than rounding errors. False for other shapes.
 bool isDeepInside(Type type, const Vec& p) {
     return visit(type, [&](auto kind) {
         if constexpr (requires { kind.offsets(p); }) return std::ranges::max(kind.offsets(p)) < -margin;

@@ -23,9 +23,9 @@ double most(const Color& color) { return std::max({color.x, color.y, color.z}); 
 
 bool isNegative(const Color& color) { return std::min({color.x, color.y, color.z}) < 0; }
 
-// 255 or 65535 if the color seems to be written in bytes or in 16 bits, else 0. Its largest channel must be
-// at least `least` times that white, and at most twice white, to allow for colors that are brighter than
-// white.
+// 255 or 65535 if the color seems to be written in bytes or in 16 bits, else
+// 0. Its largest channel must be at least `least` times that white, and at
+// most twice white, to allow for colors that are brighter than white.
 int otherWhite(const Color& color, double least) {
     for (const int white : {255, 65535})
         if (!isNegative(color) && most(color) >= least * white && most(color) <= 2.0 * white) return white;

@@ -54,8 +54,8 @@ Names partnersOf(const std::string& one, const std::set<Names>& pairs) {
 
 std::string alternatives(const Names& names) { return listed({names.begin(), names.end()}, "or"); }
 
-// One name for many pairs, if they are the product of a few mistakes and a few others: "A or B, and C". Empty
-// if they are not.
+// One name for many pairs, if they are the product of a few mistakes
+// and a few others: "A or B, and C". Empty if they are not.
 std::optional<NamedMistake> productOf(const Candidates& candidates) {
     std::set<Names> pairs;
     for (const Candidate& candidate : candidates) {

@@ -46,8 +46,8 @@ void requireRegular(const fs::path& file) {
     if (!fs::is_regular_file(file, error)) FileBytes(file.string(), FileKind::Regular);  // throws
 }
 
-// Adds a case if the reference is there. If it is, even as a broken link, both files must be regular: throws
-// Error otherwise.
+// Adds a case if the reference is there. If it is, even as a
+// broken link, both files must be regular: throws Error otherwise.
 void addCase(GradePlan& plan, const fs::path& scene, const fs::path& reference, const Stage& stage) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(reference, error))) return;
@@ -88,8 +88,8 @@ ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference,
     return ours;
 }
 
-// Throws Error if there is too little room for the program's files, so that the program is not blamed for
-// that.
+// Throws Error if there is too little room for the program's
+// files, so that the program is not blamed for that.
 void requireRoom(const TemporaryFolder& folder, const ByteImage& reference) {
     constexpr std::size_t printed = std::size_t{1} << 20;  // bytes for the program's output
     folder.requireRoom(reference.pixels.size() * 2 + printed);

@@ -1,8 +1,8 @@
 // A mistake that programs are known to make, as a recipe for the picture that it leads to.
 //
-// The tracer knows nothing of mistakes. A recipe changes its input (the scene's description, the options) or
-// its output (colours, bytes), or recomputes the sums of the light model from the ray tree that `explain`
-// records.
+// The tracer knows nothing of mistakes. A recipe changes its input (the scene's
+// description, the options) or its output (colours, bytes), or recomputes the
+// sums of the light model from the ray tree that `explain` records.
 #pragma once
 
 #include <array>

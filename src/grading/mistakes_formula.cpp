@@ -153,8 +153,8 @@ void multiplyShadows(const LitPoint& point, const CastRay& cast, LightTerm& term
     for (const std::size_t shape : shapes) term.S_L *= shadowOf(*point.scene, shape);
 }
 
-// The directions of the reflected and the refracted ray at another normal. Empty for total internal
-// reflection.
+// The directions of the reflected and the refracted ray
+// at another normal. Empty for total internal reflection.
 glm::dvec3 reflectedAnew(const glm::dvec3& d, const glm::dvec3& N) { return d - 2 * glm::dot(d, N) * N; }
 
 std::optional<glm::dvec3> refractedAnew(const glm::dvec3& d, const glm::dvec3& exterior, double index) {

@@ -45,8 +45,8 @@ std::string stageInWords(const Stage& stage) {
     return "that shows " + (isLight ? std::string(stage.only) + " light alone, as " + name + " does" : name);
 }
 
-// Starts again from the whole scene, since the right picture's scene no longer has the terms that it leaves
-// out.
+// Starts again from the whole scene, since the right
+// picture's scene no longer has the terms that it leaves out.
 Edit shownAs(const std::shared_ptr<const SceneDescription>& whole, Pass pass, const Terms& terms) {
     return [=](SceneDescription& scene, RenderOptions& options) {
         scene = *whole;

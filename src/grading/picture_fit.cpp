@@ -29,8 +29,8 @@ class Likest {
     bool isEqual() const { return off_ == 0; }
     bool isOff() const { return off_ > 1; }
 
-    // 1 for an equal pixel. A difference of 1 is taken for rounding, unless the right picture is that near
-    // too.
+    // 1 for an equal pixel. A difference of 1 is taken for
+    // rounding, unless the right picture is as near (within 2).
     double likeness() const {
         constexpr double offByOne = 0.8;
         if (off_ == 0) return 1;

@@ -21,8 +21,8 @@ struct SplitPixels {
 
 // A sample of pixels to compare variants with.
 struct Sample {
-    // Chooses at most `wrong` wrong pixels and `right` right ones, the same on every machine. `width` is the
-    // picture's.
+    // Chooses at most `wrong` wrong pixels and `right` right
+    // ones, the same on every machine. `width` is the picture's.
     Sample(const SplitPixels& split, std::size_t wrong, std::size_t right, int width);
 
     std::vector<std::size_t> numbers;
@@ -32,8 +32,8 @@ struct Sample {
     Trees trees;  // of the scene without a mistake; see Variant::bytes
 };
 
-// The fit measured on the sample. With `anyRounding`, a pixel may also be as in one of the variant's other
-// roundings.
+// The fit measured on the sample. With `anyRounding`, a pixel
+// may also be as in one of the variant's other roundings.
 Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant,
               bool anyRounding = false);
 

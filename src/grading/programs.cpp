@@ -214,8 +214,8 @@ std::string noFile(const std::string& name) { return "there is no file " + print
 // Asks the shell that will run the command: it knows its own commands, and where to look for others.
 bool isCommand(const std::string& name) { return runProcess({"command -v", {name}, "/dev/null"}).well(); }
 
-// The script that an interpreter certainly runs: a file's name that is not an option's value. Empty if that
-// is not certain.
+// The script that an interpreter certainly runs: a file's name
+// that is not an option's value. Empty if that is not certain.
 std::string scriptAmong(std::span<const ShellWord> words) {
     static constexpr std::string_view endings[] = {".py", ".sh",  ".js",  ".rb",
                                                    ".pl", ".lua", ".jar", ".java"};

@@ -9,9 +9,9 @@ namespace raytracer {
 
 namespace {
 
-// These limits were measured at 160 px with the programs of test/grading/students.py: with acne on our 16
-// scenes; on four of them with mistakes that have no name (light that fades, more contrast, wider highlights,
-// another camera).
+// These limits were measured at 160 px with the programs of test/grading/students.py:
+// with acne on our 16 scenes; on four of them with mistakes that have no name (light
+// that fades, more contrast, wider highlights, another camera).
 //
 // The least share of specks among all pixels. Acne: 0.9 to 12 %. The others: 0 to 0.03 %, except another
 // camera, 0.6 to 3.5 %.
@@ -59,8 +59,8 @@ std::vector<const RayExplanation*> mirrorsOf(const SceneDescription& scene, cons
 
 using Colors = std::vector<glm::dvec3>;
 
-// Collects what shadows could take away from the pixel: the lights' shares that are not black, the largest
-// first.
+// Collects what shadows could take away from the pixel: the
+// lights' shares that are not black, the largest first.
 void collectLit(const RayExplanation& ray, const RayExplanation* end, Colors& lit) {
     constexpr std::size_t most = 6;  // 2^6 = 64 ways to shadow them
     for (const LightExplanation& light : ray.lights) {

@@ -17,8 +17,8 @@ bool isKey(std::string_view line, std::size_t indent) {
     return next != line.npos && line[next] == ':';
 }
 
-// Whether the line's indentation says that it is not in the object. The line begins with a key, or closes an
-// object that has members.
+// Whether the line's indentation says that it is not in the object. Only tells of a line that begins with a
+// key, or closes an object that has members.
 bool isOutdented(Opened& object, std::string_view line, std::size_t indent) {
     if (line[indent] == '}') return indent < object.indent && object.members.value_or(0) > indent;
     if (!isKey(line, indent)) return false;

@@ -33,8 +33,8 @@ bool isUnit(std::string_view word);
 // thousands separators, since they may separate numbers.
 Meant withoutThousands(std::string_view text, bool isInList);
 
-// A number with a decimal comma, between digits: "0,5". mayBeThousand: "1,000" may be a thousand, "0,125"
-// not.
+// A number with a decimal comma, between digits: "0,5".
+// mayBeThousand: "1,000" may be a thousand, "0,125" not.
 Meant withDecimalPoint(std::string_view text);
 bool mayBeThousand(std::string_view number);
 

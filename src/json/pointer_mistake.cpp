@@ -43,9 +43,8 @@ bool isPlainKey(std::string_view key) {
     return std::isalpha(static_cast<unsigned char>(key[0])) && std::ranges::all_of(key, isPlain);
 }
 
-// The pointer made of the steps, where a step may also be the name of an array's element. The last step may
-// be
-// "-", or a new key of an object other than the root. Empty if the steps lead nowhere.
+// The pointer made of the steps, where a step may also be the name of an array's element. The last
+// step may be "-", or a new key of an object other than the root. Empty if the steps lead nowhere.
 std::string leading(const JsonDocument& document, const Steps& steps) {
     std::string pointer;
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -89,8 +88,8 @@ std::string meant(const JsonDocument& document, const std::string& pointer) {
     return onlyPlace(document, byAny);
 }
 
-// "; did you mean ...?" with the key of the object that is nearest to one that it lacks; empty if none is
-// near.
+// "; did you mean ...?" with the key of the object that
+// is nearest to one that it lacks; empty if none is near.
 std::string question(const JsonDocument& document, const PointerEnd& end, std::string_view key) {
     NearestName nearest(key);
     for (std::uint32_t at = end.node + 1; at < document.end(end.node); at = document.end(at + 1))

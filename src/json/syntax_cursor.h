@@ -42,8 +42,8 @@ class SyntaxCursor {
     // Whether what follows `end` can follow a value in JSON.
     bool isEnd(std::size_t end) const;
 
-    // "WHY: write INSTEAD", about a range of the text. Only "WHY" if the replacement would not be JSON, or is
-    // too long.
+    // "WHY: write INSTEAD", about a range of the text. Only "WHY"
+    // if the replacement would not be JSON, or is too long.
     SyntaxMistake proposal(TextRange range, const WordMistake& word) const;
     SyntaxMistake proposal(std::size_t begin, const char* why, const Meant& meant) const {
         return proposal({begin, begin + meant.size}, {why, meant.json});

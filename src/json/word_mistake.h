@@ -6,8 +6,8 @@
 
 namespace raytracer {
 
-// Why a word is wrong, and the JSON to write instead (empty if not known). `more` is other advice, behind
-// that.
+// Why a word is wrong, and the JSON to write instead (empty
+// if not known). `more` is other advice, behind that.
 struct WordMistake {
     std::string why, instead{}, more{};
 };

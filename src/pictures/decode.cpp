@@ -1,4 +1,4 @@
-// Decodes PNG and JPEG with stb_image. stb accepts broken files, so they are checked here before.
+// Decodes PNG and JPEG with stb_image. stb accepts broken files, so the files are checked first.
 #include <algorithm>
 #include <limits>
 #include <memory>

@@ -17,8 +17,8 @@ struct DeflatedPiece {
     std::size_t size;     // their number of bytes
 };
 
-// Makes the next pieces of a stream; with `isEnd`, the last ones. `level` is libdeflate's, 1 to 12. Throws
-// std::bad_alloc.
+// Makes the next pieces of a stream; with `isEnd`, the last
+// ones. `level` is libdeflate's, 1 to 12. Throws std::bad_alloc.
 std::vector<DeflatedPiece> deflatePieces(std::span<const unsigned char> text, bool isEnd, int level,
                                          int threads);
 

@@ -19,8 +19,8 @@ std::string_view typeOf(std::string_view chunk) { return chunk.substr(4, 4); }
 
 namespace {
 
-// A chunk is a length, a type, data of that length, and a CRC of type and data. This is its size without
-// data.
+// A chunk is a length, a type, data of that length, and
+// a CRC of type and data. This is its size without data.
 constexpr std::size_t chunkFrame = 12;
 
 // The chunk at the beginning of the text; empty if it is cut short or its checksum is wrong.
@@ -148,8 +148,8 @@ std::vector<std::string_view> readChunks(const FileBytes& file) {
         chunks.push_back(firstChunk(png));
         if (chunks.back().empty())
             file.fail("broken PNG picture: it is cut short, or a checksum in it is wrong");
-        // Apple's variant: its deflate stream has no header, and its colours are in another order. stb would
-        // accept it.
+        // Apple's variant: its deflate stream has no header, and
+        // its colours are in another order. stb would accept it.
         if (typeOf(chunks.back()) == "CgBI") file.fail("no PNG by the standard, but one made for iOS (CgBI)");
     } while (typeOf(chunks.back()) != "IEND");
     constexpr std::size_t headerSize = 13;

@@ -1,5 +1,5 @@
-// The size of a picture that is complete: a PNG by its checksums, a PFM by its length. These throw Error if
-// it is not.
+// The size of a picture that is complete: a PNG by its checksums,
+// a PFM by its length. These throw Error if it is not.
 #pragma once
 
 #include "raytracer/pictures/pixels.h"

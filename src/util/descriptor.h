@@ -37,8 +37,8 @@ class Descriptor {
 
 // Each platform has its own version of the next three functions.
 //
-// Opens a file. Returns no file, and sets errno, if that fails. Opening a pipe waits for a writer only if
-// `waits`.
+// Opens a file. Returns no file, and sets errno, if that
+// fails. Opening a pipe waits for a writer only if `waits`.
 Descriptor openToRead(const std::string& path, bool waits);
 
 // Like POSIX's read, but from `offset` in the file. Returns -1, with errno, if it fails.

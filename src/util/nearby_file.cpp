@@ -64,8 +64,8 @@ bool isOfKind(const fs::path& file, const fs::path& name) {
     return wanted.empty() || kindOf(wanted) == kindOf(found) || (!isKnown && nearest.found());
 }
 
-// Names without an ending are those of programs. These are short and similar to each other, so they must be
-// nearer.
+// Names without an ending are those of programs. These are
+// short and similar to each other, so they must be nearer.
 NearestName nearestTo(const fs::path& name, const std::string& part) {
     return NearestName(part, (name.has_extension() ? 1 : 2) * NearestName::lettersAnError);
 }

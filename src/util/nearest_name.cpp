@@ -37,8 +37,8 @@ std::size_t lengthDifference(std::string_view a, std::string_view b) {
     return std::max(a.size(), b.size()) - std::min(a.size(), b.size());
 }
 
-// Whether the name ends with `part`, and `part` consists of whole words: a name's last word says what it
-// names.
+// Whether the name ends with `part`, and `part` consists
+// of whole words: a name's last word says what it names.
 bool endsInWord(std::string_view name, std::string_view part) {
     constexpr std::size_t least = 4;  // letters; many names end with the same two or three
     if (part.size() < least || part.size() >= name.size() || !name.ends_with(part)) return false;

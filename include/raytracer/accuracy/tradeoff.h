@@ -1,8 +1,8 @@
 // Measures the cost and the error of a scene's render with many settings.
 //
-// Two errors are measured separately. For the rounding error of the arithmetic, the truth is the same samples
-// in extended precision. For the error of too few samples and truncated recursion, it is a converged
-// reference.
+// Two errors are measured separately. For the rounding error of the arithmetic,
+// the truth is the same samples in extended precision. For the error of too few
+// samples and truncated recursion, it is a converged reference.
 #pragma once
 
 #include <functional>
@@ -61,8 +61,8 @@ struct SceneTradeoff {
     Reference reference;
     std::vector<Trial> truncation;  // against the reference, in double; the cheapest first
     std::vector<Trial> arithmetic;  // against the same samples in extended precision
-    // The sampling error falls like (samples per pixel)^-sampleRate. Empty if fewer than two points are
-    // usable.
+    // The sampling error falls like (samples per pixel)^-sampleRate.
+    // Empty if fewer than two points are usable.
     std::optional<double> sampleRate;
     std::vector<Exhibit> exhibits;  // the cheapest first
 };

@@ -1,6 +1,6 @@
-// The commands. Each parses its own arguments, calls the library and returns the process's exit status: 0 for
-// success, 1 if a comparison or a goal is not met, 2 for wrong usage. Bad input is an Error, which main
-// prints.
+// The commands. Each parses its own arguments, calls the library and returns
+// the process's exit status: 0 for success, 1 if a comparison or a goal is
+// not met, 2 for wrong usage. Bad input is an Error, which main prints.
 #pragma once
 
 #include <string>
@@ -29,8 +29,8 @@ int tradeoff(int argc, char** argv);
 // raytracer explain SCENE X Y LONG_EDGE_PIXELS [options]: the tree of rays behind one pixel.
 int explain(int argc, char** argv);
 
-// raytracer grade DIR [options]: renders scenes that have reference pictures, here or by another program, and
-// compares.
+// raytracer grade DIR [options]: renders scenes that have
+// reference pictures, here or by another program, and compares.
 int grade(int argc, char** argv);
 
 }  // namespace raytracer::commands

@@ -1,5 +1,5 @@
-// Finds out what is wrong with a picture, by comparing it with the pictures that known mistakes make of the
-// same scene.
+// Finds out what is wrong with a picture, by comparing it with
+// the pictures that known mistakes make of the same scene.
 #pragma once
 
 #include <cstdint>

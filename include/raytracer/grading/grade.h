@@ -97,8 +97,8 @@ struct GradeResult : Rendered {
         std::string reference, ours, difference;
     } keys;  // the pictures' keys, if they are on a PictureShelf instead
 
-    // For a wrong picture: what explains it (Diagnosis), if anything does, and the colours of its worst
-    // pixel.
+    // For a wrong picture: what explains it (Diagnosis), if
+    // anything does, and the colours of its worst pixel.
     std::vector<std::string> mistakes;
     std::string sentence;
     bool isRounding = false;  // whether it differs by rounding only: the program is right
@@ -108,8 +108,8 @@ struct GradeResult : Rendered {
     std::string butInstead() const;  // ", but a.jpg is there"; empty if `instead` is
 };
 
-// A reference picture, read from a file. Throws Error, also if there is too little memory for another picture
-// of its size.
+// A reference picture, read from a file. Throws Error, also if
+// there is too little memory for another picture of its size.
 struct ReferencePicture {
     explicit ReferencePicture(const std::string& path);
 

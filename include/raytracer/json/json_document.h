@@ -1,9 +1,9 @@
 // A JSON text as a flat tree in one vector: 16 bytes for a value and 16 for a key. Every node knows where it
 // begins in the text; strings are not copied.
 //
-// nlohmann::json would hold a std::map for each object, and would silently keep the last of two equal keys. A
-// JsonDocument refuses duplicate keys. It computes a value's JSON pointer (RFC 6901) and line only when they
-// are asked for.
+// nlohmann::json would hold a std::map for each object, and would silently keep
+// the last of two equal keys. A JsonDocument refuses duplicate keys. It computes
+// a value's JSON pointer (RFC 6901) and line only when they are asked for.
 #pragma once
 
 #include <cstdint>

@@ -24,8 +24,8 @@ JsonReading readingOf(std::string_view text);
 struct JsonEdit {
     std::string pointer, value;
 
-    // Throws Error if the pointer or the "=" is missing. A pointer without its first "/" is left to edited(),
-    // which throws.
+    // Throws Error if the pointer or the "=" is missing. A pointer
+    // without its first "/" is left to edited(), which throws.
     explicit JsonEdit(const std::string& assignment);
 };
 
@@ -34,10 +34,10 @@ struct EditedJson {
     TextEdits edits;
 };
 
-// Applies the edits, one after the other, to the text of the file `path`, which must outlive the result. A
-// pointer's last step may be a key that the object does not have, or "-", the place behind an array's last
-// element: then the value is added. Throws Error if a pointer leads nowhere; the message proposes the nearest
-// one that exists.
+// Applies the edits, one after the other, to the text of the file `path`, which must
+// outlive the result. A pointer's last step may be a key that the object does not have,
+// or "-", the place behind an array's last element: then the value is added. Throws
+// Error if a pointer leads nowhere; the message proposes the nearest one that exists.
 EditedJson edited(const std::string& path, std::string_view text, std::span<const std::string> assignments);
 
 }  // namespace raytracer

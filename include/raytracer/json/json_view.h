@@ -81,8 +81,8 @@ class JsonView {
 
 class JsonView::Iterator {
   public:
-    // `ahead`: the number of nodes from a sibling's end to the next value: 1 in an object, for the key; else
-    // 0.
+    // `ahead`: the number of nodes from a sibling's end to
+    // the next value: 1 in an object, for the key; else 0.
     Iterator(const JsonDocument& document, std::uint32_t node, std::uint32_t ahead)
         : document_(&document), node_(node), ahead_(ahead) {}
     JsonView operator*() const { return JsonView(*document_, node_ + ahead_); }

@@ -27,7 +27,7 @@ struct PartHead {
     ImageSize size;       // of the whole picture
     PixelRectangle crop;
     bool isFloat = false;   // true for a PFM, false for a PNG
-    bool isReached = true;  // whether the target of --target-error is
+    bool isReached = true;  // whether --target-error was reached
     PicturePart part;
 
     std::size_t pixelBytes() const { return isFloat ? 3 * sizeof(float) : 3; }
@@ -47,8 +47,8 @@ class PartFile {
     explicit PartFile(const std::string& path);
     const PartHead& head() const { return head_; }
 
-    // Reads bytes.size() bytes of a part's pixels, from `offset` in them. The file must begin with this head.
-    // Throws Error.
+    // Reads bytes.size() bytes of a part's pixels, from `offset`
+    // in them. The file must begin with this head. Throws Error.
     static void readPixels(const std::string& path, const PartHead& head, std::uint64_t offset,
                            std::span<char> bytes);
 

@@ -9,8 +9,8 @@
 
 namespace raytracer {
 
-// Which files are accepted. Any includes pipes and terminals. A Regular file cannot make its reader wait, and
-// has an end.
+// Which files are accepted. Any includes pipes and terminals.
+// A Regular file cannot make its reader wait, and has an end.
 enum class FileKind { Any, Regular };
 
 // A copy of a file's bytes, which does not change when other programs change the file afterwards.

@@ -21,9 +21,9 @@ class FileWatch {
     // was written after that, it counts as changed.
     void add(const std::string& path, Time readSince = Time::max());
 
-    // Returns once a file has changed since it was added, and then no file has changed for 30 ms: a program
-    // that saves may write in several steps. Looks ten times a second, since no portable call reports
-    // changes.
+    // Returns once a file has changed since it was added, and then no file
+    // has changed for 30 ms: a program that saves may write in several steps.
+    // Looks ten times a second, since no portable call reports changes.
     void wait() const;
 
     // Whether any file has changed since it was added.

@@ -1,6 +1,6 @@
-// Vectors for large data, on large pages where the system has them. The first touch of a page costs as much
-// as filling it several times, so fewer pages are faster. Random reads need fewer entries of the processor's
-// TLB.
+// Vectors for large data, on large pages where the system has them. The
+// first touch of a page costs as much as filling it several times, so fewer
+// pages are faster. Random reads need fewer entries of the processor's TLB.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace raytracer {
 
-// `alignment` is the least. Throws std::bad_alloc.
+// The memory is aligned to at least `alignment`. Throws std::bad_alloc.
 void* allocateOnLargePages(std::size_t bytes, std::size_t alignment);
 void freeLargePages(void* memory, std::size_t bytes, std::size_t alignment);
 
-// For code in C: like malloc, null if there is no memory, and freed with std::free. Each platform has its own
-// version.
+// For code in C: like malloc, null if there is no memory, and
+// freed with std::free. Each platform has its own version.
 void* mallocOnLargePages(std::size_t bytes);
 
 template <class T>

@@ -37,9 +37,8 @@ std::string nearbyName(const std::string& folder, std::string_view written);
 // `; there is "NEARBY"`, or empty.
 std::string hintAt(const std::string& path);
 
-// For an error of reading `path`, if errno says that there is no such file: hintAt(), or, for a relative
-// path,
-// `; looked in FOLDER` or missingFolder(). Else empty. Leaves errno as it is.
+// For an error of reading `path`, if errno says that there is no such file: hintAt(), or, for
+// a relative path, `; looked in FOLDER` or missingFolder(). Else empty. Leaves errno as it is.
 std::string whereLooked(const std::string& path);
 
 // Why a folder cannot be read. If it is missing, the message names one with a similar name; if it is a file,

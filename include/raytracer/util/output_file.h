@@ -8,8 +8,8 @@
 
 namespace raytracer {
 
-// A file to be written. It is opened before the work whose result it takes, so that an error is reported at
-// once.
+// A file to be written. It is opened before the work whose
+// result it takes, so that an error is reported at once.
 //
 // The bytes go to a temporary file with a random name in the same folder, which is renamed to the path at the
 // end. The file is therefore complete or as before, and nothing else is left, whatever ends the program

@@ -41,9 +41,8 @@ std::size_t printableBytes(std::string_view text);
 // Tabs and line ends do not count.
 unsigned invisibleCharacter(std::string_view text);
 
-// What follows the Unicode dash or minus at the text's beginning, which word processors put in place of "--"
-// or
-// "-". Empty if the text does not begin with one.
+// What follows the Unicode dash or minus at the text's beginning, which word
+// processors put in place of "--" or "-". Empty if the text does not begin with one.
 std::string_view behindLongDash(std::string_view text);
 
 // The text as it may be shown on terminals, in tables and in pages. What printableBytes refuses becomes \xNN,
@@ -65,9 +64,9 @@ std::string inQuotes(std::string_view text, std::size_t longest = 60);
 // A word for a POSIX shell's command line, in single quotes if it needs them.
 std::string inShellQuotes(std::string_view word);
 
-// Breaks the text at blanks into lines of at most `columns` columns. All lines but the first begin with
-// `indent` blanks. `used` columns of the first line are taken already. A word that is too long gets its own
-// line.
+// Breaks the text at blanks into lines of at most `columns` columns. All
+// lines but the first begin with `indent` blanks. `used` columns of the
+// first line are taken already. A word that is too long gets its own line.
 std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t used = 0);
 
 // The parts of a text between separator characters, empty parts included.

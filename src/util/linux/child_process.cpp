@@ -47,8 +47,8 @@ void stopSupervisor(const void* process) {
     ::waitid(P_PID, static_cast<id_t>(supervisor), &info, WEXITED | WNOWAIT);
 }
 
-// If a signal has killed the program, the shell's exit status is 128 + signal (POSIX only says "greater than
-// 128").
+// If a signal has killed the program, the shell's exit status
+// is 128 + signal (POSIX only says "greater than 128").
 ProcessEnd endOf(const SupervisorReport& report) {
     constexpr int lastSignal = 31;
     ProcessEnd end = report.end;
@@ -73,8 +73,8 @@ void killStrays() {
     }
 }
 
-// A running program with its supervisor. The program may kill or halt the supervisor if both have the same
-// user.
+// A running program with its supervisor. The program may
+// kill or halt the supervisor if both have the same user.
 class Running {
   public:
     explicit Running(const ProcessStart& start) {

@@ -1,5 +1,5 @@
-// Uses only what POSIX allows in a signal handler; in place of opendir, which it does not allow, Linux's own
-// system call.
+// Uses only what POSIX allows in a signal handler; in place of
+// opendir, which it does not allow, Linux's own system call.
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -6,8 +6,8 @@
 
 namespace raytracer {
 
-// The arguments and the environment take up to a quarter of the limit (execve(2)). The calls so far take
-// little.
+// The arguments and the environment take up to a quarter
+// of the limit (execve(2)). The calls so far take little.
 std::size_t mainStack() {
     rlimit limit{};
     getrlimit(RLIMIT_STACK, &limit);

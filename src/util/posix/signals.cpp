@@ -23,9 +23,9 @@ sigset_t endingSet() {
     return set;
 }
 
-// The handler stays in place until all is cleared, since a second signal may reach another thread meanwhile
-// (timeout(1) sends two). _exit is for the first process of a container, which the default action does not
-// end.
+// The handler stays in place until all is cleared, since a second signal
+// may reach another thread meanwhile (timeout(1) sends two). _exit is for
+// the first process of a container, which the default action does not end.
 void clearAndEnd(int signal) {
     Leftover::clearAll();
     std::signal(signal, SIG_DFL);

@@ -4,8 +4,8 @@
 
 namespace raytracer {
 
-// Blocks, on this thread, the signals that end the program. Use it from before something is made until its
-// Leftover exists.
+// Blocks, on this thread, the signals that end the program. Use
+// it from before something is made until its Leftover exists.
 class SignalsWait {
   public:
     SignalsWait();
