@@ -42,8 +42,7 @@ void writeAll(const PartFiles& parts, PictureWriter<Image>& writer, bool quiet) 
 
 int assembleParts(const std::vector<std::string>& paths, const std::string& out, int threads, bool quiet) {
     const bool isPfm = endsIn(out, ".pfm");
-    if (out.find(".part-") != out.npos && !isPfm &&
-        !endsIn(out, ".png"))  // like the names that partName makes
+    if (out.find(".part-") != out.npos && !isPfm && !endsIn(out, ".png"))  // a name made by partName
         throw UsageError("IMAGE_OUT is missing: " + printable(out) + " is the last part");
     if (!isPfm && !endsIn(out, ".png")) throw Error({out}, "expected a name that ends in .png or .pfm");
     refuseInput(out, paths);

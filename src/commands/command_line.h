@@ -92,8 +92,7 @@ class CommandLine {
                const std::string& help);  // comma-separated; the caller checks them
     void flag(const char* name, bool& value, const std::string& help);
     void alone(const char* name, const std::string& help,
-               const std::vector<std::string>& values =
-                   {});  // must be alone on the line; run.cpp answers it before parse
+               const std::vector<std::string>& values = {});  // run.cpp answers it before parse()
 
     // Sets the placeholder that the help shows for the option's value ("K/N"), and what a message says is
     // expected (by default the placeholder).

@@ -92,8 +92,8 @@ int measure(TradeoffArguments& arguments) {
     csv.append(tradeoffCsv(scenes));
     svg.append(tradeoffSvg(scenes));
     page.append(tradeoffPage(scenes));
-    for (OutputFile* const file : {&csv, &svg, &page})
-        file->finish();  // last: if the disk is full, append() has thrown
+    // Last, so that no file is left if the disk is full: then append() has thrown.
+    for (OutputFile* const file : {&csv, &svg, &page}) file->finish();
     print("wrote " + printable(page.name()) + ", .svg and .csv\n");
     return 0;
 }

@@ -100,10 +100,9 @@ std::string shares(const RayExplanation& ray, const SceneDescription& scene) {
     if (!(ray.color[channel] > 0)) return "black";
     std::vector<Part> parts = partsOf(ray, scene);
     std::ranges::stable_sort(parts, std::greater(), [=](const Part& part) { return part.color[channel]; });
-    const auto toLargest =
-        [&](const Part& part) {  // relative, since colours may be as large as numbers can be
-            return std::max(0.0, part.color[channel] / parts.front().color[channel]);
-        };
+    const auto toLargest = [&](const Part& part) {  // a ratio, since sums of huge colours may overflow
+        return std::max(0.0, part.color[channel] / parts.front().color[channel]);
+    };
     double all = 0;
     for (const Part& part : parts) all += toLargest(part);
     constexpr const char* names[] = {"red", "green", "blue"};

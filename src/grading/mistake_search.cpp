@@ -120,8 +120,8 @@ class Search {
         for (Candidate& candidate : candidates)
             if (candidate.variant->isPicture())
                 candidate.fit = fitOfAll(picture_, known_.right, split_, *candidate.variant);
-        // A mistake that is only looked for alone must explain everything: it makes another picture as a
-        // whole. So must one whose bytes are not known for some pixels.
+        // A mistake that is only looked for alone must explain nearly everything: it makes another
+        // picture as a whole. So must one whose bytes are not known for some pixels.
         std::erase_if(candidates, [](const Candidate& c) {
             return (c.variant->mistakes()[0]->alone || c.fit.unknown > 0) && netOf(c) < fullyExplained;
         });

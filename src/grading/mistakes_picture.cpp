@@ -1,4 +1,4 @@
-// Mistakes behind the light model: other bytes, or a picture of something else than was asked for (another
+// Mistakes after the light model: other bytes, or a picture of something else than was asked for (another
 // stage, other terms, several rays per pixel).
 #include <algorithm>
 #include <cmath>

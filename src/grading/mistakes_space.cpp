@@ -115,8 +115,7 @@ void edgeToEdge(CameraDescription& camera, const ImageSize& size) {
 // and be perpendicular to v. A picture that is not square is stretched: u and v are exchanged, as fractions
 // of the film from 0 to 1.
 bool canTurn(const CameraDescription& camera) {
-    constexpr double threeDecimals =
-        2e-3;  // the error of vectors with three decimals, as in scene_advice.cpp
+    constexpr double threeDecimals = 2e-3;  // error of vectors written so, as in scene_advice.cpp
     const auto near = [](double value, double expected) {
         return std::abs(value - expected) < threeDecimals;
     };

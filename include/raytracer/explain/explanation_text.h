@@ -26,8 +26,8 @@ std::string explanationText(const RayExplanation& explanation, const SceneDescri
 std::string explanationJson(const RayExplanation& explanation, const SceneDescription& scene,
                             const std::function<void(JsonWriter&)>& before = {});
 
-// Terms of the first hit, such as "the diffuse term of light 1".
-// Leaving out any one of them gives the pixel these bytes.
+// Terms of the first hit, such as "the diffuse term of light
+// 1". Leaving out any one of them gives the pixel these bytes.
 std::vector<std::string> missingTerms(const RayExplanation& explanation, const SceneDescription& scene,
                                       const std::uint8_t* bytes);
 
