@@ -35,10 +35,11 @@ struct PfmHeader {
     std::string_view rows;
 };
 
+constexpr std::string_view pfmBlanks = " \t\r\n";
+
 std::string_view takeWord(std::string_view& text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    const std::string_view word = text.substr(0, text.find_first_of(blanks));
+    text.remove_prefix(std::min(text.find_first_not_of(pfmBlanks), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_of(pfmBlanks));
     text.remove_prefix(word.size());
     return word;
 }
@@ -73,9 +74,6 @@ PfmHeader readPfmHeader(const FileBytes& file) {
     if (header.width < 1 || header.height < 1) file.fail(noPixels);
     header.order = scale < 0 ? std::endian::little : std::endian::big;
     header.rows = text.substr(std::min<std::size_t>(1, text.size()));
-    // Programs that write with Windows' line ends put two bytes there instead of one blank.
-    if (text.starts_with("\r\n") && header.rows.size() == pixelBytes(header) + 1)
-        header.rows.remove_prefix(1);
     return header;
 }
 
@@ -87,10 +85,15 @@ float swapBytes(float value) {
 }
 
 PfmHeader readWholePfm(const FileBytes& file) {
-    const PfmHeader header = readPfmHeader(file);
+    PfmHeader header = readPfmHeader(file);
     const std::size_t pixels = header.rows.size() / (valuesPerPixel * sizeof(float));
     if (pixels / static_cast<std::size_t>(header.width) < static_cast<std::size_t>(header.height))
         file.fail("broken PFM picture: it ends before its last pixel");
+    // Some programs end the header with more than one blank, such as Windows' line end.
+    const std::size_t excess = header.rows.size() - pixelBytes(header);
+    if (header.rows.substr(0, excess).find_first_not_of(pfmBlanks) != header.rows.npos)
+        file.fail("broken PFM picture: it goes on behind its last pixel");
+    header.rows.remove_prefix(excess);
     return header;
 }
 

@@ -18,7 +18,8 @@ std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines)
     std::size_t begin = 0, end = text.find('\n');
     const auto goesOn = [&] {
         const std::string_view line = text.substr(begin, end - begin);
-        return end != text.npos && endsInBackslash(line) && line.find('#') == line.npos;
+        return end != text.npos && endsInBackslash(line) && line.find('#') == line.npos &&
+               ObjLine(text.substr(0, end)).keyword() != ObjKeyword::other;
     };
     for (physicalLines = 1; goesOn(); ++physicalLines) {
         begin = end + 1;

@@ -1,6 +1,6 @@
-// The lines of an OBJ file and the words of a line. A backslash at the end of a line, which blanks may
-// follow, continues it in the next line. In a comment it does not: a comment may end in a path. A comment may
-// follow a word without a blank.
+// The lines of an OBJ file and the words of a line. A backslash at the end of a v, vt or f line, which blanks
+// may follow, continues it in the next line. It does not in a comment or another line: these may end in a
+// path. A comment may follow a word without a blank.
 #pragma once
 
 #include <cstddef>
@@ -80,7 +80,9 @@ class ObjLine {
     // A line end within a line comes after a backslash.
     bool isAtBlank() const { return isObjBlank(*p_) || *p_ == '\n' || (*p_ == '\\' && isAtContinuation()); }
     bool isAtContinuation() const;
-    bool isAtWordEnd() const { return p_ == end_ || (!isPlain(*p_) && (*p_ == '#' || isAtBlank())); }
+    bool isAtWordEnd() const { return p_ == end_ || (!isPlain(*p_) && (isAtComment() || isAtBlank())); }
+    // Windows writes 1.#INF and 1.#QNAN for what is no finite number.
+    bool isAtComment() const { return *p_ == '#' && (p_ == word_ || p_[-1] != '.'); }
     // A fast test: true of most characters of words, never of a blank or the start of a comment or
     // continuation.
     static bool isPlain(char c) { return c > '#' && c != '\\'; }

@@ -46,11 +46,10 @@ ImageSize imageSize(const CameraDescription& camera, int longEdge) {
     };
     const double width = length(camera.film_left, camera.film_right);
     const double height = length(camera.film_bottom, camera.film_top);
-    const auto shortEdge = [&](double ratio) {
-        return std::max(1, static_cast<int>(std::lround(longEdge * ratio)));
-    };
-    if (width >= height) return {longEdge, shortEdge(height / width)};
-    return {shortEdge(width / height), longEdge};
+    // The product first: 750 * 0.6 / 0.8 is 562.5, 750 * (0.6 / 0.8) is less.
+    const double shortEdge = longEdge * std::min(width, height) / std::max(width, height);
+    const int pixels = std::max(1, static_cast<int>(std::lround(shortEdge)));
+    return width >= height ? ImageSize{longEdge, pixels} : ImageSize{pixels, longEdge};
 }
 
 void keepTerms(SceneDescription& scene, const Terms& terms) {

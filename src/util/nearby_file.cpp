@@ -72,13 +72,15 @@ NearestName nearestTo(const fs::path& name, const std::string& part) {
 
 fs::path likeName(const fs::path& name, const std::vector<fs::path>& files) {
     std::vector<fs::path> alike = files;
-    std::erase_if(alike, [&](const fs::path& file) { return !isOfKind(file, name); });
+    const fs::path stem = name.stem();
+    const bool isLetter = stem.string().size() == 1;  // then another letter is another name
+    std::erase_if(alike, [&](const fs::path& file) {
+        return !isOfKind(file, name) || (isLetter && file.stem() != stem);
+    });
     NearestName nearest = nearestTo(name, name.string());
     for (const fs::path& file : alike) nearest.consider(file.filename().string());
     if (nearest.found()) return named(nearest.name(), alike);
-    const std::string stem = name.stem().string();
-    const bool hasStem = stem != name.string();
-    return hasStem ? named(stem, alike) : fs::path();
+    return stem != name ? named(stem, alike) : fs::path();
 }
 
 // Of the files with this name's ending, the one whose stem is nearest to this name's.

@@ -163,6 +163,10 @@ TEST_CASE("A broken OBJ is told with the line") {
         check("v 0 0 nan\nf 1 1 1", "line 1: expected a finite number, found \"nan\"");
         check("v 0 -inf 0\nf 1 1 1", "line 1: expected a finite number, found \"-inf\"");
         check("v 0 -1e400 0\nf 1 1 1", "line 1: expected a finite number, found \"-1e400\"");
+        // As Windows writes them: no comment begins behind the point.
+        check("v 0 1.#IND00 0\nf 1 1 1", "line 1: expected a number, found \"1.#IND00\"");
+        check("v 0 0 -1.#QNAN0\nf 1 1 1", "line 1: expected a number, found \"-1.#QNAN0\"");
+        check(square + "vt 0 1.#INF\nf 1 2 3", "line 5: expected a number, found \"1.#INF\"");
         check("v 1 2 3 4 5\nf 1 1 1", "line 1: a vertex has 3, 4, 6 or 7 numbers, found 5");
         check("v 1 2 3 4 5 6 7 8\nf 1 1 1", "line 1: a vertex has 3, 4, 6 or 7 numbers, found 8");
         check(square + "vt\nf 1 2 3", "line 5: expected a number, found the end of the line");
@@ -250,6 +254,9 @@ TEST_CASE("A broken OBJ is told with the line") {
     SECTION("a continued line has the number of its beginning, and counts as all of its own") {
         check(square + "f 1 \\\n2\n", "line 5: a face has at least 3 corners, found 2");
         check("v 0 0 \\\n0\nf 1 1 2\n", "line 3: there is no vertex 2: the file has 1");
+    }
+    SECTION("a name that ends in a backslash does not go on") {
+        check("g C:\\parts\\\nv 0 0\nf 1 1 1\n", "line 2: expected a number, found the end of the line");
     }
     SECTION("the first of several") {
         check("f 1 2 3\nv x\n", "line 1: there is no vertex 2: the file has 1");

@@ -126,6 +126,11 @@ TEST_CASE("the long edge goes to the longer film side") {
     CHECK(imageSize(camera, 600).width == 1);  // lround(0.6)
     CHECK(imageSize(camera, 600).height == 600);
     CHECK(imageSize(camera, 100).width == 1);  // at least 1
+    for (const auto& [halfWidth, halfHeight] : {std::pair{0.4, 0.3}, {4.0, 3.0}, {0.04, 0.03}}) {
+        camera.film_left = -halfWidth, camera.film_right = halfWidth;
+        camera.film_bottom = -halfHeight, camera.film_top = halfHeight;
+        CHECK(imageSize(camera, 750).height == 563);  // lround(562.5)
+    }
     camera.film_left = camera.film_bottom, camera.film_right = camera.film_top;
     CHECK(imageSize(camera, 7).width == 7);
     CHECK(imageSize(camera, 7).height == 7);

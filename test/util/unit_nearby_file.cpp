@@ -41,13 +41,14 @@ TEST_CASE("a name to write is relative to the file in which it stands") {
 
 TEST_CASE("a file is proposed where it is of the kind that the name is of") {
     const TemporaryFolder folder;
-    for (const char* file : {"pict.png", "reference.png", "s.json", "touch", "raytracer", "b.json", "c.py"})
+    for (const char* file :
+         {"pict.png", "reference.png", "s.json", "touch", "raytracer", "b.json", "c.py", "o.png"})
         std::ofstream(folder.file(file)) << "x";
     const auto near = [&](const std::string& name) {
         return fs::path(nearbyFile(folder.file(name))).filename().string();
     };
     for (const char* name : {"pict.json", "reference.json", "s.png", "pict.obj", "s.part", "nosuch", "b.js",
-                             "c.sh", "pict.txt", "c.pyy.png"})
+                             "c.sh", "pict.txt", "c.pyy.png", "w.png"})
         CHECK(near(name) == "");
     CHECK(near("pict.jpg") == "pict.png");
     CHECK(near("pict.PFM") == "pict.png");
@@ -55,6 +56,7 @@ TEST_CASE("a file is proposed where it is of the kind that the name is of") {
     CHECK(near("referense.png") == "reference.png");
     CHECK(near("s.jsom") == "s.json");
     CHECK(near("pict.pgn") == "pict.png");
+    CHECK(near("o.pgn") == "o.png");
     CHECK(near("pict") == "pict.png");
     CHECK(near("tuch") == "touch");
     CHECK(near("raytracr") == "raytracer");
