@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""What --adaptive E gives and takes: the picture's RMSE as a part of E, and the samples of a pixel, on all
-scenes.
+"""Measures --adaptive E on all scenes: the picture's RMSE as a multiple of E, and the mean samples of a
+pixel.
 
     bench/adaptive.py [--raytracer PROGRAM] [--size 96] [SCENE...]
 
-At the defaults' depth, in the truth too (twice the size, a quarter of the least E). The samples include those
-that tiles take again, since a pixel takes the centres around it; the last column is what these are for
---adaptive 1, which needs no others.
+The picture and the truth have the default depth; the truth has twice the size and a quarter of the least E. A
+pixel needs the centres around it, so neighbouring tiles take the samples of the ring between them twice. The
+samples include these; the last column shows them alone, from --adaptive 1, which needs no other extra
+samples.
 """
 import argparse
 import json

@@ -1,10 +1,10 @@
-"""What it costs to grade a class of pictures, and to look at its page.
+"""Measures what it costs to grade a class of pictures, and to view its page.
 
-The pictures are ours, with terms of the light model left out: `--distinct` of them for each of ten scenes;
-a third of the submissions has the right ones.
+The pictures are ours, without some terms of the light model: `--distinct` of them for each of ten scenes. A
+third of the submissions has the right pictures. FOLDER is created. If Chromium is installed, the script also
+measures how long the page takes.
 
-Usage: class.py RAYTRACER FOLDER [--submissions N] [--distinct N] [--size N]: in FOLDER, which is made. Where
-Chromium is installed, also how long the page takes.
+Usage: class.py RAYTRACER FOLDER [--submissions N] [--distinct N] [--size N]
 """
 import argparse
 import itertools

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""A scene JSON of ours as a scene of POV-Ray or Tachyon: the same picture, as far as their models go.
+"""Converts a scene JSON of ours for POV-Ray or Tachyon: the same picture, as far as their models allow.
 
     bench/convert.py SCENE.json --to povray|tachyon|plain [--size 600] OUT
 
-plain is our own format without what one of them can't say, glass excepted.
+plain is our own format without what one of the other programs cannot express, except glass.
 
-One ray a pixel, no antialiasing, four levels of rays (the camera's and three bounces), linear bytes. What
-can't be said in the other program's model is written to stderr, one line for each kind of thing.
+The scene asks for one ray a pixel, no antialiasing, four levels of rays (the camera's and three bounces) and
+linear bytes. What the other program cannot express is listed on stderr, one line for each kind.
 """
 import argparse
 import sys

@@ -1,6 +1,6 @@
 """Writes Tachyon 0.99 scenes.
 
-Tachyon knows no transforms: every shape is baked into world space. Its reader stores every number as a float.
+Tachyon has no transforms: every shape is converted to world space. Its reader stores every number as a float.
 """
 import numpy
 

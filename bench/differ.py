@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The share of pixels of two pictures of which a channel differs by more than --by of 255.
+"""Prints the share of pixels of two pictures in which a channel differs by more than --by of 255.
 
     bench/differ.py A.png B.png [--by 8]
 """

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Wrong pixels where the unit of length or the origin changes, for raytracer, POV-Ray and Tachyon.
+"""Counts the pixels that go wrong if the unit of length or the origin changes: raytracer, POV-Ray, Tachyon.
 
     bench/extremes.py [--scenes spheres_cylinder,cone_cube] [--size 200] [--by 8] [--out bench/results]
 
-A picture shouldn't depend on either. A pixel is wrong where a channel differs by more than --by of 255 from
-the same program's picture of the scene as it was; for raytracer also where it differs by more than 1 of 255
-from --precision extended on the very same numbers. Scenes lose first what one of the programs can't say
-(plain.py).
+A picture should depend on neither. A pixel is wrong if a channel differs by more than --by of 255 from the
+same program's picture of the original scene. For raytracer a second count has the pixels that differ by more
+than 1 of 255 from --precision extended on the same numbers. First, plain.py removes from the scenes what one
+of the programs cannot express.
 """
 import argparse
 import pathlib

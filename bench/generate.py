@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Scenes for measuring, the same bytes on every machine and at every call.
+"""Generates scenes for measurements: the same bytes on every machine and in every call.
 
     bench/generate.py spheres N OUT.json      N random spheres over a plane, two lights, a fifth of the
                                               spheres mirrors

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What an instruction set saves: user time with it to user time with another, on one thread.
+"""Measures what an instruction set saves: the ratio of user times with it and with another, on one thread.
 
     bench/instruction_sets.py SCENE... [--sets BETTER OTHER] [--size N] [--runs N] [--options "..."]
 
-Both run in turn; prints the median of the ratios, the least and the most. Needs build/release.
+The two run alternately. Prints the median, the smallest and the largest ratio. Needs build/release.
 """
 import argparse
 import os

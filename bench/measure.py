@@ -1,4 +1,4 @@
-"""Runs a command once and says what it cost. Imports little, so that what it forks from stays small."""
+"""Runs a command once and returns its cost. Imports little, so that the process it forks from stays small."""
 import os
 import statistics
 import threading

@@ -1,9 +1,8 @@
-"""How often `raytracer` names the mistake of a picture: single ones, pairs, right pictures, unknown mistakes.
+"""Counts how often `raytracer` names the mistake in a picture: single ones, pairs, unknown ones, and none.
 
-The pictures are those of test/tracer/plain_tracer.h, changed by hand (test/grading/students.py), and, as
-right pictures, those of other precisions.
-
-STUDENT is the program that test/grading/class_check.py builds.
+The pictures come from test/tracer/plain_tracer.h, changed by hand (test/grading/students.py). Right pictures
+come from it unchanged, and from other precisions. STUDENT is the program that test/grading/class_check.py
+builds.
 
 Usage: mistakes.py RAYTRACER STUDENT SCENE.json ... [--size N] [--pairs N] [--seed N]
     [--only right,single,unknown,pairs] [--verbose]

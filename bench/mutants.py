@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Which single mistakes in the light model, the shapes and the sampling the tests notice.
+"""Mutation testing of the light model, the shapes and the sampling.
 
     bench/mutants.py [--count N] [--seed N] [--only PART]
 
-A mutant is the core with one operator, constant or comparison changed. Each is compiled (double: the core,
-and the packets for SSE2), linked with the rest of build/release, and run through the tests that see pictures,
-with packets and with single rays; one that they all pass goes through the core's own tests, too. Prints each
-mutant with what became of it, the survivors last. Ends with 1 where one survived. A survivor is to be killed
-by a test, or to be explained in bench/README.md: some changes make no difference.
-Needs `./run test` to have built build/release.
+A mutant is the core with one operator, constant or comparison changed. The script compiles each mutant (in
+double: the core, and the packets for SSE2), links it with the rest of build/release, and runs the tests of
+pictures, with packets and with single rays. If all of these pass, it runs the core's own tests, too. It
+prints the fate of each mutant, and the survivors last. The exit status is 1 if a mutant survived. A survivor
+should be killed by a new test, or explained in bench/README.md: some changes make no difference. Run `./run
+test` first, which builds build/release.
 """
 import argparse
 import json

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Whether two builds make the same pictures, and for how many instructions.
+"""Checks whether two builds make the same pictures, and with how many instructions.
 
     bench/net.py record NET.json [--raytracer PROGRAM] [--no-instructions]
     bench/net.py compare NET.json [--raytracer PROGRAM] [--no-instructions]
 
 `record` renders every scene of scenes/ under each set of options below and stores the hashes of the PFM's
 samples, of the PNG's decoded pixels, of the rays counted, and of `explain`'s answer for a few pixels.
-`compare` does the same and prints each difference; it ends with 1 where a hash differs or an instruction
-count (callgrind, one thread) differs by more than 2 %. A change that must not change pictures is checked by:
-record before, compare after.
+`compare` does the same and prints each difference. Its exit status is 1 if a hash differs, or if an
+instruction count (callgrind, one thread) differs by more than 2 %. To check a change that must not change
+pictures, record before it and compare after it.
 """
 import argparse
 import concurrent.futures

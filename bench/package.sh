@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Makes the Debian package, shows it to lintian, and installs, uses and removes it in fresh roots of Debian 12
-# and 13.
+# Builds the Debian package, checks it with lintian, and installs, uses and removes it in fresh roots of
+# Debian 12 and 13.
 #
 #     bench/package.sh [SUITES]      as root, with lintian, debootstrap and a MIRROR of Debian
 #
-# SUITES: "bookworm trixie".
+# The default of SUITES is "bookworm trixie".
 set -euo pipefail
 top=$(cd "$(dirname "$0")/.." && pwd)
 work=$(mktemp -d)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What parts cost: the CPU time of all N parts over that of one run, and the longest part over the mean.
+"""Measures what parts cost: CPU time of all N parts over that of one run, and the longest part over the mean.
 
     bench/parts.py SCENE LONG_EDGE_PIXELS [options of raytracer] [--raytracer PROGRAM] [--repeats 5]
 
-For N = 1, 2, 4, 8, 16: the sum of all parts, and `assemble`; medians of the repeats, one thread.
+For N = 1, 2, 4, 8, 16 it measures all parts and `assemble`: medians of the repeats, one thread.
 """
 import pathlib
 import resource

@@ -1,5 +1,5 @@
-"""Writes a scene of ours again with only what all of the programs can say, so that all draw the same picture:
-no textures, grey mirrors and highlights, ambient light of color_diffuse's hue. Glass stays."""
+"""Reduces a scene of ours to what all programs can express, so that all draw the same picture: no textures,
+grey mirrors and highlights, ambient light of color_diffuse's hue. Glass stays."""
 import json
 import pathlib
 

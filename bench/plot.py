@@ -1,5 +1,4 @@
-"""Line charts as SVG, readable on light and dark pages alike. Panels side by side, logarithmic or linear
-axes."""
+"""Draws line charts as SVG for light and dark pages: panels side by side with logarithmic or linear axes."""
 import math
 from dataclasses import dataclass, field
 from html import escape

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""Error over CPU time, ours and POV-Ray's, on scenes that both can draw: what each takes to an RMSE.
+"""Measures the CPU time that raytracer and POV-Ray take to reach an RMSE, on scenes that both can draw.
 
     bench/povray_accuracy.py [--size 240] [--raytracer PROGRAM] [SCENE...]
 
-Scenes lose what POV-Ray can't say (plain.py). Ours: --target-error E for the errors below. POV-Ray: no
-antialiasing, and each of its two methods (+AM1, +AM2) with thresholds and depths. Each program's error is
-against its own picture of four times the size with 9 samples in each of those pixels; CPU time is that of the
-whole process, one thread.
+plain.py removes from the scenes what POV-Ray cannot express. raytracer runs with --target-error E for the
+errors below. POV-Ray runs without antialiasing, and with each of its two methods (+AM1, +AM2) at several
+thresholds and depths. The truth of each program is its own: for raytracer a picture of three times the size
+(target_error.py), for POV-Ray one of four times the size with 9 samples a pixel. CPU time is that of the
+whole process, with one thread.
 """
 import argparse
 import itertools

@@ -1,4 +1,4 @@
-"""The programs that are measured: whether they are installed, and how each renders a scene of ours."""
+"""The measured programs: whether each is installed, and how it renders a scene of ours."""
 import os
 import pathlib
 import re

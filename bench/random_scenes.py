@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Random scenes of every kind, for checking a promise on scenes that nobody tuned anything for.
+"""Generates random scenes of every kind, to check a promise on scenes that nothing was tuned for.
 
     bench/random_scenes.py FOLDER --seed SEED [--count 8]
 
-Writes scene 0, 1, ... as KIND_NUMBER.json into FOLDER: the kinds below in turn, each different. The same seed
-makes the same scenes.
+Writes the scenes 0, 1, ... as KIND_NUMBER.json into FOLDER. The kinds below take turns; each scene is
+different. The same seed makes the same scenes.
 """
 import argparse
 import json

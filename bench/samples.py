@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""The error of N samples a pixel, to that of the regular grid of as many, on all scenes.
+"""Compares the error of N samples a pixel with that of a regular grid of N samples, on all scenes.
 
     bench/samples.py --old PROGRAM [--raytracer PROGRAM] [--size 96] [SCENE...]
 
---old is this project's program at commit bd55ad3, whose --samples N was a grid of N x N. Both at the
-defaults' depth.
+--old is this project's program at commit bd55ad3, whose --samples N was a grid of N x N. Both programs use
+the default depth.
 """
 import argparse
 import pathlib

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""How the cost grows: with the number of spheres and of triangles, with the picture's size, with threads.
+"""Measures how the cost grows with the spheres, the triangles, the size of the picture, and the threads.
 
     bench/scaling.py [--runs 3] [--parts spheres,mesh,picture,threads,ends] [--most 1000000]
         [--megapixels 64] [--size 1500] [--out bench/results]
 
---most caps the spheres and triangles; 10000000 adds the mesh of ten million, which takes several GB and
-minutes.
-A ray's cost is the CPU time of rendering alone (without loading, building and the PNG) over all rays cast.
+--most limits the spheres and triangles; 10000000 adds the mesh of ten million, which takes several GB and
+minutes. The cost of a ray is the CPU time of rendering (without loading, building and the PNG) over the
+number of all rays cast.
 """
 import argparse
 import json

@@ -1,6 +1,6 @@
-"""A scene JSON of ours, read for converting: matrices multiplied out, defaults filled in, meshes as arrays.
+"""Reads a scene JSON of ours for conversion: matrices multiplied, defaults filled in, meshes as arrays.
 
-Trusts its input: the renderer is the one that checks scenes (raytracer --strict).
+It trusts its input; the renderer checks scenes (raytracer --strict).
 """
 import json
 import pathlib

@@ -1,13 +1,12 @@
 #!/usr/bin/python3
-"""raytracer, POV-Ray and Tachyon on the same scenes: whole processes, the same picture size, one ray a pixel,
-PNG out.
+"""Compares raytracer, POV-Ray and Tachyon on the same scenes: whole processes, from the scene to the PNG, the
+same picture size, one ray a pixel.
 
     bench/side_by_side.py [--runs 5] [--threads 1,2] [--only NAME,...] [--size 2000] [--scenes scenes]
         [--out bench/results]
 
-Scenes lose what one of the programs can't say (see plain.py) before any of them draws them; glass stays.
-Rounds are alternated: each runs every program once, and a ratio is the median over the rounds of a round's
-own ratio.
+First, plain.py removes from the scenes what one of the programs cannot express; glass stays. Each round runs
+every program once. A printed ratio is the median of the rounds' ratios.
 """
 import argparse
 import pathlib

@@ -1,15 +1,16 @@
 #!/usr/bin/python3
-"""What --target-error costs, in rays and CPU time, against the best setting of the regular grid that reaches
-the same error.
+"""Compares the cost of --target-error, in rays and CPU time, with that of the best setting of the regular
+grid that reaches the same error.
 
     bench/target_cost.py --old PROGRAM [--raytracer PROGRAM] [--size 240] [--errors 0.02 0.01 0.005 0.002]
         scenes/*.json
 
 --old is this project's program at commit bd55ad3: --samples N was a grid of N x N, and --adaptive T took all
-of them where the four corners differ by more than T. Its best setting is searched by predictions: the
-sampling error and the cost of each grid at one depth, the truncation error and the cost of each depth at one
-sample, squares added, rays multiplied; the predicted cheapest is rendered, and the next one if it fails. Rays
-are those of --stats: all that were cast, the pilot samples' too.
+of them where the four corners differ by more than T. Its best setting is found by prediction. Measured are
+the sampling error and the cost of each grid at one depth, and the truncation error and the cost of each depth
+at one sample. To predict a setting, the squared errors are added, and the rays multiplied. The cheapest
+setting that is predicted to reach the error is rendered, and the next one if that fails. Rays are those of
+--stats: all rays cast, including those of the pilot samples.
 """
 import argparse
 import json

@@ -1,19 +1,19 @@
 #!/usr/bin/python3
-"""Whether --target-error keeps its promise, on random scenes that nobody tuned it for.
+"""Checks whether --target-error keeps its promise, on random scenes that nobody tuned it for.
 
     bench/target_error.py --seed SEED [--count 240] [--part 0/1] [--raytracer PROGRAM]
     bench/target_error.py --scenes scenes/*.json [--sizes 240]
 
-Scene i of bench/random_scenes.py is rendered at one size and one E, such that every 24 cycles of its eight
-kinds have each pair of the SIZES and ERRORS once; which cycle has which pair is drawn by the seed. (Those of
---scenes: at each size and E.)
+The eight kinds of bench/random_scenes.py take turns. Each cycle of the eight is rendered at one size and one
+E, such that 24 cycles have each pair of SIZES and ERRORS once; the seed decides which cycle has which pair.
+The scenes of --scenes are rendered at each size and each E.
 
-The true error is measured against a picture of three times the size, with other depths, whose pixels' own
-errors are estimated to be at most E / 3; the mean of its 3 x 3 pixels is the truth. Of every fourth case its
-own error is measured too: the difference from a second one, of four times the size, which is at least as
-large. A scene with glass whose truth takes more than --seconds of CPU time (both reflective and refractive,
-its rays double with each bounce) is left out, and counted. Prints each case that is above E, then the shares.
---part 0/2 takes every second scene.
+The truth is a picture of three times the size, with another depth, whose pixels' own errors are estimated to
+be at most E / 3; the mean of 3 x 3 of its pixels is the truth of one pixel. In every fourth case the truth's
+error is measured, too: it is at most the difference from a second truth, of four times the size. If a truth
+takes more than --seconds of CPU time, its case is left out, and counted. (This happens with glass that is
+both reflective and refractive, where the rays double with each bounce.) Prints each case that is above E,
+then the shares. --part 0/2 takes every second scene.
 """
 import argparse
 import collections

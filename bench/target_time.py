@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Whether --target-time S takes S seconds, on a quiet machine: the whole process, from start to end.
+"""Checks whether --target-time S takes S seconds: the whole process, on a quiet machine.
 
     bench/target_time.py [--seconds 2] [--size 2000] [--raytracer PROGRAM] [SCENE...]
 
-Prints each scene's time over S, then how many of them are within 0.8 to 1.2. Without scenes: all of scenes/.
+Prints each scene's time over S, then how many are within 0.8 to 1.2. Without SCENE it runs all of scenes/.
 """
 import argparse
 import pathlib

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""What the knobs cost and give: `raytracer tradeoff` on six scenes with different bottlenecks, and
-bench/README.md's tables from it.
+"""Runs `raytracer tradeoff` on six scenes with different bottlenecks, and makes the tables of bench/README.md
+from it.
 
     bench/tradeoff.py [--raytracer PROGRAM] [--size 120] [--out bench/results] [--from tradeoff.csv]
 
-Writes tradeoff.svg, tradeoff.html and tradeoff.csv into --out, and tradeoff.md: the tables of
-bench/README.md. --from only makes the tables anew. The tables have rays of all kinds, which no other load on
-the machine changes, as multiples of the defaults'; float and extended cost the same rays, so that their table
-has processor seconds.
+Writes tradeoff.svg, tradeoff.html, tradeoff.csv and the tables, tradeoff.md, into --out. --from makes only
+the tables, from an earlier CSV. The tables show rays of all kinds as multiples of the defaults', since other
+load on the machine does not change them. Float and extended cast the same rays, so their table has processor
+seconds.
 """
 import argparse
 import csv

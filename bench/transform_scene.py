@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""The same scene elsewhere and in another unit of length: every point p becomes scale * p + translation.
+"""Moves a scene, and changes its unit of length: every point p becomes scale * p + translation.
 
     bench/transform_scene.py SCENE.json [--scale 1e6] [--translate X Y Z] [--translate-sizes K] OUT.json
 
---translate-sizes K goes K scene sizes away, along a direction without round numbers. The picture should stay
-as it was.
+--translate-sizes K moves the scene by K of its sizes, in a direction without round numbers. The picture
+should not change.
 """
 import argparse
 import json

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Cross-builds build/windows/raytracer.exe, one file that needs no other, with Debian's MinGW-w64, and tries
-# it under Wine: the pictures of all scenes with each instruction set, the commands, names of files, mistakes.
+# Cross-compiles build/windows/raytracer.exe, one file that needs no other, with Debian's MinGW-w64, and tries
+# it under Wine: pictures of all scenes with each instruction set, the commands, file names, mistakes.
 #
 #     bench/windows.sh [cmake -D options]    as root, with build/release/raytracer to compare with
 set -euo pipefail

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""The commands that trade speed for accuracy, as a user meets them: tradeoff_check.py RAYTRACER, from the
-project's folder."""
+"""Tests the commands that trade accuracy for speed, as a user calls them.
+
+Usage: tradeoff_check.py RAYTRACER, from the source folder.
+"""
 import csv
 import json
 import math

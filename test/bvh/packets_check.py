@@ -1,6 +1,8 @@
-"""bvh_kernel.cpp and packet_tracer.cpp are compiled for newer processors, too. A function there that other
-files may have as well (an inline one of the standard library, say) could be linked for them and run on an
-older processor: there must be none.
+"""Tests that the object files for newer processors define no function that other files may define, too.
+
+bvh_kernel.cpp and packet_tracer.cpp are compiled for newer processors, too. If they define a function that
+other files also define (for example an inline one of the standard library), the linker may choose their
+version for all files, and an older processor would run it.
 
     packets_check.py PROGRAM NM INSTRUCTION_SET OBJECT...
 """

@@ -1,4 +1,4 @@
-"""What the checks of the commands share: the program, what is not as expected, and how a check ends."""
+"""Shared by the tests of the commands: the program, the list of faults, and the end of a test."""
 import pathlib
 import re
 import subprocess

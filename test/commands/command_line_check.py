@@ -1,4 +1,4 @@
-"""Every command's command line: its help fits a terminal, and what it refuses is said in one line.
+"""Tests the command line of every command: help fits a terminal, and an error is reported in one line.
 
 Usage: command_line_check.py RAYTRACER, from the source folder.
 """

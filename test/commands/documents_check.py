@@ -1,8 +1,7 @@
-"""What is installed beside the program: the man page, three shells' completions and the schema, each tried in
-its program.
+"""Tests the files that are installed with the program: the man page, three shells' completions and the
+schema, each in the program that uses it.
 
-Usage: documents_check.py RAYTRACER, from the source folder. What a shell that is not there would say is
-skipped.
+Usage: documents_check.py RAYTRACER, from the source folder. A shell that is not installed is skipped.
 """
 import fcntl
 import os

@@ -1,8 +1,8 @@
-"""Files that the program writes: whole, at the right place, with nothing beside; or one line and exit status
-2.
+"""Tests the files that the program writes: complete, at the right place, and nothing else; otherwise one line
+and exit status 2.
 
-Usage: files_check.py RAYTRACER [root], from the source folder. `root`: what needs another user, mounts or
-process numbers of its own (exit status 77, CTest: skipped, where that cannot be done).
+Usage: files_check.py RAYTRACER [root], from the source folder. `root` runs the tests that need another user,
+mounts or process numbers of their own; where these are not possible, the exit status is 77 (CTest: skipped).
 """
 import os
 import pathlib

@@ -1,7 +1,8 @@
-"""What is too large, endless or no file is refused at once, in one line that names the limit; exit status 2.
+"""Tests inputs that are too large, endless or no file: the program refuses each at once, with exit status 2
+and one line that names the limit.
 
-Usage: limits_check.py RAYTRACER [root], from the source folder. `root`: limits that a test can set only where
-it may mount files (exit status 77, CTest: skipped, where it may not).
+Usage: limits_check.py RAYTRACER [root], from the source folder. `root` runs the tests of limits that need the
+right to mount files; without that right the exit status is 77 (CTest: skipped).
 """
 import json
 import os

@@ -1,5 +1,5 @@
-"""Mistakes of a newcomer: each answer names the mistake and the remedy, whole, in at most three lines of 100
-columns.
+"""Tests mistakes that newcomers make: each answer names the mistake and the remedy in full, in at most three
+lines of 100 columns.
 
 Usage: mistakes_check.py RAYTRACER, from the source folder.
 """

@@ -1,8 +1,9 @@
-"""Parts of a picture: put together they have the bytes of one run; what does not fit is named, and leaves no
-picture.
+"""Tests the parts of a picture: assembled, they have the bytes of one run. A part that does not fit is named,
+and no picture is written.
 
-Usage: parts_check.py RAYTRACER knobs|faults|all, from the source folder. `knobs`: options, in 2 parts, and
-none in 1, 2, 7, 16 and 64; `all`: each option in as many; takes a minute.
+Usage: parts_check.py RAYTRACER knobs|faults|all, from the source folder. `knobs`: pictures with options in 2
+parts, and one without options in 1, 2, 7, 16 and 64. `all`: each option in all these numbers of parts, which
+takes a minute.
 """
 import os
 import pathlib

@@ -1,4 +1,4 @@
-"""Values set on the command line, animations, and pictures that are there already.
+"""Tests values that are set on the command line, animations, and pictures that exist already.
 
 Usage: series_check.py RAYTRACER, from the source folder.
 """

@@ -1,5 +1,5 @@
-"""What the program says on a terminal: wrapped to its width, a line on success, a bar that fits; nothing more
-when quiet; and no line that a name makes.
+"""Tests the output on a terminal: text wrapped to its width, one line on success, a progress bar that fits,
+and nothing more with --quiet. A line break in a file's name makes no line of output.
 
 Usage: terminal_check.py RAYTRACER, from the source folder.
 """

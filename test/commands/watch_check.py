@@ -1,5 +1,5 @@
-"""--watch: the picture follows the scene and the files that it names; an error waits for the change that
-mends it.
+"""Tests --watch: the picture follows the scene and the files that it names. After an error the program waits
+for the change that corrects it.
 
 Usage: watch_check.py RAYTRACER, from the source folder.
 """

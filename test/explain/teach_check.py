@@ -1,4 +1,4 @@
-"""The commands' part in advice and explanations: --strict's exit status and absent picture, and JSON that is
+"""Tests what the commands add to advice and explanations: with --strict the exit status and no picture; valid
 JSON.
 
 Usage: teach_check.py RAYTRACER, from the source folder.

@@ -1,8 +1,9 @@
-"""A class of forty, made here: pictures with each kind of mistake, and programs with each way to go wrong.
+"""Tests `raytracer grade` on a generated class of forty: pictures with each kind of mistake, and programs
+that fail in each way.
 
-Usage: class_check.py RAYTRACER COMPILER [FLAG ...] LIBRARY ..., from the source folder: the compiler, its
-flags and the libraries of which the students' program (students.py) is made. Exit status 77
-(CTest: skipped) without Pillow.
+Usage: class_check.py RAYTRACER COMPILER [FLAG ...] LIBRARY ..., from the source folder. The compiler, its
+flags and the libraries build the students' program (students.py). Exit status 77 (CTest: skipped) without
+Pillow.
 """
 import csv
 import json

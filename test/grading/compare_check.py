@@ -1,4 +1,4 @@
-"""`raytracer compare` against an independent implementation in numpy, on pairs of pictures made here.
+"""Tests `raytracer compare` against an independent implementation in numpy, on generated pairs of pictures.
 
 Usage: compare_check.py RAYTRACER. Exit status 77 (CTest: skipped) without numpy or Pillow.
 """

@@ -1,4 +1,4 @@
-"""`raytracer grade` of other programs: good ones, and each way in which one can go wrong.
+"""Tests `raytracer grade` of other programs: good ones, and one for each way to fail.
 
 Usage: grade_check.py RAYTRACER. Exit status 77 (CTest: skipped) without Pillow.
 """

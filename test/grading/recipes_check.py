@@ -1,5 +1,4 @@
-"""The recipes, run as far as one machine can: Gradescope's script, the workflow's step that grades, the
-class.
+"""Tests the recipes as far as one machine can: Gradescope's script, the workflow's grading step, the class.
 
 Usage: recipes_check.py RAYTRACER, from the source folder. Exit status 77 (CTest: skipped) without Pillow or
 cmake.

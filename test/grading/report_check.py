@@ -1,4 +1,4 @@
-"""The HTML report of `raytracer grade`, used as its readers would in headless Chromium, with 1 and with 80
+"""Tests the HTML report of `raytracer grade` in headless Chromium, as its readers use it, with 1 and with 80
 scenes.
 
 Usage: report_check.py RAYTRACER. Exit status 77 (CTest: skipped) without Pillow or Chromium.

@@ -1,7 +1,7 @@
-"""Programs of students: test/tracer/plain_tracer.h, changed by hand, one mistake each.
+"""The programs of students: test/tracer/plain_tracer.h, changed by hand, with one mistake each.
 
-The changes know nothing of how `raytracer` names mistakes. One program has them all, behind flags:
-STUDENT SCENE.json OUT.png LONG_EDGE [MISTAKE ...].
+The changes were made without regard to how `raytracer` names mistakes. One program has them all, behind
+flags: STUDENT SCENE.json OUT.png LONG_EDGE [MISTAKE ...].
 """
 import re
 import subprocess

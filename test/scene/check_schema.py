@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """check_schema.py RAYTRACER [N]: scenes/scene.schema.json and `raytracer --strict` give the same verdict.
 
-Run from the source folder. On all of scenes/, test/good/ and test/bad/, and on every small damage, or every
-N-th, to a scene that has all keys. In test/bad/, schema/ is what both must reject; semantic/ what only the
-loader can (names, files, inverses, duplicate keys); syntax/ is no JSON. Skipped (77) without Python's
-jsonschema.
+Run it from the source folder. It tests all of scenes/, test/good/ and test/bad/, and a scene with all keys
+that is damaged in every small way, or in every N-th. In test/bad/, both must reject schema/; only the loader
+can reject semantic/ (names, files, inverses, duplicate keys); syntax/ is not JSON. Without Python's
+jsonschema the exit status is 77 (CTest: skipped).
 """
 import copy
 import itertools

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Random scenes with extreme numbers: each ends soon, with status 0, 1 or 2, and its picture is finite.
+"""Tests random scenes with extreme numbers: each render ends soon, with status 0, 1 or 2, and its picture is
+finite.
 
     extremes_check.py RAYTRACER [--count 160] [--seed 1] [--keep FOLDER]
 
-Two kinds take turns. Of the first, numbers of a scene become 0, -0, subnormal, or 1e+-100 to 1e+-308, and so
-may the options: the picture must be finite. Where double and extended see the same thing (an extended picture
-of numbers that differ in their last bits is the same, so what it shows is no matter of rounding), theirs must
-be the same. In any precision it must be the same to the bit with any instruction set, and where no tree
-discards anything.
-Of the second, a scene is written in other units by powers of two, which change no picture: of its meshes, its
-camera, its world, its planes and axes, to the ends of the range of double. Its picture must have the very
+Two kinds of scenes take turns. In the first kind, some numbers of a scene become 0, -0, subnormal, or 1e+-100
+to 1e+-308, and so may the options. The picture must be finite. In each precision it must be the same to the
+bit with every instruction set, and without the tree. The pictures in double and in extended must be the same,
+unless rounding decides what is seen: that is so if a change of the scene's last bits changes the extended
+picture. In the second kind, a scene is written in other units, by powers of two that reach to the ends of
+double's range: of its meshes, its camera, its world, its planes and axes. The picture must have the same
 bytes in each precision.
 """
 import argparse

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Deep recursion with any limit on the stack, and fewer threads than asked for: threads_check.py RAYTRACER"""
+"""Tests deep recursion with any limit on the stack, and fewer threads than asked for.
+
+Usage: threads_check.py RAYTRACER
+"""
 import json
 import os
 import pathlib
