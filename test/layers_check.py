@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The rooms keep their floors: a room includes only itself and what is below it, and no private header of
-another room.
+"""Checks that a room includes only itself and rooms below it, and no private header of another room.
 
     layers_check.py ROOT
 
 The order is the one of src/README.md. include/raytracer/ROOM/ is what a room offers; src/ROOM/ is private to
-it and to its tests. A library that one room, or one file, wraps is included there alone; the platform is
-util's. What asks the file system takes an error code: what it throws has no words for a user.
+it and to its tests. A library that one room, or one file, wraps is included only there; only util may include
+headers of the platform. Calls of the file system must take an error code, since the messages of the
+exceptions that they throw are not for users.
 """
 import pathlib
 import re

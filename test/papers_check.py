@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The papers name only what is there, and are short enough to be read.
+"""Checks that the papers name only files that exist, and that they are short.
 
     papers_check.py ROOT [--words]
 

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""The same bytes everywhere: each way to run a program, and each way to build it, makes the same pictures.
+"""Checks that each way to run a program, and each way to build it, makes the same bytes of a picture.
 
     test/same_bytes.py PROGRAM    one program: each instruction set, glibc's FMA paths masked, 1 to 7 threads
     test/same_bytes.py --build    the matrix: g++ and clang++, -O0 and -O3, and arm64 under qemu-user, each
                                   built into
                                   build/matrix-NAME and run in each of these ways (some twenty minutes)
 
-Compared are the decoded pixels of the PNG and the samples of the PFM, of every scene in scenes/ (PROGRAM: of
-five), in float and in double. The matrix needs clang, and for arm64 g++-aarch64-linux-gnu, qemu-user and
-libdeflate-dev:arm64; what is missing is said. Ends with 1 where a picture differs.
+It compares the decoded pixels of the PNG and the samples of the PFM, of every scene in scenes/ (with PROGRAM:
+of five), in float and in double. The matrix needs clang, and for arm64 g++-aarch64-linux-gnu, qemu-user and
+libdeflate-dev:arm64; the script reports what is missing. The exit status is 1 if a picture differs.
 """
 import concurrent.futures
 import hashlib
