@@ -161,7 +161,7 @@ int explainSuspect(ExplainArguments& arguments) {
                                          : PixelPlace{suspect.comparison.worstX, suspect.comparison.worstY};
     requirePixel(options.size, pixel);
     const RayExplanation tree = render.makeRenderer(scene)->explain(options, pixel.x, pixel.y);
-    const auto missing = missingTerms(tree, scene, suspect.image.at(pixel.x, pixel.y));
+    const auto missing = missingTerms(tree, suspect.image.at(pixel.x, pixel.y));
     const auto addSuspect = [&](JsonWriter& json) { writeSuspect(json, suspect, pixel, missing); };
     if (!arguments.json) printSuspect(suspect, printable(name), pixel, missing);
     printRays(tree, scene, arguments, addSuspect);

@@ -53,28 +53,19 @@ struct Part {
     glm::dvec3 color{0};
 };
 
-glm::dvec3 broughtBy(const RayExplanation& ray, RayKind kind, const SceneDescription& scene) {
-    const MaterialDescription& material = materialOf(scene, ray.shape);
-    glm::dvec3 color(0);
-    for (const RayExplanation& next : ray.rays)
-        if (next.kind == kind)
-            color +=
-                (kind == RayKind::Reflection ? material.color_reflect : material.color_refract) * next.color;
-    return color;
-}
-
-std::vector<Part> partsOf(const RayExplanation& ray, const SceneDescription& scene) {
+std::vector<Part> partsOf(const RayExplanation& ray) {
     std::vector<Part> parts{{"ambient light", "its ambient light"},
                             {"diffuse light", "its diffuse light"},
-                            {"specular light", "its specular light"}};
+                            {"specular light", "its specular light"},
+                            {"what it mirrors", "the reflected ray"},
+                            {"what is seen through it", "the refracted ray"}};
     for (const LightExplanation& light : ray.lights) {
         parts[0].color += light.ambient;
         parts[1].color += light.diffuse * light.S_L;
         parts[2].color += light.specular * light.S_L;
     }
-    parts.push_back({"what it mirrors", "the reflected ray", broughtBy(ray, RayKind::Reflection, scene)});
-    parts.push_back(
-        {"what is seen through it", "the refracted ray", broughtBy(ray, RayKind::Refraction, scene)});
+    for (const RayExplanation& next : ray.rays)
+        parts[next.kind == RayKind::Reflection ? 3 : 4].color += next.brought;
     return parts;
 }
 
@@ -93,22 +84,19 @@ glm::dvec3 shadowsOf(const RayExplanation& ray) {
 
 // "81 % of the red is ambient light, 19 % what it mirrors": the parts of the strongest channel, from 1 % on.
 // Negative parts, of lights with a negative colour, are left out.
-std::string shares(const RayExplanation& ray, const SceneDescription& scene) {
+std::string shares(const RayExplanation& ray) {
     int channel = 0;
     for (const int other : {1, 2})
         if (ray.color[other] > ray.color[channel]) channel = other;
-    if (!(ray.color[channel] > 0)) return "black";
-    std::vector<Part> parts = partsOf(ray, scene);
+    std::vector<Part> parts = partsOf(ray);
     std::ranges::stable_sort(parts, std::greater(), [=](const Part& part) { return part.color[channel]; });
-    const auto toLargest = [&](const Part& part) {  // a ratio, since sums of huge colours may overflow
-        return std::max(0.0, part.color[channel] / parts.front().color[channel]);
-    };
     double all = 0;
-    for (const Part& part : parts) all += toLargest(part);
+    for (const Part& part : parts) all += std::max(0.0, part.color[channel]);
+    if (!(ray.color[channel] > 0 && all > 0)) return "black";  // small parts may underflow
     constexpr const char* names[] = {"red", "green", "blue"};
     std::string text;
     for (const Part& part : parts) {
-        const double percent = std::round(100 * toLargest(part) / all);
+        const double percent = std::round(100 * (part.color[channel] / all));
         if (percent < 1) continue;
         const std::string share = formatted("%.0f %% ", percent);
         text += text.empty() ? share + "of the " + names[channel] + " is " : ", " + share;
@@ -121,12 +109,10 @@ std::string shares(const RayExplanation& ray, const SceneDescription& scene) {
 
 std::string explanationSentence(const RayExplanation& explanation, const SceneDescription& scene) {
     if (!explanation.hit) return "nothing is hit: black";
-    return nameOf(scene, explanation.shape) + reachOfLights(explanation, scene) + ": " +
-           shares(explanation, scene);
+    return nameOf(scene, explanation.shape) + reachOfLights(explanation, scene) + ": " + shares(explanation);
 }
 
-std::vector<std::string> missingTerms(const RayExplanation& explanation, const SceneDescription& scene,
-                                      const std::uint8_t* bytes) {
+std::vector<std::string> missingTerms(const RayExplanation& explanation, const std::uint8_t* bytes) {
     std::vector<std::string> terms;
     const auto isThere = [&](const glm::dvec3& color) {
         return toByte(color.x) == bytes[0] && toByte(color.y) == bytes[1] && toByte(color.z) == bytes[2];
@@ -135,7 +121,7 @@ std::vector<std::string> missingTerms(const RayExplanation& explanation, const S
         if (change != glm::dvec3(0) && isThere(explanation.color - change)) terms.push_back(term);
     };
     if (!explanation.hit || isThere(explanation.color)) return terms;
-    for (const Part& part : partsOf(explanation, scene)) add(part.term, part.color);
+    for (const Part& part : partsOf(explanation)) add(part.term, part.color);
     for (std::size_t i = 0; explanation.lights.size() > 1 && i < explanation.lights.size(); ++i) {
         const LightExplanation& light = explanation.lights[i];
         const std::string of = " of light " + std::to_string(i);

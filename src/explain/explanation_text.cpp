@@ -124,7 +124,7 @@ class Writer {
         for (const RayExplanation& next : ray.rays) {
             if (next.kind != kind) continue;
             line(depth, "  " + term + " = " + triple(factor) + " " + triple(next.color) + " = " +
-                            triple(factor * next.color));
+                            triple(next.brought));
             if (depth < deepest_) this->ray(next, depth + 1);
             return " + " + term;
         }

@@ -18,13 +18,14 @@ class Recorder final : public Observer {
         explanation.kind = path.kind;
         explanation.origin = pointInFile(ray.origin);
         explanation.direction = scaled(ray.direction, directionExponent(path.kind));
-        explanation.weight = glm::dvec3(path.weight);
+        explanation.weight = asDouble(path.weight);
         explanation.max_recursion = path.max_recursion;
-        open_.push_back(std::move(explanation));
+        open_.push_back({std::move(explanation), nullptr});
     }
 
     void meet(const Intersection& hit, const Color& K_D) override {
-        RayExplanation& ray = open_.back();
+        open_.back().material = hit.material;
+        RayExplanation& ray = open_.back().ray;
         ray.hit = true;
         ray.shape = hit.shape->index();
         ray.primitive = hit.primitive;
@@ -33,41 +34,50 @@ class Recorder final : public Observer {
         ray.position = pointInFile(hit.position);
         ray.normal = glm::dvec3(hit.normal);
         if (hit.material->diffuse_texture) ray.texCoord = glm::dvec2(hit.texCoord);
-        ray.K_D = glm::dvec3(K_D);
+        ray.K_D = asDouble(K_D);
     }
 
     void shadow(const Shape* by, const Color& S_L) override {
         light_.shadowRayCast = true;
         if (by) light_.shadowedBy = by->index();
-        light_.S_L = glm::dvec3(S_L);
+        light_.S_L = asDouble(S_L);
     }
 
     void light(const DirectLight& direct, const Color& sum) override {
-        light_.ambient = glm::dvec3(direct.ambient);
+        light_.ambient = asDouble(direct.ambient);
         light_.N_L = static_cast<double>(direct.N_L);
         light_.V_R = static_cast<double>(direct.V_R);
-        light_.diffuse = glm::dvec3(direct.diffuse);
-        light_.specular = glm::dvec3(direct.specular);
-        light_.sum = glm::dvec3(sum);
-        open_.back().lights.push_back(light_);
+        light_.diffuse = asDouble(direct.diffuse);
+        light_.specular = asDouble(direct.specular);
+        light_.sum = asDouble(sum);
+        open_.back().ray.lights.push_back(light_);
         light_ = {};
     }
 
     void terminate(RayKind kind, TerminationReason reason) override {
-        (kind == RayKind::Reflection ? open_.back().reflection : open_.back().refraction) = reason;
+        RayExplanation& ray = open_.back().ray;
+        (kind == RayKind::Reflection ? ray.reflection : ray.refraction) = reason;
     }
 
     void leave(const Color& color) override {
-        open_.back().color = glm::dvec3(color);
+        open_.back().ray.color = asDouble(color);
         if (open_.size() == 1) return;
-        RayExplanation done = std::move(open_.back());
+        RayExplanation done = std::move(open_.back().ray);
         open_.pop_back();
-        open_.back().rays.push_back(std::move(done));
+        const Material& from = *open_.back().material;
+        const bool mirror = done.kind == RayKind::Reflection;
+        done.brought = asDouble((mirror ? from.color_reflect : from.color_refract) * withinBrightest(color));
+        open_.back().ray.rays.push_back(std::move(done));
     }
 
-    RayExplanation take() { return std::move(open_.front()); }
+    RayExplanation take() { return std::move(open_.front().ray); }
 
   private:
+    struct OpenRay {
+        RayExplanation ray;
+        const Material* material;  // of what it hits
+    };
+
     // Primary rays have the file's direction, up to a power of two; secondary rays have unit length.
     int directionExponent(RayKind kind) const {
         return kind == RayKind::Primary ? scene_->camera.directionExponent() : 0;
@@ -78,8 +88,8 @@ class Recorder final : public Observer {
     }
 
     const Scene* scene_;
-    LightExplanation light_;            // the light in progress: `shadow` comes before `light`
-    std::vector<RayExplanation> open_;  // the ray in progress, after those that led to it
+    LightExplanation light_;     // the light in progress: `shadow` comes before `light`
+    std::vector<OpenRay> open_;  // the ray in progress, after those that led to it
 };
 
 }  // namespace

@@ -30,7 +30,8 @@ bool addsUp(const RayExplanation& ray, const SceneDescription& scene) {
         const glm::dvec3& factor = mirror ? material.color_reflect : material.color_refract;
         good = good && next.weight == ray.weight * factor && next.max_recursion == ray.max_recursion - 1 &&
                (mirror ? material.reflective : material.refractive) && addsUp(next, scene);
-        color += factor * next.color;
+        good = good && next.brought == factor * next.color;
+        color += next.brought;
     }
     return good && color == ray.color;
 }
@@ -246,6 +247,26 @@ TEST_CASE("total internal reflection, from inside, and the end of the recursion"
     }
 }
 
+TEST_CASE("an explanation of colours beyond double has no number that is not finite") {
+    for (const double huge : {1e300, -1e300}) {
+        ExplainedScene scene;
+        const std::size_t glass = scene.glass(1);
+        scene.materials[glass].color_diffuse = scene.materials[glass].color_ambient = {1e300, 1e-300, 1};
+        scene.materials[glass].color_refract = {1e300, 0, huge};
+        scene.lights[0] = {{0, 0, 3}, {1e300, 1e-300, huge}, {huge, 0, 1e-300}};
+        for (const double z : {-2, -4, -6, -8}) scene.add("", Type::Plane, {0, 0, z}, glm::dvec3(1), glass);
+        for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
+            RenderOptions options = wholePicture(scene, 1);
+            const RayExplanation ray = makeRenderer(scene, precision)->explain(options, 0, 0);
+            const std::string text = explanationSentence(ray, scene) + "\n" + explanationText(ray, scene);
+            INFO(text);
+            CHECK(text.find("nan") == std::string::npos);
+            CHECK(text.find("inf") == std::string::npos);
+            CHECK(explanationJson(ray, scene).find("null") == std::string::npos);
+        }
+    }
+}
+
 TEST_CASE("the names of faces") {
     CHECK(faceName(Type::Sphere, 0).empty());
     CHECK(faceName(Type::Plane, 0).empty());
@@ -325,7 +346,7 @@ clamped (0.84487461, 0, 0), bytes (215, 0, 0)
               "light, 38 % "
               "specular light, 21 % ambient light");
         const auto missing = [&](const std::array<std::uint8_t, 3>& bytes) {
-            return missingTerms(seen, scene, bytes.data());
+            return missingTerms(seen, bytes.data());
         };
         CHECK(missing({233, 57, 28}) == std::vector<std::string>{"its ambient light"});
         CHECK(missing({255, 113, 113}) == std::vector<std::string>{"the shadow from light 0"});

@@ -13,7 +13,7 @@
 
 namespace raytracer {
 
-// All of these take the scene as it was rendered: its names and colours are in the texts.
+// The scene that these take is the one that was rendered: its names and colours are in the texts.
 
 // One sentence, without its full stop: what is hit, which lights reach it, and what its colour is made of.
 std::string explanationSentence(const RayExplanation& explanation, const SceneDescription& scene);
@@ -28,8 +28,7 @@ std::string explanationJson(const RayExplanation& explanation, const SceneDescri
 
 // Terms of the first hit, such as "the diffuse term of light
 // 1". Leaving out any one of them gives the pixel these bytes.
-std::vector<std::string> missingTerms(const RayExplanation& explanation, const SceneDescription& scene,
-                                      const std::uint8_t* bytes);
+std::vector<std::string> missingTerms(const RayExplanation& explanation, const std::uint8_t* bytes);
 
 // The name of a shape's part: "body", "x = -1", "triangle 17" (from 0, in the file's order); empty if the
 // shape has only one.

@@ -191,10 +191,10 @@ Vec3T<T> withinBrightest(const Vec3T<T>& c) {
     return within(T(brightestColor), c);
 }
 // Colours that leave the core. Those of extended precision may exceed double. Clamped so that even a product
-// of two fits double.
+// of four fits double.
 template <class T>
 Vec3T<T> withinDouble(const Vec3T<T>& c) {
-    return within(T(powerOfTwo(std::min(500, std::numeric_limits<Real>::max_exponent / 2 - 1))), c);
+    return within(T(powerOfTwo(std::min(250, std::numeric_limits<Real>::max_exponent / 2 - 1))), c);
 }
 inline glm::dvec3 asDouble(const Color& c) { return glm::dvec3(withinDouble(c)); }
 inline bool isBlack(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }

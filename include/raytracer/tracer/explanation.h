@@ -1,5 +1,5 @@
 // Why a pixel has its colour: the tree of rays behind it, in the symbols of the assignment and in the file's
-// own units.
+// own units. All colours are clamped so that products of four of them are finite.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,8 @@ struct RayExplanation {
     std::vector<LightExplanation> lights;
     std::vector<RayExplanation> rays;  // reflection, then refraction, where cast
     TerminationReason reflection = TerminationReason::None, refraction = TerminationReason::None;
-    glm::dvec3 color{0};  // of the whole ray
+    glm::dvec3 color{0};    // of the whole ray
+    glm::dvec3 brought{0};  // K_R I_R or K_T I_T: its term in the colour of the ray that it comes from
 };
 
 }  // namespace raytracer
