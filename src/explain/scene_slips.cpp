@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include <glm/geometric.hpp>
@@ -68,10 +69,16 @@ class SlipFinder {
             lines_.add("/camera/film_bottom: the picture is upside down: swap it with film_top");
         const double side = std::max(std::abs(camera.film_right - camera.film_left),
                                      std::abs(camera.film_top - camera.film_bottom));
-        if (camera.type == CameraDescription::Type::Perspective && camera.focal_length >= leastTele * side)
-            lines_.add("/camera/focal_length: " + formatted("%.4g", camera.focal_length) +
-                       " is long for a film of " + formatted("%.4g", side) + ": if in mm, write " +
-                       formatted("%.4g", camera.focal_length / filmInMm * side));
+        if (camera.type == CameraDescription::Type::Perspective) lookAtFocalLength(camera.focal_length, side);
+    }
+
+    // Says nothing of a length that would be too long for a film of filmInMm, too.
+    void lookAtFocalLength(double length, double side) {
+        const auto isLong = [=](double focalLength) { return focalLength >= leastTele * side; };
+        const std::string remedy = formatted("%.4g", length / filmInMm * side);
+        if (isLong(length) && !isLong(std::strtod(remedy.c_str(), nullptr)))
+            lines_.add("/camera/focal_length: " + formatted("%.4g is long for a film of %.4g", length, side) +
+                       ": if in mm, write " + remedy);
     }
 
     void lookAtTexture(const TextureDescription& texture) {

@@ -77,9 +77,14 @@ TEST_CASE("a focal length in millimetres is told") {
     scene.camera.focal_length = 50;
     CHECK(sceneSlips(scene) == Slips{"/camera/focal_length: 50 is long for a film of 2: "
                                      "if in mm, write 2.778"});
+    for (const double longest : {324.0, 323.9999, 1000.0, 1e300}) {  // followed, it would be told again
+        scene.camera.focal_length = longest;
+        CHECK(sceneSlips(scene).empty());
+    }
     scene.camera.film_right = 35;
     CHECK(sceneSlips(scene).empty());
     scene.camera.film_right = 1;
+    scene.camera.focal_length = 50;
     scene.camera.type = CameraDescription::Type::Orthographic;
     CHECK(sceneSlips(scene).empty());
 }
@@ -136,7 +141,13 @@ TEST_CASE("of very many slips some are shown and the rest counted") {
     scene.lights.resize(100, {glm::dvec3(0), glm::dvec3(255), glm::dvec3(0)});
     const Slips slips = sceneSlips(scene);
     REQUIRE(slips.size() == 21);
-    CHECK(slips[20] == "80 more warnings");
+    CHECK(slips[20] == "and 80 more");
+}
+
+TEST_CASE("of very many notes some are shown and the rest counted") {
+    SceneDescription scene;
+    scene.lights.resize(21);
+    CHECK(sceneNotes(scene).back() == "and 1 more");
 }
 
 TEST_CASE("what the course's own scenes do is told to who asks") {
