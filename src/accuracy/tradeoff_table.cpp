@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/util/text.h"
 
@@ -29,9 +31,7 @@ std::string tableLine(const Trial& t, double defaultSeconds) {
 }  // namespace
 
 double defaultSeconds(const SceneTradeoff& scene) {
-    for (const Trial& trial : scene.truncation)
-        if (trial.setting == Setting{}) return trial.seconds();
-    return scene.truncation.front().seconds();
+    return std::ranges::find(scene.truncation, Setting{}, &Trial::setting)->seconds();
 }
 
 std::string tradeoffCsv(std::span<const SceneTradeoff> scenes) {

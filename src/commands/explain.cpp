@@ -105,10 +105,10 @@ std::string verdict(const Suspect& suspect) {
            std::to_string(found.pixels) + " pixels, as no known mistake explains";
 }
 
-// Wraps a text to the width of a message (messageColumns in standard_streams.h).
+// Wraps a text to the width of a message.
 std::string inLines(const std::string& begin, const std::string& text) {
-    constexpr std::size_t columns = 100, indent = 2;
-    return begin + wrapped(text, columns, indent, columnCount(begin)) + "\n";
+    constexpr std::size_t indent = 2;
+    return begin + wrapped(text, messageColumns, indent, columnCount(begin)) + "\n";
 }
 
 void printSuspect(const Suspect& suspect, const std::string& name, const PixelPlace& pixel,

@@ -174,8 +174,9 @@ void remarkOnRays(const RenderArguments& arguments, const SceneDescription& scen
 void remarkOnFrames(const RenderArguments& arguments, int more, double secondsOfFirst) {
     const double seconds = more * secondsOfFirst;
     if (seconds >= longTime)
-        arguments.remark(formatted("%d more frames take about ", more) + durationInWords(seconds) +
-                         "; a smaller size takes less");
+        arguments.remark(
+            formatted(more == 1 ? "%d more frame takes about " : "%d more frames take about ", more) +
+            durationInWords(seconds) + "; a smaller size takes less");
 }
 
 void remarkOnTime(const RenderArguments& arguments, const Renderer& renderer, const RenderOptions& options) {

@@ -16,7 +16,7 @@ class AdviceLines {
     }
 
     std::vector<std::string> take() {
-        if (notShown_ > 0) lines_.push_back(std::to_string(notShown_) + " more warnings");
+        if (notShown_ > 0) lines_.push_back("and " + std::to_string(notShown_) + " more");
         return std::move(lines_);
     }
 

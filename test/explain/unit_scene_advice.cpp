@@ -217,7 +217,7 @@ TEST_CASE("of very many warnings some are shown and the rest counted, for shapes
     const Warnings warnings = sceneAdvice(scene);
     REQUIRE(warnings.size() == 21);
     CHECK(warnings[19] == unseen(19, "cube is behind the camera"));
-    CHECK(warnings[20] == "80 more warnings");
+    CHECK(warnings[20] == "and 80 more");
 }
 
 TEST_CASE("a light inside of an opaque shape") {
