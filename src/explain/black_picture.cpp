@@ -53,7 +53,10 @@ class Reason {
             return formatted("it is too dark: the largest channel is %.3g of 1: brighten a light",
                              tally_.brightest);
         if (std::ranges::all_of(scene_.lights, isBlackLight))
-            return "what is seen has only black lights: set /lights/0/color";
+            return "what is seen has only black lights: set /lights/0/color" +
+                   (isLitBlack(material())
+                        ? " and " + pointer("materials", tally_.material) + "/color_diffuse"
+                        : "");
         if (const auto light = std::ranges::find_if(scene_.lights, takesLightAway);
             light != scene_.lights.end())
             return pointer("lights", static_cast<std::size_t>(light - scene_.lights.begin())) +
@@ -73,6 +76,11 @@ class Reason {
         return glm::any(glm::lessThan(light.color, glm::dvec3(0)));
     }
 
+    static bool isLitBlack(const MaterialDescription& material) {
+        return isBlack(material.color_diffuse) && isBlack(material.color_specular);
+    }
+    const MaterialDescription& material() const { return scene_.materials[tally_.material]; }
+
     static std::string pointer(const char* list, std::size_t index) {
         return std::string("/") + list + "/" + std::to_string(index);
     }
@@ -90,11 +98,14 @@ class Reason {
         return pointer("shapes", *tally_.shadowedBy.begin()) + " shadows what is seen: move it";
     }
 
-    // The ambient colour to set: the light's if all lights' are black, else the material's.
+    // The ambient colours to set: the light's if all lights' are black, the material's if it is black.
     std::string ambientColor() const {
         const bool noLight = std::ranges::all_of(
             scene_.lights, [](const LightDescription& light) { return isBlack(light.color_ambient); });
-        return (noLight ? pointer("lights", 0) : pointer("materials", tally_.material)) + "/color_ambient";
+        const std::string light = pointer("lights", 0), surface = pointer("materials", tally_.material);
+        if (noLight && isBlack(material().color_ambient))
+            return "color_ambient of " + light + " and " + surface;
+        return (noLight ? light : surface) + "/color_ambient";
     }
 
     const Tally& tally_;
@@ -154,6 +165,8 @@ bool isAllBlack(const FloatImage& image) {
 std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, const RenderOptions& options) {
     const std::string black = "all black: ";
     if (scene.shapes.empty()) return black + "the scene has no shapes: add one to \"shapes\"";
+    if (std::ranges::all_of(scene.shapes, hasNoArea))
+        return black + "no mesh has an area: move corners of its triangles off their line";
     if (scene.lights.empty()) return black + "the scene has no lights: add one to \"lights\"";
     RenderOptions centres = options;
     centres.samples = 1;

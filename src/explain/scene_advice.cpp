@@ -203,12 +203,29 @@ std::vector<std::string> sceneAdvice(const SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const PlacedShape shape = placed(scene, scene.shapes[i]);
         const char* where = mirrored ? nullptr : whereUnseen(shape, view);
-        if (where)
+        if (hasNoArea(scene.shapes[i]))
+            lines.add(pointer("/shapes/", i) +
+                      "/path: the mesh has no area: move corners of its triangles off their line");
+        else if (where)
             lines.add(pointer("/shapes/", i) + ": the " + typeName(shape.shape->type) + " is " + where +
                       ", so unseen but for its shadow: move it");
         adviseOnLights(scene, shape, i, view, lines);
     }
     return lines.take();
+}
+
+bool hasNoArea(const ShapeDescription& shape) {
+    if (!shape.mesh) return false;
+    const MeshData& mesh = *shape.mesh;
+    for (std::size_t i = 0; i < mesh.positionIndex.size(); i += 3) {
+        const auto corner = [&](std::size_t j) { return Vec(mesh.positions[mesh.positionIndex[i + j]]); };
+        const Vec a = corner(0), b = corner(1) - a, c = corner(2) - a;
+        // Each corner is as far off as its number is rounded.
+        const Real farthest = std::max({glm::length(a), glm::length(corner(1)), glm::length(corner(2))});
+        const Real error = 2 * writtenRoundoff * farthest * (glm::length(b) + glm::length(c));
+        if (glm::length(glm::cross(b, c)) > error) return false;
+    }
+    return true;
 }
 
 std::optional<std::size_t> darkShapeAroundCamera(const SceneDescription& scene) {

@@ -93,6 +93,15 @@ std::string blackReason(const SceneDescription& scene, Precision precision = Pre
     return whyBlack(scene, *renderer, options);
 }
 
+std::shared_ptr<MeshData> triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const auto mesh = std::make_shared<MeshData>();
+    mesh->positions = {a, b, c};
+    mesh->positionIndex = {0, 1, 2};
+    mesh->findBounds();
+    mesh->chooseUnit();
+    return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("a camera whose frame is not of orthogonal unit vectors") {
@@ -277,6 +286,21 @@ TEST_CASE("a light inside of an opaque shape") {
     }
 }
 
+TEST_CASE("a mesh without an area is told") {
+    const Warnings told{"/shapes/0/path: the mesh has no area: move corners of its triangles off their line"};
+    const auto adviceOn = [](const std::shared_ptr<MeshData>& mesh) {
+        TestScene scene;
+        scene.add(Type::Mesh, {0, 0, -3}).shapes[0].mesh = mesh;
+        return sceneAdvice(scene);
+    };
+    const glm::dvec3 zero(0), x(1, 0, 0), y(0, 1, 0), slant(1, 1, 0);
+    CHECK(adviceOn(triangle(zero, zero, zero)) == told);
+    CHECK(adviceOn(triangle(0.1 * slant, 0.2 * slant, 0.3 * slant)) == told);
+    CHECK(adviceOn(triangle(0.1 * slant, 0.2 * slant, 0.3 * slant + 1e-15 * x)).empty());
+    for (const double size : {1e-300, 1e-160, 1.0, 1e160, 1e300})
+        CHECK(adviceOn(triangle(zero, size * x, size * y)) != told);
+}
+
 TEST_CASE("why a picture is all black") {
     TestScene scene;
     const Precision precision = GENERATE(Precision::Float, Precision::Double, Precision::Extended);
@@ -317,6 +341,15 @@ TEST_CASE("why a picture is all black") {
     SECTION("black lights") {
         scene.add(Type::Plane, {0, 0, -3}).lights[0].color = glm::dvec3(0);
         CHECK(reason() == begin + "what is seen has only black lights: set /lights/0/color");
+        scene.materials[TestScene::opaque].color_diffuse = glm::dvec3(0);
+        scene.materials[TestScene::opaque].color_specular = glm::dvec3(0);
+        CHECK(reason() == begin +
+                              "what is seen has only black lights: set /lights/0/color and "
+                              "/materials/0/color_diffuse");
+    }
+    SECTION("a mesh without an area") {
+        scene.add(Type::Mesh, {0, 0, -3}).shapes[0].mesh = triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0});
+        CHECK(reason() == begin + "no mesh has an area: move corners of its triangles off their line");
     }
     SECTION("light that is too weak") {
         scene.add(Type::Plane, {0, 0, -3}).materials[TestScene::opaque].color_specular = glm::dvec3(0);
@@ -325,6 +358,10 @@ TEST_CASE("why a picture is all black") {
     }
     SECTION("lights without an ambient color") {
         scene.add(Type::Plane, {0, 0, -3}).light({0, 0, -10}).lights[0].color_ambient = glm::dvec3(0);
+        CHECK(reason() == begin +
+                              "what is seen faces no light: move one, or set color_ambient of "
+                              "/lights/0 and /materials/0");
+        scene.materials[TestScene::opaque].color_ambient = glm::dvec3(1);
         CHECK(reason() == begin + "what is seen faces no light: move one, or set /lights/0/color_ambient");
     }
     SECTION("inside of an opaque shape") {

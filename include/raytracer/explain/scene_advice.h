@@ -17,8 +17,12 @@ namespace raytracer {
 // of the others. Warnings are about:
 // - a camera whose look and up are not orthogonal unit vectors;
 // - a shape outside of the view that no mirror or glass could show;
+// - a mesh whose triangles have no area;
 // - a light inside of an opaque shape (not a mesh) with the camera outside.
 std::vector<std::string> sceneAdvice(const SceneDescription& scene);
+
+// Whether the shape is a mesh, and each triangle's corners lie on one line. No ray hits it.
+bool hasNoArea(const ShapeDescription& shape);
 
 // The first opaque shape (not a plane, not a mesh) that contains all starting points of the camera's rays,
 // but no light except black ones.
