@@ -1,6 +1,7 @@
-// Small tiles all over the picture are rendered with ever smaller --adaptive, each with a suitable depth,
-// until the whole picture would take too long. Between the last two settings, the one that takes the given
-// time is interpolated. Rendering the tiles again, with other samples, gives the error.
+// Small tiles all over the picture are rendered for ever smaller errors, each with a suitable depth, until
+// the whole picture would take too long: with one sample per pixel, then with ever smaller --adaptive.
+// Between the last two of these, the one that takes the given time is interpolated. Rendering the tiles
+// again, with other samples, gives the error.
 #include "raytracer/accuracy/target_time.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "depth.h"
 #include "picture_points.h"
 #include "raytracer/pictures/color_sink.h"
+#include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/util/parallel.h"
 #include "raytracer/util/stopwatch.h"
 
@@ -21,9 +23,9 @@ namespace {
 // the estimated time is unreliable.
 constexpr int edge = 16;  // pixels
 constexpr double timedPart = 1.0 / 50, fewestTiles = 8;
-// The errors to try. The first is about that of a picture without reflections. Each step takes about 1.6
-// times as long as the one before.
-constexpr double firstError = 0.4, nextError = 1 / 1.5;
+// The errors to try. The largest one there is makes the fastest picture. The next is about that of a picture
+// without reflections. Each step takes at most about 1.6 times as long as the one before.
+constexpr double largestError = 1, firstError = 0.3, nextError = 1 / 1.5;
 constexpr double adaptiveFor = 2;    // `adaptive` over the error of its picture: mostly between 1 and 6
 constexpr double estimation = 0.06;  // share of the time: three renders of the tiles give the error
 constexpr double ringOfTile = 4 * 33.0 / (32 * 32);  // ring samples per pixel, for a tile of 32 x 32
@@ -45,9 +47,9 @@ class TimeSearch {
     }
 
     TimeChoice choose() {
-        Step before = step(firstError);
+        Step before = step(largestError);
         // Not even mostSamples samples reach an error below 1 / mostSamples.
-        for (double error = firstError * nextError; error * mostSamples > 1; error *= nextError) {
+        for (double error = firstError; error * mostSamples > 1; error *= nextError) {
             const Step next = step(error);
             if (now() + next.seconds > end_) {
                 interpolate(before, next);
@@ -70,18 +72,22 @@ class TimeSearch {
 
     Step step(double error) {
         const DepthChoice depth = chooseDepth(renderer_, options_, error, 0, choice_.counts);
-        Step step{
-            {mostSamples, rounded(adaptiveFor * error), depth.max_recursion, depth.cutoff, options_.bilinear},
-            std::sqrt(depth.squaredError)};
+        const double adaptive = rounded(adaptiveFor * error);
+        Step step{{1, 0, depth.max_recursion, depth.cutoff, options_.bilinear},
+                  std::sqrt(depth.squaredError)};
+        if (adaptive < PixelEstimate::mostOfOneSample) {
+            step.setting.samples = mostSamples;
+            step.setting.adaptive = adaptive;
+        }
         step.seconds = secondsOf(step.setting);
         return step;
     }
 
-    // If the time left lies between the times of both, changes `before` to the setting that takes that time:
-    // interpolates `adaptive`, log-log, and keeps the depth.
+    // If both are adaptive, and the time left lies between their times, changes `before` to the setting that
+    // takes that time: interpolates `adaptive`, log-log, and keeps the depth.
     void interpolate(Step& before, const Step& next) const {
         const double left = end_ - now();
-        if (left <= before.seconds || next.seconds <= before.seconds) return;
+        if (before.setting.adaptive == 0 || left <= before.seconds || next.seconds <= before.seconds) return;
         const double share = std::log(left / before.seconds) / std::log(next.seconds / before.seconds);
         before.setting.adaptive = rounded(before.setting.adaptive *
                                           std::pow(next.setting.adaptive / before.setting.adaptive, share));
@@ -108,8 +114,9 @@ class TimeSearch {
         return sink.colors();
     }
 
-    // Estimates the seconds of the whole picture from those of the tiles. A tile also samples a ring of
-    // neighbouring pixels. The picture's own tiles are larger, so their rings cost less per pixel.
+    // Estimates the seconds of the whole picture from those of the tiles. A tile of an adaptive picture also
+    // samples a ring of neighbouring pixels. The picture's own tiles are larger, so their rings cost less per
+    // pixel.
     double secondsOf(const Setting& setting) {
         const auto primary = choice_.counts.primary;
         const double start = now();
@@ -120,7 +127,7 @@ class TimeSearch {
         }
         forEachTile([&](const PixelRectangle& tile) { colorsOf(setting, tile, 0); });
         const double seconds = now() - start, samples = static_cast<double>(choice_.counts.primary - primary);
-        const double samplesOfPicture = samples - ring + ringOfTile * pixels;
+        const double samplesOfPicture = setting.adaptive > 0 ? samples - ring + ringOfTile * pixels : samples;
         return seconds * samplesOfPicture / samples * options_.crop.area() / pixels;
     }
 

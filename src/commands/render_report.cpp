@@ -149,7 +149,7 @@ TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options
          (choice.seconds > seconds ? "; no setting takes less" : ""));
     tell("--target-time: " + errorInWords(choice.sampleError, choice.depthError));
     tell("--target-time: the same picture again:");
-    tellUnbroken(command + " " + commandLine(told));
+    tellUnbroken(told == Setting{} ? command : command + " " + commandLine(told));
     return choice;
 }
 

@@ -68,6 +68,15 @@ def check_time(folder, scene):
     assert f"again:\n{RAYTRACER} ./-s.json ./-o.png 20 --samples 65536 --adaptive" in done.stderr, done.stderr
 
 
+def check_no_time(folder):
+    """What is fastest is found where nothing is fast enough; the defaults need no option."""
+    for words, options in [(["--pass", "normals"], ""), ([], " --max-recursion 0")]:
+        done = run("scenes/texture.json", folder / "o.png", 40, "--target-time", 1e-9, *words)
+        told = done.stderr.splitlines()
+        assert told[0].endswith("; no setting takes less"), told
+        assert told[-1].endswith(f"{folder / 'o.png'} 40{options}"), told
+
+
 def check_limit(folder):
     """--adaptive alone has a limit, and says where it stopped many pixels."""
     alone, done = render("scenes/texture.json", folder / "alone.png", 40, "--adaptive 0.05")
@@ -133,6 +142,7 @@ def main():
         check_target(folder, "scenes/texture.json", 60, 0.5)  # no recursion, so no cutoff
         check_target(folder, "scenes/cone_cube.json", 60, 0.05, "--pass normals")  # neither
         check_time(folder, "scenes/texture.json")
+        check_no_time(folder)
         check_limit(folder)
         check_report(folder)
         check_names(folder)

@@ -10,7 +10,9 @@
 #include "raytracer/accuracy/picture_error.h"
 #include "raytracer/accuracy/setting.h"
 #include "raytracer/accuracy/target_error.h"
+#include "raytracer/accuracy/target_time.h"
 #include "raytracer/pictures/color_sink.h"
+#include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/tracer/sample_sequence.h"
 
 using namespace raytracer;
@@ -339,6 +341,17 @@ TEST_CASE("target-error: a reflection in few pixels of a small picture is seen")
     const TargetChoice choice = chooseSetting(*renderer, options, 0.001);
     INFO(commandLine(choice.setting));
     CHECK(pictureError(shoot(*renderer, options, choice.setting).colors, truth.colors).rmse <= 0.001);
+}
+
+TEST_CASE("target-time: where no time is enough, the fastest setting is chosen") {
+    withEveryRenderer(100, [](const Renderer& renderer, const RenderOptions& options) {
+        CHECK(chooseForTime(renderer, options, 1e-9).setting == Setting{.max_recursion = 0});
+        const Shot one = shoot(renderer, options, {});
+        const double adaptive = PixelEstimate::mostOfOneSample;
+        const Shot coarsest = shoot(renderer, options, {.samples = 64, .adaptive = adaptive});
+        CHECK(coarsest.colors == one.colors);
+        CHECK(coarsest.counts.primary > one.counts.primary);  // so one sample is faster
+    });
 }
 
 TEST_CASE("the knobs' defaults are a render's own") {

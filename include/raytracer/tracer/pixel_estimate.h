@@ -15,6 +15,9 @@ inline int nextLevel(int samples, int limit) { return std::min(limit, samples ==
 
 class PixelEstimate {
   public:
+    // The largest error(contrast) of one sample: no pixel takes a second one for it.
+    static constexpr double mostOfOneSample = 0.25;
+
     // Linear, unclamped.
     void add(const glm::dvec3& color) {
         const glm::dvec3 shown = glm::clamp(color, 0.0, 1.0);
@@ -35,7 +38,7 @@ class PixelEstimate {
     // samples keep more error, since there a further sample lowers the picture's squared error, e^2, by only
     // 1.5 e^2 / n.
     double error(double contrast) const {
-        if (count_ == 1) return contrast / 4;
+        if (count_ == 1) return contrast * mostOfOneSample;
         const auto n = static_cast<double>(count_);
         return std::max(2 * deviation() / n, contrast / (2 * n * std::sqrt(std::sqrt(n))));
     }
