@@ -50,23 +50,29 @@ class NoPicture final : public PixelSink {
 };
 
 // Estimates the seconds that the picture takes on one thread. It renders a number of tiles from all over the
-// picture, with one sample per pixel if all pixels have equally many.
+// picture with fewer samples: one per pixel if all pixels have equally many. With --adaptive, a pixel's
+// samples after the first are about inversely proportional to `adaptive` (PixelEstimate::error), up to its
+// limit.
 double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
     constexpr int tiles = 64, samples = 64;  // 65,536 pixels: some milliseconds a sample
     RenderOptions options = wanted;
     const double pixels = static_cast<double>(options.crop.area());
     options.part = {1, std::clamp(static_cast<int>(pixels / (tileEdge * tileEdge * tiles)), 1, mostParts)};
-    options.samples = options.adaptive > 0 ? std::min(options.samples, samples) : 1;
     options.threads = 1;
-    const auto once = [&] {
+    const auto samplesTaken = [&](int most) {
         NoPicture sink;
-        Stopwatch watch;
-        renderer.render(options, sink);
-        return watch.lap().cpu;  // does not depend on other programs
+        options.samples = most;
+        return static_cast<double>(renderer.render(options, sink).primary);
     };
-    once();  // fetches the scene into the caches
-    const double times = wanted.adaptive > 0 ? 1 : wanted.samples;
-    return once() * times * options.part.count / wanted.part.count;
+    const double first = samplesTaken(1);  // also fetches the scene into the caches
+    const bool isAdaptive = wanted.adaptive > 0;
+    const int limit = isAdaptive ? std::min(wanted.samples, samples) : 1;
+    const double fewer = static_cast<double>(wanted.samples) / limit;
+    options.adaptive *= fewer;
+    Stopwatch watch;
+    const double taken = samplesTaken(limit), seconds = watch.lap().cpu;  // does not depend on other programs
+    const double times = isAdaptive ? (first + (taken - first) * fewer) / taken : fewer;
+    return seconds * times * options.part.count / wanted.part.count;
 }
 
 double brightest(const glm::dvec3& color) { return std::max({color.r, color.g, color.b}); }

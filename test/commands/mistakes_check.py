@@ -975,15 +975,17 @@ def check_cost(folder):
         check(f"{options}: rays", [rays + remedy],
               [re.sub("about [0-9.e+]+ rays", "about N rays", line) for line in lines])
     (folder / "scene.json").write_text(SCENE, encoding="utf-8")
-    for options, said, instead in [
-            (["--samples", "20000"], "of 20000 samples", "--adaptive 0.02"),
-            (["--adaptive", "1e-9"], "with --adaptive 1e-09", "a smaller size")]:
+    for options, said, units, instead in [
+            (["--samples", "20000"], "of 20000 samples", "min|h|days", "--adaptive 0.02"),
+            (["--adaptive", "1e-9"], "with --adaptive 1e-09", "min|h|days", "a smaller size"),
+            (["--adaptive", "1e-9", "--samples", "65536"], "with --adaptive 1e-09", "h|days",
+             "a smaller size")]:
         words = [RAYTRACER, "scene.json", "out.png", "8000", *options, "--threads", "1"]
         with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, cwd=folder) as process:
             line = process.stderr.readline()
             process.kill()
         check("cost", f"warning: scene.json: 8000 × 8000 pixels {said} take about T; {instead} takes less\n",
-              re.sub("about [0-9.]+ (min|h|days);", "about T;", line))
+              re.sub(f"about [0-9.]+ ({units});", "about T;", line))
 
     words = [RAYTRACER, "scene.json", "f-%d.png", "8", "--frames", "1..999999"]
     with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, cwd=folder) as process:
