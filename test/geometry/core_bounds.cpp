@@ -140,3 +140,21 @@ TEST_CASE("the claimed bound on a hit's position holds where a triangle's corner
     CHECK(hits > 20000 / slowness);
     CHECK(most <= 1);
 }
+
+// Products of three of the triangle's lengths underflow.
+TEST_CASE("a point beside a tiny triangle of a large mesh does not touch it") {
+    constexpr int least =
+        std::max(std::numeric_limits<Real>::min_exponent, std::numeric_limits<double>::min_exponent);
+    const double size = std::ldexp(1.0, least / 3 - 24);
+    auto mesh = std::make_shared<MeshData>();
+    mesh->positions = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, 1}};
+    mesh->positionIndex = {0, 1, 2, 0, 1, 3};
+    mesh->findBounds();
+    const Material material;
+    const auto shape = makeShape(Kind::Mesh, Affine{}, material, mesh);
+    const auto tiny = static_cast<Real>(size);
+    for (const Real height : {Real(0), Real(0.5), Real(-0.5)}) {
+        const Vec3 point(tiny / 4, tiny / 4, height * tiny);
+        CHECK(shape->touches(point, Vec3(unitRoundoff * tiny), 0) == (height == 0));
+    }
+}

@@ -35,10 +35,11 @@ struct Mesh {
     static Truth<T> touches(const Shape& shape, const Vec3T<T>& point, const Vec3T<T>& pointError,
                             std::uint32_t triangle) {
         const auto corner = shape.triangles().corners<Real>(triangle);
-        const Vec3T<T> normal(normalOf(corner)), first(corner[0]),
+        // Of unit length: of a triangle far smaller than its mesh the products below would underflow.
+        const Vec3T<T> normal(normalized(normalOf(corner))), first(corner[0]),
             relative = shape.transform().pointToObject(point) - first;
         const Vec3T<T> error =
-            shape.transform().objectError(point, pointError) + T(gamma(6)) * (abs(relative) + abs(first));
+            shape.transform().objectError(point, pointError) + T(gamma(7)) * (abs(relative) + abs(first));
         return abs(glm::dot(normal, relative)) <= glm::dot(abs(normal), error);
     }
 
