@@ -204,6 +204,32 @@ TEST_CASE("range: a flat sphere of a few pixels is the disc that it looks like")
             CHECK(differingPixels(picture(1e-7, Precision::Double), picture(thickness, precision), 1) == 0);
 }
 
+// A mirroring octahedron one of whose corners is moved far behind the others, on a floor that mirrors it.
+TEST_CASE("range: a mesh that reaches very far is right where it is small") {
+    const auto picture = [](double farthest) {
+        SceneMaker maker = perspective();
+        maker.scene.camera.eye.y = 1;
+        MaterialDescription& m = maker.material(glm::dvec3(0.1));
+        m.color_diffuse = glm::dvec3(0.7, 0.5, 0.3);
+        m.reflective = true;
+        m.color_reflect = glm::dvec3(0.5);
+        MeshData mesh;
+        mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -farthest}};
+        mesh.positionIndex = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+        mesh.findBounds();
+        mesh.chooseUnit();
+        maker.shape(Type::Mesh, {"", {}, {}, {}, {}});
+        maker.scene.shapes[0].mesh = std::make_shared<const MeshData>(mesh);
+        maker.shape(Type::Plane,
+                    {"", glm::dvec3(0, -1.5, 0), TransformDescription::Rotation{-90, {1, 0, 0}}, {}, {}});
+        maker.light({-4, 3, 6});
+        maker.light({0, -1, 3});
+        return bytesOf(maker.scene, edge);
+    };
+    CHECK(differingPixels(picture(1e119), picture(1e30), 1) <= 1);
+    CHECK(differingPixels(picture(1e90), picture(1e30), 1) <= 1);
+}
+
 // A shadow that is 10^15 times as large as what casts it: the way back to the light has to be known as well
 // as the picture is.
 TEST_CASE("range: a shadow on a wall that is far away") {

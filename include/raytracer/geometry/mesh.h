@@ -132,8 +132,8 @@ struct Mesh {
         // whose weights are a third of the area: a triangle may be smaller than its error.
         const T longest = maxComponent(edge), least = min(T(8) * margin * longest, area / T(3));
         for (int i = 0; i < 3; ++i) weight[i] = max(weight[i], least);
-        object.origin = (weight.x * corner[0] + weight.y * corner[1] + weight.z * corner[2]) /
-                        (weight.x + weight.y + weight.z);
+        weight /= weight.x + weight.y + weight.z;  // first: products of three small lengths underflow
+        object.origin = weight.x * corner[0] + weight.y * corner[1] + weight.z * corner[2];
         const T off = least / (T(4) * longest);
         object.origin += (ray.departure.inside ? -off : off) * up;
         return object;
