@@ -24,16 +24,23 @@ namespace {
 
 namespace files = std::filesystem;
 
-// Whether two paths lead to one file; links and ".." are followed. False for devices, which may be shared.
-bool isSameFile(const std::string& a, const std::string& b) {
+// Whether a path leads to the file or folder `place`, or into that folder; links and ".." are followed. False
+// for devices, which may be shared.
+bool leadsInto(const std::string& path, const std::string& place) {
     std::error_code error;
-    if (files::exists(a, error) && !files::is_regular_file(a, error)) return false;
-    if (files::equivalent(a, b, error)) return true;
-    const auto whole = [&](const std::string& path) {
-        return files::weakly_canonical(files::absolute(path, error), error);
+    if (files::exists(path, error) && !files::is_regular_file(path, error) &&
+        !files::is_directory(path, error))
+        return false;
+    if (files::equivalent(path, place, error)) return true;
+    const auto whole = [&](const std::string& name) {
+        return files::weakly_canonical(files::absolute(name, error), error);
     };
-    const files::path one = whole(a), other = whole(b);
-    return !one.empty() && one == other;
+    const files::path wholePath = whole(path), wholePlace = whole(place);
+    return !wholePlace.empty() && std::ranges::mismatch(wholePlace, wholePath).in1 == wholePlace.end();
+}
+
+Error alsoRead(const std::string& out) {
+    return Error(printable(out) + " is read, too: give another name for what is written");
 }
 
 }  // namespace
@@ -41,14 +48,19 @@ bool isSameFile(const std::string& a, const std::string& b) {
 void refuseInput(const std::string& out, std::span<const std::string> inputs) {
     if (out.empty()) return;
     for (const std::string& input : inputs)
-        if (!input.empty() && isSameFile(out, input))
-            throw Error(printable(out) + " is read, too: give another name for what is written");
+        if (!input.empty() && leadsInto(input, out)) throw alsoRead(out);
+}
+
+void refuseInside(const std::string& out, std::span<const std::string> folders) {
+    if (out.empty()) return;
+    for (const std::string& folder : folders)
+        if (leadsInto(out, folder)) throw alsoRead(out);
 }
 
 void refuseSameOutput(std::span<const std::string> outputs) {
     for (std::size_t i = 0; i < outputs.size(); ++i)
         for (const std::string& other : outputs.subspan(i + 1))
-            if (!outputs[i].empty() && !other.empty() && isSameFile(outputs[i], other))
+            if (!outputs[i].empty() && !other.empty() && leadsInto(outputs[i], other))
                 throw Error(printable(other) + " is written twice: give each file its own name");
 }
 

@@ -14,11 +14,13 @@ constexpr Range longEdgeRange{1, 65536};
 // Throws Error, about the file, if there is too little memory for a band of the picture.
 void requirePictureFits(const std::string& file, const PixelRectangle& crop, bool isPfm);
 
-// Throws Error if writing `out` would replace a regular
-// file that is among the inputs. Empty names are no files.
+// Throws Error if `out` is one of the inputs, or a folder with one of them. Empty names are no files.
 void refuseInput(const std::string& out, std::span<const std::string> inputs);
 
-// Throws Error if two of these are one regular file. Empty names are no files.
+// Throws Error if `out` lies in one of the folders, of which all is read.
+void refuseInside(const std::string& out, std::span<const std::string> folders);
+
+// Throws Error if two of these are one file. Empty names are no files.
 void refuseSameOutput(std::span<const std::string> outputs);
 
 // Whether the name has the ending of a picture.

@@ -1,6 +1,5 @@
 // raytracer grade DIR: renders scenes that have reference pictures, and compares.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -99,19 +98,15 @@ std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& a
     return results;
 }
 
-void refuseInputs(const GradeArguments& arguments, const GradePlan& plan) {
-    const std::array outputs{arguments.report, arguments.csv, arguments.json, arguments.junit,
-                             arguments.gradescope};
-    refuseSameOutput(outputs);
-    std::vector<std::string> inputs;
-    for (const GradeCase& test : plan.cases) inputs.insert(inputs.end(), {test.scene, test.reference});
-    for (const std::string& output : outputs) refuseInput(output, inputs);
+std::vector<std::string> outputsOf(const GradeArguments& arguments) {
+    return {arguments.report, arguments.csv, arguments.json, arguments.junit, arguments.gradescope};
 }
 
 // The output files that the user asks for. They are opened before the work begins.
 struct GradeFiles {
-    GradeFiles(const GradeArguments& arguments, const GradePlan& plan) {
-        refuseInputs(arguments, plan);
+    explicit GradeFiles(const GradeArguments& arguments) {
+        refuseSameOutput(outputsOf(arguments));
+        if (!arguments.report.empty() && !arguments.submissions.empty()) shelf.emplace(arguments.report);
         const auto open = [](std::optional<OutputFile>& file, const std::string& path) {
             if (!path.empty()) file.emplace(path);
         };
@@ -132,7 +127,20 @@ struct GradeFiles {
     }
 
     std::optional<OutputFile> report, csv, json, junit, gradescope;
+    std::optional<PictureShelf> shelf;  // of a class's report
 };
+
+void refuseInputs(const GradeArguments& arguments, const GradeFiles& output,
+                  std::span<const std::string> inputs, const std::vector<Submission>& submissions) {
+    std::vector<std::string> outputs = outputsOf(arguments), folders;
+    if (output.shelf) outputs.push_back(output.shelf->folder());
+    for (const Submission& submission : submissions) folders.push_back(submission.folder);
+    for (const std::string& out : outputs) {
+        refuseInput(out, inputs);
+        refuseInput(out, folders);
+        refuseInside(out, folders);
+    }
+}
 
 int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
     const GradedSubmission one{arguments.program.empty() ? "raytracer" : arguments.program,
@@ -165,19 +173,18 @@ void requireProgramIn(const std::vector<Submission>& submissions, const std::str
             throw UsageError("--program: " + missingInAll(name));
 }
 
-int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan, GradeFiles& output) {
-    const std::vector<Submission> submissions = submissionsIn(arguments.submissions);
+int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan,
+                     const std::vector<Submission>& submissions, GradeFiles& output) {
     if (!arguments.gradescope.empty() && submissions.size() != 1)
         throw UsageError("--gradescope: expected one submission, found " +
                          std::to_string(submissions.size()));
     if (arguments.gradescope.empty()) requireProgramIn(submissions, arguments.program);
-    std::optional<PictureShelf> shelf;
-    if (output.report) shelf.emplace(arguments.report);
+    PictureShelf* const shelf = output.shelf ? &*output.shelf : nullptr;
     std::vector<GradedSubmission> graded;
     {
         StepProgress progress(arguments.quiet, 1);
         const ClassOptions options{arguments.program, arguments.programOptions(), arguments.jobs};
-        graded = gradeClass(plan, submissions, options, namerOf, shelf ? &*shelf : nullptr, progress);
+        graded = gradeClass(plan, submissions, options, namerOf, shelf, progress);
     }
     const std::string title = arguments.submissions + " on " + arguments.scenes;
     if (output.report) output.report->write(classReport(graded, arguments.thresholds, title, *shelf));
@@ -200,11 +207,14 @@ int grade(int argc, char** argv) {
     arguments.check();
     if (!arguments.quiet) print("");
     const GradePlan plan = planFor(arguments);
-    GradeFiles output(arguments, plan);
+    GradeFiles output(arguments);
     requireCases(plan, arguments);
-    requireGradable(plan);
+    const std::vector<std::string> inputs = requireGradable(plan);
+    std::vector<Submission> submissions;
+    if (!arguments.submissions.empty()) submissions = submissionsIn(arguments.submissions);
+    refuseInputs(arguments, output, inputs, submissions);
     return arguments.submissions.empty() ? gradeFolder(arguments, plan, output)
-                                         : gradeSubmissions(arguments, plan, output);
+                                         : gradeSubmissions(arguments, plan, submissions, output);
 }
 
 }  // namespace raytracer::commands

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -111,10 +112,15 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
     return plan;
 }
 
-void requireGradable(const GradePlan& plan) {
+std::vector<std::string> requireGradable(const GradePlan& plan) {
+    std::vector<std::string> files;
     std::set<std::string> scenes;
-    for (const GradeCase& test : plan.cases)
-        if (scenes.insert(test.scene).second) loadScene(test.scene);
+    for (const GradeCase& test : plan.cases) {
+        files.push_back(test.reference);
+        if (scenes.insert(test.scene).second)
+            std::ranges::move(loadScene(test.scene).files, std::back_inserter(files));
+    }
+    return files;
 }
 
 CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options) {

@@ -227,8 +227,24 @@ def check_files(folder, failing):
                 r'one/a.json:1:\d+: /textures/wood: no file "one/no.png" '
                  r'\(relative to the scene file\); .*\n',
                 "one", *arguments)
+    check_read(folder, failing, scene)
     check_broken_scenes(folder, failing)
     (folder / "one/a.json").write_text(LEAST)
+
+
+def check_read(folder, failing, textured):
+    """What a scene names is not overwritten, nor what lies in a submission, nor by pictures beside a page."""
+    for name in ("named", "named/r_pictures", "hand_ins/ada", "hand_ins/r_pictures"):
+        (folder / name).mkdir(parents=True)
+    (folder / "named/a.json").write_text(json.dumps(textured))
+    for name in ("named/no.png", "named/a.png", "named/r_pictures/a.png", "hand_ins/ada/a.png"):
+        shutil.copy(folder / "exam/good_one.png", folder / name)
+    for output, name, read, *more in (
+        ("--csv", "named/no.png", "named/no.png"), ("--json", "hand_ins/ada/a.png", "hand_ins/ada/a.png"),
+        ("--report", "named/r.html", "named/r_pictures", "--references", "named/r_pictures"),
+        ("--report", "hand_ins/r.html", "hand_ins/r_pictures")):
+        failing(f"{output} over {read}", f"{read} is read, too: give another name for what is written\n",
+                "named", "--submissions", "hand_ins", output, name, *more)
 
 
 def check_broken_scenes(folder, failing):

@@ -260,6 +260,17 @@ TEST_CASE("grade: the shelf of a page's pictures has equal ones once, and many i
     CHECK(std::filesystem::file_size(folder.file("all_pictures/" + large + ".png")) == std::size_t{21} << 20);
 }
 
+TEST_CASE("grade: pictures of one hash have a place each on the shelf") {
+    const TemporaryFolder folder;
+    PictureShelf shelf(folder.file("all.html"));
+    const std::string one = "one picture, one", other = "picabmrbO52W9J01";  // of one hash in libstdc++
+    const std::string key = shelf.add(one);
+    CHECK(shelf.add(other) != key);
+    shelf.add(std::string(std::size_t{21} << 20, 'x'));  // from now on they are in files
+    CHECK(shelf.add(one) == key);
+    CHECK(textOf(folder.file("all_pictures/" + shelf.add(other) + ".png")) == other);
+}
+
 TEST_CASE("child process: how it ends") {
     const TemporaryFolder folder;
     const std::string log = folder.file("log");

@@ -45,8 +45,9 @@ struct GradePlan {
 // `references`, which may be the same folder. Throws Error if a folder cannot be read.
 GradePlan planGrading(const std::string& scenes, const std::string& references);
 
-// Throws Error if a scene, or a file that it names, cannot be read: no program can be blamed for that.
-void requireGradable(const GradePlan& plan);
+// Returns the files that are read: the references, the scenes and what these name. Throws Error if a scene,
+// or a file that it names, cannot be read: no program can be blamed for that.
+std::vector<std::string> requireGradable(const GradePlan& plan);
 
 // The outcome of rendering a case. It does not tell whether there is a picture.
 struct Rendered {

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <unordered_map>
 
 namespace raytracer {
 
@@ -13,6 +14,8 @@ class PictureShelf {
   public:
     // For the page that will be at this path: "out.html" has the folder "out_pictures".
     explicit PictureShelf(const std::string& page);
+
+    const std::string& folder() const { return folder_; }
 
     // Adds the bytes of a PNG file and returns their key. Empty bytes have the empty key. Thread-safe. Throws
     // Error if the folder cannot be written.
@@ -24,12 +27,14 @@ class PictureShelf {
   private:
     static constexpr std::size_t mostInPage = std::size_t{20} << 20;  // bytes
 
-    void write(const std::string& key, const std::string& png);
+    std::string file(const std::string& key) const;
+    bool has(const std::string& key, const std::string& png) const;  // whether these are the key's bytes
+    void write(const std::string& key, const std::string& png) const;
 
     std::string folder_, link_;  // the folder's path, and its name
     std::mutex mutex_;
-    std::map<std::string, std::string> keys_;    // by the bytes' hash and number
-    std::map<std::string, std::string> inPage_;  // the bytes by key, while they are few
+    std::unordered_multimap<std::size_t, std::string> keys_;  // by the bytes' hash
+    std::map<std::string, std::string> inPage_;               // the bytes by key, while they are few
     std::size_t size_ = 0;
     bool isBeside_ = false;
 };
