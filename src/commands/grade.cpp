@@ -152,9 +152,13 @@ int gradeFolder(const GradeArguments& arguments, const GradePlan& plan, GradeFil
     return one.rightCount(arguments.thresholds) == one.results.size() ? 0 : 1;
 }
 
+// Throws Error if it cannot be looked at.
 bool hasFile(const Submission& submission, const std::string& name) {
+    const std::string path = replaced(name, "{}", submission.given);
     std::error_code error;
-    return std::filesystem::exists(replaced(name, "{}", submission.folder), error);
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!status_known(status)) throw Error({path}, "cannot read: " + error.message());
+    return exists(status);
 }
 
 std::string missingInAll(const std::string& name) {
@@ -164,13 +168,15 @@ std::string missingInAll(const std::string& name) {
     return "no submission has a file " + printable(name);
 }
 
-// Throws UsageError if no submission has the program: that
-// is a slip of the command line, not of all students.
+// Throws UsageError if no submission has the program: that is a slip of the command line, not of all
+// students. Throws Error if that of any submission cannot be looked at.
 void requireProgramIn(const std::vector<Submission>& submissions, const std::string& program) {
-    for (const std::string& name : filesStarted(program))
-        if (name.find("{}") != name.npos &&
-            std::ranges::none_of(submissions, [&](const Submission& one) { return hasFile(one, name); }))
-            throw UsageError("--program: " + missingInAll(name));
+    for (const std::string& name : filesStarted(program)) {
+        if (name.find("{}") == name.npos) continue;
+        std::size_t count = 0;
+        for (const Submission& submission : submissions) count += hasFile(submission, name);
+        if (count == 0) throw UsageError("--program: " + missingInAll(name));
+    }
 }
 
 int gradeSubmissions(const GradeArguments& arguments, const GradePlan& plan,

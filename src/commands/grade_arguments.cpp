@@ -28,9 +28,9 @@ X-STAGE.png anywhere beneath it, the nearest to its top; or --program makes
 them, in which {} is the submission's folder.
 
 Exit status: 0 all the same; 1 not the same; 2 there is nothing to grade, or the
-grader itself cannot work: a scene or a reference is broken, a disk is full. Of
-submissions 0 once all are graded, whatever they score; 1 where a picture is
-below --min-score; 2 as above.
+grader itself cannot work: a scene or a reference is broken, a submission cannot
+be read, a disk is full. Of submissions 0 once all are graded, whatever they
+score; 1 where a picture is below --min-score; 2 as above.
 "The same" as for `raytracer compare`: no pixel differs, or what --max-pixels,
 --tolerance and --min-score say, for each picture.
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -26,21 +27,29 @@ struct FoundPicture {
     std::string path, note, instead;
 };
 
+// What the grader cannot read is no fault of a student's.
+Error unreadable(const files::path& path, std::error_code error) {
+    return {{path.string()}, "cannot read: " + error.message()};
+}
+
 // The files beneath a folder, by their names in small letters: PNG files with their ending, others without.
-// The places of each name are sorted by depth, the nearest to the top first, then by path.
+// The places of each name are sorted by depth, the nearest to the top first, then by path. Throws Error if
+// anything beneath the folder cannot be read.
 using FilesByName = std::map<std::string, std::vector<std::pair<int, files::path>>>;
 
 FilesByName filesBeneath(const std::string& folder) {
     FilesByName found;
     std::error_code error;
-    files::recursive_directory_iterator entry(folder, files::directory_options::skip_permission_denied,
-                                              error);
-    for (const files::recursive_directory_iterator end; !error && entry != end; entry.increment(error))
+    files::path path = folder;
+    for (files::recursive_directory_iterator entry(path, error), end; !error && entry != end;) {
+        path = entry->path();
         if (entry->symlink_status(error).type() == files::file_type::regular) {
-            const files::path& path = entry->path();
             const files::path name = endsIn(path.string(), ".png") ? path.filename() : path.stem();
             found[inLowerCase(name.string())].emplace_back(entry.depth(), path.lexically_relative(folder));
         }
+        if (!error) entry.increment(error);  // opens the folder at `path`
+    }
+    if (error) throw unreadable(path, error);
     for (auto& [name, places] : found) std::ranges::sort(places);
     return found;
 }
@@ -94,7 +103,7 @@ class ClassGrading {
         for (std::size_t s = 0; s < submissions_.size(); ++s) {
             const Submission& submission = submissions_[s];
             if (submission.isArchive) continue;
-            const FilesByName files = filesBeneath(submission.folder);
+            const FilesByName files = filesBeneath(submission.given);
             for (std::size_t c = 0; c < plan_.cases.size(); ++c) {
                 const FoundPicture found = findPicture(files, plan_.cases[c]);
                 take(graded_[s].results[c], found, submission);
@@ -147,6 +156,7 @@ class ClassGrading {
         if (result.isMissing)
             result.message = "no picture " + result.test.name + ".png" + result.butInstead();
         else result.path = (submission.given / files::path(found.path)).string();
+        if (!result.isMissing && !std::ifstream(result.path)) throw systemError(result.path, "cannot read");
     }
 
     std::string& path(std::size_t submission, std::size_t test) {
@@ -196,13 +206,16 @@ std::string unpackedName(const std::string& file) {
 
 std::vector<Submission> submissionsIn(const std::string& folder) {
     std::vector<Submission> submissions, archives;
-    std::error_code error, ignored;
+    std::error_code error, why;
     for (files::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
+        if (name.starts_with('.')) continue;
+        const files::file_type type = entry->status(why).type();
+        if (type == files::file_type::none) throw unreadable(entry->path(), why);
         Submission found{name, absolutePath(entry->path().string()), entry->path().string()};
-        found.isArchive = !entry->is_directory(ignored);
-        if (name.starts_with('.') || (found.isArchive && unpackedName(name).empty())) continue;
+        found.isArchive = type == files::file_type::regular && !unpackedName(name).empty();
+        if (!found.isArchive && type != files::file_type::directory) continue;
         (found.isArchive ? archives : submissions).push_back(std::move(found));
     }
     if (error) throw folderError(folder, error);

@@ -168,7 +168,7 @@ def check_own_failures(program, folder):
     for blank in ("", "  "):
         failing("no program", f'raytracer grade: --program: expected a command, found "{blank}"\n',
                 "one", "--program", blank)
-    check_files(folder, failing)
+    check_files(program, folder, failing)
     (folder / "one/a.png").write_bytes((folder / "one/a.png").read_bytes()[:100])
     failing("a broken reference",
             "one/a.png: broken PNG picture: it is cut short, or a checksum in it is wrong\n", "one",
@@ -184,7 +184,7 @@ def check_own_failures(program, folder):
                 "--program", "true", before=mount, TMPDIR="one")
 
 
-def check_files(folder, failing):
+def check_files(raytracer, folder, failing):
     """What is named twice, or is not there, is told before anything is graded."""
     program = ("--program", "true")
     for output in ("--csv", "--json", "--junit", "--gradescope"):
@@ -228,6 +228,7 @@ def check_files(folder, failing):
                  r'\(relative to the scene file\); .*\n',
                 "one", *arguments)
     check_read(folder, failing, scene)
+    check_unreadable(raytracer, folder, failing)
     check_broken_scenes(folder, failing)
     (folder / "one/a.json").write_text(LEAST)
 
@@ -245,6 +246,37 @@ def check_read(folder, failing, textured):
         ("--report", "hand_ins/r.html", "hand_ins/r_pictures")):
         failing(f"{output} over {read}", f"{read} is read, too: give another name for what is written\n",
                 "named", "--submissions", "hand_ins", output, name, *more)
+
+
+def check_unreadable(program, folder, failing):
+    """What another user's mode bits hide from the grader is not taken for missing."""
+    other = ["setpriv", "--reuid", "65534", "--regid", "65534", "--clear-groups"] if os.geteuid() == 0 else []
+    folder.chmod(0o755)
+    if shutil.which("setpriv") is None or subprocess.run([*other, program, "--version"],
+                                                         capture_output=True).returncode:
+        return print("what cannot be read: skipped, there is no other user")
+    ada = folder / "hidden/class/ada"
+    (ada / "pictures").mkdir(parents=True)
+    for path in (ada / "pictures/good_one.png", folder / "hidden/good_one.png"):
+        shutil.copy(folder / "exam/good_one.png", path)
+    write_program(ada / "rt", "")
+    (folder / "hidden/good_one.json").write_text(LEAST)
+    (folder / "hidden/class/bob").mkdir()
+    (folder / "hidden/links").mkdir()
+    (folder / "hidden/links/cyd").symlink_to(ada / "pictures")
+    given, pictures = ["--submissions", "hidden/class"], "hidden/class/ada/pictures"
+    for path, mode, named, *arguments in (
+        (ada, 0, "hidden/class/ada", *given), (ada / "pictures", 0, pictures, *given),
+        (ada / "pictures", 0o644, f"{pictures}/good_one.png", *given),
+        (ada / "pictures/good_one.png", 0, f"{pictures}/good_one.png", *given),
+        (ada, 0, "hidden/links/cyd", "--submissions", "hidden/links"),
+        (folder / "hidden/class/bob", 0o644, "hidden/class/bob/rt", *given, "--program", "{}/rt"),
+        (ada / "pictures", 0o644, r"hidden/class/ada/pictures/good_one.*\.png", "--references", pictures)):
+        before = path.stat().st_mode
+        path.chmod(mode)
+        failing(f"{named}, mode {mode:o}", f"{named}: cannot read: Permission denied\n", "hidden", *arguments,
+                before=other)
+        path.chmod(before)
 
 
 def check_broken_scenes(folder, failing):

@@ -468,6 +468,7 @@ TEST_CASE("grade: an archive beside the submissions is one to unpack, where no f
     for (const char* name : {"ada", "bob.2"}) std::filesystem::create_directory(handedIn.file(name));
     for (const char* name : {"ada.zip", "bob.2.tar.gz", "notes.txt", "cyd.TAR.GZ", ".zip", "Eve.zip"})
         touch(handedIn.file(name));
+    REQUIRE(::mkfifo(handedIn.file("pipe.zip").c_str(), 0600) == 0);
     const std::vector<Submission> submissions = submissionsIn(handedIn.file(""));
     std::vector<std::string> names;
     for (const Submission& submission : submissions) names.push_back(submission.name);

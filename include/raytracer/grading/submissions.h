@@ -22,7 +22,7 @@ struct Submission {
 inline constexpr const char* toUnpack = "an archive: unpack it into a folder";
 
 // The subfolders of `folder`, sorted by name, and the archives for which there is no subfolder of their name.
-// Throws Error if the folder cannot be read or has none of these.
+// Throws Error if the folder, or what is in it, cannot be read, or if it has none of these.
 std::vector<Submission> submissionsIn(const std::string& folder);
 
 struct GradedSubmission {
@@ -48,8 +48,8 @@ struct ClassOptions {
 
 // Grades all submissions. A picture that was handed in is X.png anywhere beneath the folder, the one nearest
 // to its top. Programs run in a fresh folder each. What is wrong with a submission is in its results. Throws
-// Error for what is the grader's fault: a reference that cannot be read, no temporary folder, a full disk. If
-// there is a shelf, the pictures are put there.
+// Error for what is the grader's fault: a reference or a submission that cannot be read, no temporary folder,
+// a full disk. If there is a shelf, the pictures are put there.
 std::vector<GradedSubmission> gradeClass(const GradePlan& plan, const std::vector<Submission>& submissions,
                                          const ClassOptions& options, const NamerMaker& makeNamer,
                                          PictureShelf* shelf, ProgressListener& progress);
