@@ -9,7 +9,6 @@
 #include "mistake_search.h"
 #include "raytracer/grading/compare.h"
 #include "raytracer/util/text.h"
-#include "specks.h"
 
 namespace raytracer {
 

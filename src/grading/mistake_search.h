@@ -1,7 +1,10 @@
-// Searches the known mistakes, one or two together, that explain a picture.
+// Searches what explains a picture: known mistakes, one or two together, or specks. Those are single wrong
+// pixels among right ones, made by rays that hit the surface that they leave.
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "mistake.h"
@@ -31,5 +34,12 @@ using Candidates = std::vector<Candidate>;
 
 // The variants that explain the picture, all equally well. Empty if none does.
 Candidates explanationsOf(const ByteImage& picture, const SplitPixels& split, const KnownVariants& known);
+
+// Names shadow acne if shadows on some lights of a pixel's ray tree give its bytes, reflection acne if a
+// mirror that reflects itself does, or both. `wrong` are all wrong pixels, as numbers in reading order;
+// `sample` has some of them, with their ray trees.
+std::optional<NamedMistake> specksIn(const ByteImage& picture, const ByteImage& right,
+                                     std::span<const std::size_t> wrong, const SceneDescription& scene,
+                                     const Sample& sample);
 
 }  // namespace raytracer

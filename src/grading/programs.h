@@ -17,6 +17,9 @@ struct ProgramRun {
     std::string picture;  // path to which the picture is copied, unless the program fails
 };
 
+// The command with absolute paths for the relative ones that lead to files of this program's folder.
+std::string commandFromHere(const std::string& command);
+
 // Runs the programs, up to `atOnce` at a time, and calls ended(i, how) after each. It is a failure if no
 // picture was written, or if it is not a regular file.
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,

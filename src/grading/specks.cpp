@@ -1,9 +1,7 @@
-#include "specks.h"
+#include "mistake_search.h"
 
 #include <algorithm>
 #include <cstdlib>
-
-#include "mistake.h"
 
 namespace raytracer {
 

@@ -168,6 +168,9 @@ def check_own_failures(program, folder):
     for blank in ("", "  "):
         failing("no program", f'raytracer grade: --program: expected a command, found "{blank}"\n',
                 "one", "--program", blank)
+    for command in ('true "', "true )"):
+        failing(f"the shell's syntax, {command}",
+                "raytracer grade: --program: a shell cannot read it: sh: .*\n", "one", "--program", command)
     check_files(program, folder, failing)
     (folder / "one/a.png").write_bytes((folder / "one/a.png").read_bytes()[:100])
     failing("a broken reference",
@@ -200,7 +203,7 @@ def check_files(raytracer, folder, failing):
     shutil.copy(folder / "exam/good_one.png", folder / "pipes/a.png")
     failing("a pipe for a scene", "pipes/a.json: cannot read: it is no regular file\n", "pipes", *program)
     # With fewer the undefined-behaviour sanitizer takes every object for another one.
-    failing("six open files", "(/dev/null: )?cannot start a process: Too many open files\n", "one", *program,
+    failing("six open files", "(/\\S+: )?cannot start a process: Too many open files\n", "one", *program,
             before=["sh", "-c", 'ulimit -n 6; exec "$@"', "sh"])
     (folder / "links").mkdir()
     shutil.copy(folder / "one/a.json", folder / "links")

@@ -223,6 +223,11 @@ TEST_CASE("grade: a program that cannot be started is a fault of its command") {
           "test -e x.sh || true", "echo a.py", "env -C /tmp python3 inner.py", "no-such-command || true",
           "env docker run img python3 /app/main.py", "sh true.sh || :", "sh -c 'x.py'", "sh ls"})
         CHECK(programFault(valid).empty());
+    for (const char* broken : {"{}/run \"", "'{}/run", "{}/run )", "if {}/run"})
+        CHECK_THAT(programFault(broken), Contains("a shell cannot read it: sh: "));
+    const TemporaryFolder folder;
+    CHECK(programFault("echo >" + folder.file("made") + "\necho >" + folder.file("made")).empty());
+    CHECK_FALSE(std::filesystem::exists(folder.file("made")));  // it is read, not run
     CHECK(programFault("/tmp") == "/tmp is a folder: name a program in it");
 }
 
