@@ -123,6 +123,24 @@ bool isOneColor(const ByteImage& picture) {
     return true;
 }
 
+std::optional<NamedMistake> specksIn(const ByteImage& picture, const SplitPixels& split,
+                                     const KnownVariants& known) {
+    Sample sample(split, 1000, 0, picture.width);
+    for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(known.scene->explain(pixel));
+    return specksIn(picture, known.right, split.wrongPixels, known.scene->scene(), sample);
+}
+
+void search(Diagnosis& diagnosis, const ByteImage& picture, const SplitPixels& split,
+            const KnownVariants& known) {
+    const Candidates candidates = explanationsOf(picture, split, known);
+    nameAll(diagnosis, candidates);
+    if (!diagnosis.mistakes.empty()) return;
+    if (const auto specks = specksIn(picture, split, known)) diagnosis.mistakes.push_back(*specks);
+    else
+        diagnosis.unnamed =
+            candidates.empty() ? "no known mistake" : "more known mistakes than can be told apart";
+}
+
 // "equals the picture", or how many pixels keep it from that.
 std::string likenessInWords(const NamedMistake& mistake, const Diagnosis& diagnosis) {
     const std::string pixels = std::to_string(diagnosis.pixels) + " pixels";
@@ -184,13 +202,11 @@ Diagnosis MistakeNamer::diagnose(const ByteImage& picture) const {
     diagnosis.pixels = picture.pixels.size() / 3;
     diagnosis.wrong = split.differing;
     diagnosis.isRounding = split.differing > 0 && split.wrongPixels.empty();
-    if (split.wrongPixels.size() < fewestWrong || isOneColor(picture)) return diagnosis;
-    nameAll(diagnosis, explanationsOf(picture, split, *known_));
-    if (!diagnosis.mistakes.empty()) return diagnosis;
-    Sample sample(split, 1000, 0, picture.width);
-    for (const PixelPlace& pixel : sample.pixels) sample.trees.push_back(known_->scene->explain(pixel));
-    if (const auto name = specksIn(picture, known_->right, split.wrongPixels, known_->scene->scene(), sample))
-        diagnosis.mistakes.push_back(*name);
+    if (split.wrongPixels.empty()) return diagnosis;
+    if (split.wrongPixels.size() < fewestWrong)
+        diagnosis.unnamed = "too few wrong pixels to tell the mistake";
+    else if (isOneColor(picture)) diagnosis.unnamed = "one colour tells no mistake";
+    else search(diagnosis, picture, split, *known_);
     return diagnosis;
 }
 

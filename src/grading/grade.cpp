@@ -144,20 +144,26 @@ NamedCase::NamedCase(const GradeCase& test, const ReferencePicture& reference, N
 
 // Only if our own picture is the reference: mistakes are named by comparison with our picture, which says
 // nothing about a reference of another light model.
-void NamedCase::name(GradeResult& result, const ByteImage& picture) {
+void NamedCase::tryNamer() {
     constexpr double another = 0.002;  // share of the pixels: more than rounding changes
-    if (!std::exchange(isTried_, true) && makeNamer_) {
-        namer_ = makeNamer_(test_, {reference_.image.width, reference_.image.height});
-        if (!namer_) return;
-        const Comparison comparison = compareImages(namer_->right(), reference_.image);
-        const auto pixels = static_cast<double>(comparison.width) * comparison.height;
-        if (static_cast<double>(comparison.pixelsOver(1)) > another * pixels) namer_.reset();
-    }
+    if (std::exchange(isTried_, true) || !makeNamer_) return;
+    namer_ = makeNamer_(test_, {reference_.image.width, reference_.image.height});
     if (!namer_) return;
+    const Comparison comparison = compareImages(namer_->right(), reference_.image);
+    const auto pixels = static_cast<double>(comparison.width) * comparison.height;
+    if (static_cast<double>(comparison.pixelsOver(1)) > another * pixels) namer_.reset();
+}
+
+void NamedCase::name(GradeResult& result, const ByteImage& picture) {
+    tryNamer();
+    if (!namer_) {
+        result.unnamed = "no mistake looked for: the reference is not our picture";
+        return;
+    }
     const Diagnosis diagnosis = namer_->diagnose(picture);
     for (const NamedMistake& mistake : diagnosis.mistakes) result.mistakes.push_back(mistake.what);
     result.sentence = diagnosis.sentence();
-    result.isRounding = diagnosis.wrong == 0 || diagnosis.isRounding;
+    result.unnamed = diagnosis.unnamed;
 }
 
 void gradePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture,

@@ -83,7 +83,9 @@ class FaultCount {
 
 // The fault of wrong pictures that no mistake explains: rounding if all differ by that only.
 std::string withoutMistake(const std::vector<const GradeResult*>& wrong) {
-    if (!std::ranges::all_of(wrong, &GradeResult::isRounding)) return "no known mistake";
+    FaultCount reasons;
+    for (const GradeResult* result : wrong) reasons.add(result->unnamed, result->unnamed);
+    if (const Fault* const most = reasons.most()) return most->text;
     std::uint64_t pixels = 0, byMore = 0;
     for (const GradeResult* result : wrong) {
         pixels += result->comparison->pixelsOver(0);

@@ -134,6 +134,11 @@ def check_pictures(folder):
     check("as JSON", ["without shadows"], [mistake["what"] for mistake in answer["mistakes"]])
     check("as JSON: bytes", [found[3], found[4]],
           [", ".join(map(str, answer[key])) for key in ("theirs", "bytes")])
+    run(folder, scene, out, 8, "--only", "ambient,diffuse,specular,reflections,refraction,textures",
+        "--quiet")
+    check("no shadows, small", "mine.png differs from the right picture in 8 of 64 pixels: too few wrong "
+          "pixels to tell the mistake",
+          run(folder, "explain", scene, "--picture", "mine.png")[2].split("\n")[0])
     run(folder, scene, out, 60, "--quiet")
     check("right", (0, "mine.png equals the right picture"), (lambda done: (done[0], done[2].split("\n")[0]))(
         run(folder, "explain", scene, "--picture", "mine.png", "--quiet")))

@@ -261,6 +261,23 @@ TEST_CASE("mistakes: what none explains has no name") {
     CHECK(nameOf(scene, bytesOf(courseScene("texture"), edge)).empty());
 }
 
+TEST_CASE("mistakes: why a wrong picture has no name") {
+    const SceneDescription scene = courseScene("spheres_cylinder");
+    const ByteImage right = bytesOf(scene, edge), ambient = termsPicture(scene, "ambient");
+    const MistakeNamer namer(scene, wholePicture(scene, edge));
+    CHECK(namer.diagnose(right).unnamed.empty());
+    CHECK(namer.diagnose(ambient).unnamed.empty());
+    CHECK(namer.diagnose(changed(right, [](double) { return 0.0; })).unnamed ==
+          "one colour tells no mistake");
+    CHECK(namer.diagnose(changed(right, [](double c) { return c * c * (3 - 2 * c); })).unnamed ==
+          "no known mistake");
+    ByteImage few = right;
+    for (std::size_t i = 0, wrong = 0; wrong < 23; i += 3)
+        if (largestDifference(&ambient.pixels[i], &right.pixels[i]) > 1 && ++wrong)
+            std::copy_n(&ambient.pixels[i], 3, &few.pixels[i]);
+    CHECK(namer.diagnose(few).unnamed == "too few wrong pixels to tell the mistake");
+}
+
 TEST_CASE("mistakes: another stage, or other terms, is named as what it is") {
     for (const char* file : {"refraction", "stress_test"}) {
         const SceneDescription scene = courseScene(file);

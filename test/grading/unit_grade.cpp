@@ -408,7 +408,7 @@ TEST_CASE("grade: what is wrong with a submission, beside the pictures that are 
     };
     ada.results.push_back(gradeCase(blackCase(folder, "mesh"), flatRenderer(10, 9)));
     addMissing("cone");
-    CHECK(ada.fault({}) == "no known mistake; cone is missing");
+    CHECK(ada.fault({}) == "no mistake looked for: the reference is not our picture; cone is missing");
     ada.results[0].mistakes = {"without shadows"};
     addMissing("cube");
     CHECK(ada.fault({}) == "without shadows; cone and cube are missing");
@@ -463,8 +463,9 @@ TEST_CASE("grade: a right program's other roundings are told") {
         return ada.fault({});
     };
     CHECK(faultOf(2, 1) == "rounding (4 pixels by 1)");
-    CHECK(faultOf(2, 2) == "no known mistake");
-    CHECK(faultOf(9, 1) == "no known mistake");  // more pixels than rounding changes
+    CHECK(faultOf(2, 2) == "too few wrong pixels to tell the mistake");
+    CHECK(faultOf(9, 1) == "too few wrong pixels to tell the mistake");  // more than rounding changes
+    CHECK(faultOf(30, 9) == "no known mistake");
 }
 
 TEST_CASE("grade: an archive beside the submissions is one to unpack, where no folder has its name") {

@@ -40,6 +40,7 @@ struct Diagnosis {
     std::uint64_t pixels = 0, wrong = 0;  // all pixels, and those that differ from the right picture
     bool isRounding = false;              // few are wrong, by 1 of 255: the program is right
     std::vector<NamedMistake> mistakes;   // at most three, which explain the picture equally well
+    std::string unnamed{};                // for a wrong picture without names: why there are none
 
     // "without specular light", or "A, or B"; empty if there are no mistakes.
     std::string names() const;

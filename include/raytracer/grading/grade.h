@@ -99,11 +99,10 @@ struct GradeResult : Rendered {
         std::string reference, ours, difference;
     } keys;  // the pictures' keys, if they are on a PictureShelf instead
 
-    // For a wrong picture: what explains it (Diagnosis), if
-    // anything does, and the colours of its worst pixel.
+    // For a wrong picture: what explains it, or why nothing does (Diagnosis), and the colours of its worst
+    // pixel. Nothing need explain one that differs by rounding only: the program is right.
     std::vector<std::string> mistakes;
-    std::string sentence;
-    bool isRounding = false;  // whether it differs by rounding only: the program is right
+    std::string sentence, unnamed;
     std::array<std::uint8_t, 3> ourWorst{}, referenceWorst{};
 
     int score() const { return comparison ? comparison->score : 0; }
@@ -126,6 +125,8 @@ class NamedCase {
     void name(GradeResult& result, const ByteImage& picture);
 
   private:
+    void tryNamer();
+
     const GradeCase& test_;
     const ReferencePicture& reference_;
     NamerMaker makeNamer_;
