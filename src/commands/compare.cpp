@@ -29,7 +29,8 @@ What the numbers mean:
            the score
   PSNR     20 log10(255 / RMSE); above about 50 dB nobody sees the difference
   In PFM pictures mean, RMSE and maximum are of the linear floats (PSNR: of
-  1 / RMSE), the rest of the bytes that the floats would be in a PNG.
+  1 / RMSE), the rest of the bytes that the floats would be in a PNG. A NaN
+  is infinitely far from any number; JSON has null for infinite.
 
 Exit status: 0 the same; 1 not the same; 2 they can't be compared (missing,
 broken, different sizes). Without an option, the same means that no pixel
@@ -74,7 +75,7 @@ void printJson(const Comparison& c, bool same) {
     json.key("differing_by_more_than_8").value(c.pixelsOver(8));
     json.key("mean").value(c.mean);
     json.key("rmse").value(c.rmse);
-    json.key("psnr").value(c.psnr);  // null: infinite, since the pictures are equal
+    json.key("psnr").value(c.psnr);  // null: infinite, as of equal pictures
     json.key("maximum").value(c.maximum);
     json.key("worst").beginArray().value(c.worstX).value(c.worstY).endArray();
     json.key("score").value(c.score);
@@ -131,8 +132,8 @@ void printVerdict(const CompareArguments& arguments, const Picture& a, const Pic
 }
 
 std::string sizeInWords(const Picture& picture) {
-    const auto words = [](const auto& image) { return formatted("%d x %d", image.width, image.height); };
-    return std::visit(words, picture);
+    const ImageSize size = sizeOf(picture);
+    return formatted("%d x %d", size.width, size.height);
 }
 
 int comparePictures(const CompareArguments& arguments) {
@@ -150,7 +151,7 @@ int comparePictures(const CompareArguments& arguments) {
                     "expected " + expected + " pixels, as in " + arguments.a + ", found " + size);
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
-    if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a), toBytes(b)));
+    if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a, b), toBytes(b, a)));
     if (arguments.json) printJson(comparison, same);
     else if (!arguments.quiet) {
         printText(comparison);

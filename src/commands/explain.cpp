@@ -81,12 +81,14 @@ struct Suspect {
     Comparison comparison;
 };
 
-Suspect examine(ByteImage image, const std::string& name, const SceneDescription& whole,
+Suspect examine(const Picture& picture, const std::string& name, const SceneDescription& whole,
                 const RenderOptions& options, const RenderArguments& render) {
-    if (image.width != options.size.width || image.height != options.size.height)
+    const ImageSize size = sizeOf(picture);
+    if (size.width != options.size.width || size.height != options.size.height)
         throw Error({name}, formatted("expected a picture of the scene, %d x %d, found %d x %d",
-                                      options.size.width, options.size.height, image.width, image.height));
+                                      options.size.width, options.size.height, size.width, size.height));
     const MistakeNamer namer(whole, options, render.terms(), render.chosenPrecision());
+    ByteImage image = toBytes(picture, namer.right());
     Diagnosis diagnosis = namer.diagnose(image);
     const Comparison comparison = compareImages(image, namer.right());
     return {std::move(image), namer.right(), std::move(diagnosis), comparison};
@@ -150,13 +152,14 @@ void printRays(const RayExplanation& tree, const SceneDescription& scene, const 
 int explainSuspect(ExplainArguments& arguments) {
     RenderArguments& render = arguments.render;
     const std::string& name = arguments.picture;
-    ByteImage image = toBytes(readPicture(name));
+    const Picture picture = readPicture(name);
+    const ImageSize size = sizeOf(picture);
     SceneDescription scene = render.load();
-    render.longEdge = arguments.longEdge.value_or(std::max(image.width, image.height));
+    render.longEdge = arguments.longEdge.value_or(std::max(size.width, size.height));
     SceneDescription whole = scene;
     if (render.opaque) makeOpaque(whole);
     const RenderOptions options = render.prepare(scene);
-    const Suspect suspect = examine(std::move(image), name, whole, options, render);
+    const Suspect suspect = examine(picture, name, whole, options, render);
     const PixelPlace pixel = arguments.x ? PixelPlace{*arguments.x, *arguments.y}
                                          : PixelPlace{suspect.comparison.worstX, suspect.comparison.worstY};
     requirePixel(options.size, pixel);

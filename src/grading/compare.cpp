@@ -14,11 +14,6 @@ namespace raytracer {
 
 namespace {
 
-template <class Image>
-ImageSize sizeOf(const Image& image) {
-    return {image.width, image.height};
-}
-
 double sampleDifference(std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); }
 
 double sampleDifference(float a, float b) {
@@ -86,11 +81,18 @@ Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteIma
     return result;
 }
 
-ByteImage quantised(const FloatImage& image) {
-    ByteImage bytes{image.width, image.height, {}};
-    bytes.pixels.reserve(image.pixels.size());
-    for (const float channel : image.pixels) bytes.pixels.push_back(toByte(static_cast<double>(channel)));
+ByteImage quantised(const Picture& picture) {
+    const auto* const floats = std::get_if<FloatImage>(&picture);
+    if (!floats) return std::get<ByteImage>(picture);
+    ByteImage bytes{floats->width, floats->height, {}};
+    bytes.pixels.reserve(floats->pixels.size());
+    for (const float channel : floats->pixels) bytes.pixels.push_back(toByte(static_cast<double>(channel)));
     return bytes;
+}
+
+bool isNan(const Picture& picture, std::size_t sample) {
+    const auto* const floats = std::get_if<FloatImage>(&picture);
+    return floats && std::isnan(floats->pixels[sample]);
 }
 
 }  // namespace
@@ -106,9 +108,17 @@ Picture readPicture(const std::string& path) {
     return readImage(file);
 }
 
-ByteImage toBytes(const Picture& picture) {
-    if (const auto* floats = std::get_if<FloatImage>(&picture)) return quantised(*floats);
-    return std::get<ByteImage>(picture);
+ImageSize sizeOf(const Picture& picture) {
+    return std::visit([](const auto& image) { return ImageSize{image.width, image.height}; }, picture);
+}
+
+ByteImage toBytes(const Picture& picture, const Picture& other) {
+    ByteImage bytes = quantised(picture);
+    if (std::holds_alternative<ByteImage>(picture)) return bytes;
+    const ByteImage others = quantised(other);
+    for (std::size_t i = 0; i < bytes.pixels.size(); ++i)
+        if (isNan(picture, i) && !isNan(other, i)) bytes.pixels[i] = others.pixels[i] < 128 ? 255 : 0;
+    return bytes;
 }
 
 void requireSameSize(const ImageSize& a, const ImageSize& b) {
@@ -120,24 +130,21 @@ void requireSameSize(const ImageSize& a, const ImageSize& b) {
 }
 
 Comparison compareImages(const ByteImage& a, const ByteImage& b) {
-    requireSameSize(sizeOf(a), sizeOf(b));
+    requireSameSize({a.width, a.height}, {b.width, b.height});
     return compareAs(a, b, a, b, 255);
 }
 
-Comparison compareImages(const FloatImage& a, const FloatImage& b) {
-    requireSameSize(sizeOf(a), sizeOf(b));
-    return compareAs(a, b, quantised(a), quantised(b), 1);
-}
-
 Comparison compareImages(const Picture& a, const Picture& b) {
+    requireSameSize(sizeOf(a), sizeOf(b));
+    const ByteImage bytesA = toBytes(a, b), bytesB = toBytes(b, a);
     const auto* floatsA = std::get_if<FloatImage>(&a);
     const auto* floatsB = std::get_if<FloatImage>(&b);
-    if (floatsA && floatsB) return compareImages(*floatsA, *floatsB);
-    return compareImages(toBytes(a), toBytes(b));
+    if (floatsA && floatsB) return compareAs(*floatsA, *floatsB, bytesA, bytesB, 1);
+    return compareAs(bytesA, bytesB, bytesA, bytesB, 255);
 }
 
 ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
-    requireSameSize(sizeOf(a), sizeOf(b));
+    requireSameSize({a.width, a.height}, {b.width, b.height});
     // 64 can be told from black on any screen. With 8 per level, 255 is reached at a difference of 24.
     constexpr int base = 64, gain = 8;
     ByteImage result{a.width, a.height, {}};

@@ -3,7 +3,9 @@ JSON.
 
 Usage: teach_check.py RAYTRACER, from the source folder.
 """
+import array
 import json
+import math
 import pathlib
 import re
 import struct
@@ -152,11 +154,24 @@ def check_pictures(folder):
     run(folder, scene, out, 60, "--quiet")
     check("a right pixel: no term", False, "it would be as in" in equal)
     check_roundings(folder)
+    check_nan(folder)
     check_stages(folder)
     run(folder, scene, out, 60, "--crop", "0,0,60,50", "--quiet")
     wrong = subprocess.run([RAYTRACER, "explain", scene, "--picture", out], capture_output=True, text=True)
     check("size", (2, f"{out}: expected a picture of the scene, 60 x 60, found 60 x 50\n"),
           (wrong.returncode, wrong.stderr))
+
+
+def check_nan(folder):
+    """A NaN is not right, not even where black is."""
+    scene, out = pathlib.Path("test/good/least.json").resolve(), pathlib.Path(folder, "mine.pfm")
+    run(folder, scene, out, 8, "--quiet")
+    numbers = array.array("f", out.read_bytes()[-8 * 8 * 12:])
+    numbers[numbers.index(0)] = math.nan
+    out.write_bytes(out.read_bytes()[:-8 * 8 * 12] + numbers.tobytes())
+    status, _, text = run(folder, "explain", scene, "--picture", "mine.pfm")
+    check("a NaN", (1, "mine.pfm differs from the right picture in 1 of 64 pixels: too few wrong pixels to "
+                    "tell the mistake"), (status, text.split("\n")[0]))
 
 
 def check_stages(folder):

@@ -68,6 +68,10 @@ def pairs():
     yield "floats", linear, (linear * 1.02 + RANDOM.normal(0, 0.003, linear.shape)).astype(np.float32)
     yield "bright floats", 3 * linear - 1, 3 * np.roll(linear, 1, axis=0) - 1
     yield "floats and bytes", linear, blurred
+    black, nan = np.zeros((20, 30, 3), np.float32), np.full((20, 30, 3), np.nan, np.float32)
+    yield "black and NaN", black, nan
+    yield "NaN in both", np.where(noise(20, 30) < 99, nan, black), np.where(noise(20, 30) < 99, nan, black)
+    yield "NaN and bytes", np.where(noise(20, 30) < 99, nan, black), noise(20, 30)
 
 
 def save(picture, stem):
@@ -82,10 +86,13 @@ def save(picture, stem):
     return path
 
 
-def to_bytes(picture):
+def to_bytes(picture, other):
+    """A NaN that meets a number gets the byte farthest from it."""
     if picture.dtype == np.uint8:
         return picture.astype(int)
-    return np.floor(255 * np.clip(picture.astype(float), 0, 1) + 0.5).astype(int)
+    quantised = [np.floor(255 * np.clip(np.nan_to_num(one.astype(float)), 0, 1) + 0.5).astype(int)
+                 if one.dtype != np.uint8 else one for one in (picture, other)]
+    return np.where(np.isnan(picture) & ~np.isnan(other), np.where(quantised[1] < 128, 255, 0), quantised[0])
 
 
 def windows(picture, outside):
@@ -117,11 +124,17 @@ def alone(picture):
     return (unlike | ~present).all(axis=0) & present.any(axis=0)
 
 
+def finite(number):
+    """As in JSON."""
+    return float(number) if math.isfinite(number) else None
+
+
 def expected(a, b):
-    bytes_a, bytes_b = to_bytes(a), to_bytes(b)
+    bytes_a, bytes_b = to_bytes(a, b), to_bytes(b, a)
     floats = a.dtype != np.uint8 and b.dtype != np.uint8
     peak = 1 if floats else 255
     samples = np.abs(a.astype(float) - b.astype(float)) if floats else np.abs(bytes_a - bytes_b).astype(float)
+    samples[np.isnan(samples)] = np.where(np.isnan(a) == np.isnan(b), 0, np.inf)[np.isnan(samples)]
     by_pixel = np.abs(bytes_a - bytes_b).max(axis=2)
     rmse = math.sqrt(np.mean(samples ** 2))
     ranking = np.lexsort((np.arange(by_pixel.size), -samples.sum(axis=2).ravel(),
@@ -133,10 +146,10 @@ def expected(a, b):
         "differing": int((by_pixel > 0).sum()),
         "differing_by_more_than_1": int((by_pixel > 1).sum()),
         "differing_by_more_than_8": int((by_pixel > 8).sum()),
-        "mean": float(np.mean(samples)),
-        "rmse": rmse,
-        "psnr": 10 * math.log10(peak ** 2 / rmse ** 2) if rmse else None,
-        "maximum": float(samples.max()),
+        "mean": finite(np.mean(samples)),
+        "rmse": finite(rmse),
+        "psnr": 10 * math.log10(peak ** 2 / rmse ** 2) if rmse and math.isfinite(rmse) else None,
+        "maximum": finite(samples.max()),
         "worst": [worst_x, worst_y],
         "score": score(bytes_a, bytes_b),
         "speckle": int((alone(bytes_a) != alone(bytes_b)).sum()),
@@ -167,7 +180,7 @@ def check_pair(program, folder, name, a, b):
         yield f"{name}: keys {list(found)}"
     yield from (f"{name}: {key}: {found.get(key)}, here {wanted[key]}" for key in wanted
                 if not same(found.get(key), wanted[key]))
-    difference = np.abs(to_bytes(a) - to_bytes(b))
+    difference = np.abs(to_bytes(a, b) - to_bytes(b, a))
     amplified = np.where(difference > 0, np.minimum(255, 64 + 8 * difference), 0)
     if not np.array_equal(np.asarray(Image.open(path_diff)), amplified):
         yield f"{name}: the difference picture is another one"

@@ -208,7 +208,11 @@ TEST_CASE("compare: floats") {
         CHECK(compareImages(a, b).maximum == infinite);
         CHECK(compareImages(a, b).worstX == 1);
         CHECK(compareImages(a, b).psnr == -infinite);
-        CHECK(compareImages(a, b).pixelsOver(0) == 0);  // the byte of a NaN is 0
+        CHECK(compareImages(a, b).pixelsOver(0) == 1);
+        CHECK(compareImages(b, Picture(flat(2, 2, 0))).pixelsOver(254) == 2);
+        CHECK(toBytes(b, a).pixels[5] == 255);
+        CHECK(toBytes(b, Picture(flat(2, 2, 128))).pixels[5] == 0);
+        CHECK(toBytes(b, b).pixels[5] == 0);
     }
     SECTION("with a PNG: as bytes") {
         const Comparison c = compareImages(Picture(a), Picture(flat(2, 2, 127)));

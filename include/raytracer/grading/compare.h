@@ -1,8 +1,8 @@
 // Compares two pictures of the same size: as numbers, by the course's score, and as a picture.
 //
 // Counts, score and speckle are computed from bytes: a float picture is clamped and quantised first, as for a
-// PNG. Mean, RMSE, PSNR and maximum are computed from the file's samples: bytes (0 to 255), or linear floats,
-// which may lie outside [0, 1]. A PNG and a PFM are compared as bytes.
+// PNG; a NaN differs from any number. Mean, RMSE, PSNR and maximum are computed from the file's samples:
+// bytes (0 to 255), or linear floats, which may lie outside [0, 1]. A PNG and a PFM are compared as bytes.
 #pragma once
 
 #include <array>
@@ -19,7 +19,11 @@ using Picture = std::variant<ByteImage, FloatImage>;
 
 // Reads a PFM as floats, any other picture as bytes. Throws Error.
 Picture readPicture(const std::string& path);
-ByteImage toBytes(const Picture& picture);
+ImageSize sizeOf(const Picture& picture);
+
+// The picture's bytes, for a comparison with `other`, which has the same size. A NaN has no byte: it gets the
+// one that is farthest from other's, or 0 if that is NaN, too.
+ByteImage toBytes(const Picture& picture, const Picture& other);
 
 struct Comparison {
     int width = 0, height = 0;
@@ -47,7 +51,6 @@ struct Comparison {
 // These throw Error if the sizes differ.
 void requireSameSize(const ImageSize& a, const ImageSize& b);
 Comparison compareImages(const ByteImage& a, const ByteImage& b);
-Comparison compareImages(const FloatImage& a, const FloatImage& b);
 Comparison compareImages(const Picture& a, const Picture& b);
 
 // The score of the course's autograder, from 0 to 100. It forgives edges that are off by one pixel.
