@@ -104,7 +104,7 @@ std::string floorLine(const Axes& axes, const Reference& reference) {
 std::string rateLabel(const std::optional<double>& rate) {
     if (!rate) return {};
     return formatted(
-        "<text class='label' x='%.1f' y='%.1f' text-anchor='end'>sampling error: rays"
+        "<text class='label' x='%.1f' y='%.1f' text-anchor='end'>sampling error: samples"
         "<tspan dy='-4' font-size='8'>-%.2f</tspan></text>\n",
         width - right - 4, top + 14, *rate);
 }

@@ -53,7 +53,7 @@ std::string describeReference(const SceneTradeoff& scene) {
             ? formatted("its cutoff changed no pixel by more than %.1g", reference.cutoffBound)
             : "no cutoff";
     const std::string rate =
-        scene.sampleRate ? formatted(" The sampling error falls like rays^-%.2f.", *scene.sampleRate) : "";
+        scene.sampleRate ? formatted(" The sampling error falls like samples^-%.2f.", *scene.sampleRate) : "";
     return formatted(
                "%d x %d pixels. Reference: %s, other ones than the settings'; %s. %d others give an RMSE of "
                "%.1e against it: its own error is smaller.",

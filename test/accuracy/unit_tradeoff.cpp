@@ -11,9 +11,11 @@
 #include "raytracer/accuracy/target_error.h"
 #include "raytracer/accuracy/tradeoff_report.h"
 #include "raytracer/pictures/color_sink.h"
+#include "raytracer/util/text.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -84,6 +86,8 @@ TEST_CASE("the error falls with the samples at the rate that the chart claims") 
         REQUIRE(chart.sampleRate);
         INFO("rate " << rate << ", the chart's " << *chart.sampleRate);
         CHECK(std::abs(rate - *chart.sampleRate) < 0.15);
+        CHECK_THAT(tradeoffTable(chart), Contains(formatted("falls like samples^-%.2f.", *chart.sampleRate)));
+        CHECK_THAT(tradeoffSvg(std::span(&chart, 1)), Contains("sampling error: samples<"));
     }
 }
 
@@ -94,7 +98,7 @@ TEST_CASE("one number of samples tells no rate, and none is claimed") {
         {.size = 12, .samples = 1, .repeats = 1, .referencePrecision = Precision::Double, .report = {}});
     CHECK(!chart.sampleRate);
     CHECK(tradeoffTable(chart).find("falls like") == std::string::npos);
-    CHECK(tradeoffSvg(std::span(&chart, 1)).find("between the samples") == std::string::npos);
+    CHECK(tradeoffSvg(std::span(&chart, 1)).find("sampling error") == std::string::npos);
 }
 
 TEST_CASE("a chart shows errors of any size, and none at all") {
