@@ -1,4 +1,5 @@
 // raytracer tradeoff SCENE...: measures what speed costs in accuracy.
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -52,9 +53,16 @@ struct TradeoffArguments {
     }
 };
 
-// Throws UsageError for a picture or a size behind the scene, which other commands take there.
+std::filesystem::path normal(const std::string& name) {
+    return std::filesystem::path(name).lexically_normal();
+}
+
+// Throws UsageError for a picture or a size behind the scene, which other commands take there, and for a
+// scene that is there twice.
 void requireScenes(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
+        if (std::ranges::count(names, normal(name), normal) > 1)
+            throw UsageError("expected each scene once, found " + inQuotes(name) + " twice");
         std::string remedy;
         std::error_code error;
         if (numberOf<int>(name) && !std::filesystem::exists(name, error)) remedy = "write --size " + name;
@@ -62,6 +70,30 @@ void requireScenes(const std::vector<std::string>& names) {
         if (remedy.empty()) continue;
         throw UsageError(inQuotes(name) + " is no scene: tradeoff takes scenes alone; " + remedy);
     }
+}
+
+bool areDistinct(std::vector<std::string> names) {
+    std::ranges::sort(names);
+    return std::ranges::adjacent_find(names) == names.end();
+}
+
+// The names of the scenes' files, without their endings; or as much of the paths as tells the scenes apart.
+std::vector<std::string> namesOf(const std::vector<std::string>& scenes) {
+    std::vector<std::string> names;
+    std::vector<std::filesystem::path> folders, ends;  // each path, in two parts
+    for (const std::string& scene : scenes) {
+        const std::filesystem::path path = normal(scene);
+        names.push_back(path.stem().string());
+        folders.push_back(path.parent_path());
+        ends.push_back(path.filename());
+    }
+    while (!areDistinct(names))
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            names[i] = ends[i].generic_string();
+            ends[i] = (folders[i].has_filename() ? folders[i].filename() : folders[i]) / ends[i];
+            folders[i] = folders[i].parent_path();
+        }
+    return names;
 }
 
 void makeFolder(const std::string& out) {
@@ -74,6 +106,7 @@ void makeFolder(const std::string& out) {
 }
 
 int measure(TradeoffArguments& arguments) {
+    const std::vector<std::string> names = namesOf(arguments.scenes);
     if (!arguments.quiet) arguments.options.report = [](const std::string& what) { tell(what + " ..."); };
     std::vector<LoadedScene> loaded;  // all are loaded first, since the work may take an hour
     for (const std::string& scene : arguments.scenes) loaded.push_back(loadScene(scene));
@@ -85,8 +118,7 @@ int measure(TradeoffArguments& arguments) {
     OutputFile csv(inFolder("tradeoff.csv")), svg(inFolder("tradeoff.svg")), page(inFolder("tradeoff.html"));
     std::vector<SceneTradeoff> scenes;
     for (std::size_t i = 0; i < loaded.size(); ++i) {
-        const std::string name = std::filesystem::path(arguments.scenes[i]).stem().string();
-        scenes.push_back(measureTradeoff(name, loaded[i].description, arguments.options));
+        scenes.push_back(measureTradeoff(names[i], loaded[i].description, arguments.options));
         print(tradeoffTable(scenes.back()) + "\n");
     }
     csv.append(tradeoffCsv(scenes));

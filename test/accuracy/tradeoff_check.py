@@ -133,6 +133,27 @@ def check_names(folder):
     assert "a,b&quot;\n\\x1b[31m&lt;i&gt;&#39;&amp;\\xff</h2>" in page and "\x1b" not in page, "the page"
 
 
+def check_distinct(folder):
+    """Scenes of one name are told apart by their paths; one that is given twice is refused."""
+    (folder / "e1").mkdir()
+    for name in ("s.json", "e1/s.json", "t.json"):
+        (folder / name).write_bytes(pathlib.Path("test/good/least.json").read_bytes())
+
+    def measured(*scenes):
+        done = subprocess.run([RAYTRACER, "tradeoff", *scenes, "--size", "16", "--samples", "2", "--repeats",
+                               "1", "--quiet"], cwd=folder, capture_output=True, text=True, timeout=300)
+        return done.returncode, done.stderr
+
+    def names():
+        return {row["scene"] for row in csv.DictReader((folder / "tradeoff.csv").open(newline=""))}
+
+    assert measured("s.json", "t.json") == (0, "") and names() == {"s", "t"}, names()
+    assert measured("./s.json", "e1/s.json", folder / "s.json") == (0, "")
+    assert names() == {"s.json", "e1/s.json", f"{folder.name}/s.json"}, names()
+    said = 'raytracer tradeoff: expected each scene once, found "s.json" twice\n'
+    assert measured("s.json", "e1/s.json", "./s.json") == (2, said), measured("s.json", "./s.json")
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -146,6 +167,7 @@ def main():
         check_limit(folder)
         check_report(folder)
         check_names(folder)
+        check_distinct(folder)
 
 
 if __name__ == "__main__":

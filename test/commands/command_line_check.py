@@ -364,7 +364,7 @@ def check_decimal():
 
 def check_many():
     """tradeoff takes any number of scenes, and loads all before it measures one."""
-    done = run("tradeoff", SCENE, SCENE, "/no.json", "--quiet")
+    done = run("tradeoff", SCENE, "test/good/defaults.json", "/no.json", "--quiet")
     check("a third scene that is not there", (2, "", True),
           (done.returncode, done.stdout, done.stderr.startswith("/no.json: ")))
 
