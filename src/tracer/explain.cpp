@@ -1,5 +1,9 @@
 #include "raytracer/tracer/explain.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "point_stream.h"
 #include "render.h"
 
@@ -17,10 +21,11 @@ class Recorder final : public Observer {
         RayExplanation explanation;
         explanation.kind = path.kind;
         explanation.origin = pointInFile(ray.origin);
-        explanation.direction = scaled(ray.direction, directionExponent(path.kind));
+        const int exponent = directionExponent(path.kind, ray.direction);
+        explanation.direction = scaled(ray.direction, exponent);
         explanation.weight = asDouble(path.weight);
         explanation.max_recursion = path.max_recursion;
-        open_.push_back({std::move(explanation), nullptr});
+        open_.push_back({std::move(explanation), exponent, nullptr});
     }
 
     void meet(const Intersection& hit, const Color& K_D) override {
@@ -30,7 +35,8 @@ class Recorder final : public Observer {
         ray.shape = hit.shape->index();
         ray.primitive = hit.primitive;
         ray.entering = hit.entering;
-        ray.t = static_cast<double>(std::scalbn(hit.t, scene_->frame.exponent - directionExponent(ray.kind)));
+        const int exponent = scene_->frame.exponent - open_.back().directionExponent;
+        ray.t = inRange(std::scalbn(static_cast<long double>(hit.t), exponent));
         ray.position = pointInFile(hit.position);
         ray.normal = glm::dvec3(hit.normal);
         if (hit.material->diffuse_texture) ray.texCoord = glm::dvec2(hit.texCoord);
@@ -75,16 +81,28 @@ class Recorder final : public Observer {
   private:
     struct OpenRay {
         RayExplanation ray;
+        int directionExponent;
         const Material* material;  // of what it hits
     };
 
-    // Primary rays have the file's direction, up to a power of two; secondary rays have unit length.
-    int directionExponent(RayKind kind) const {
-        return kind == RayKind::Primary ? scene_->camera.directionExponent() : 0;
+    // Primary rays have the file's direction, up to a power of two, and one that double has. Secondary rays
+    // have unit length.
+    int directionExponent(RayKind kind, const Vec3& direction) const {
+        if (kind != RayKind::Primary) return 0;
+        const int own = std::ilogb(std::max(maxComponent(abs(direction)), std::numeric_limits<Real>::min()));
+        return std::min(scene_->camera.directionExponent(),
+                        std::numeric_limits<double>::max_exponent - 1 - own);
+    }
+
+    // The nearest that double has.
+    static double inRange(long double x) {
+        constexpr long double most = std::numeric_limits<double>::max();
+        return static_cast<double>(std::clamp(x, -most, most));
     }
 
     glm::dvec3 pointInFile(const Vec3& point) const {
-        return scaled(point, scene_->frame.exponent) + scene_->frame.origin;
+        const ExtendedVec p = scaled(point, scene_->frame.exponent) + scene_->frame.origin;
+        return {inRange(p.x), inRange(p.y), inRange(p.z)};
     }
 
     const Scene* scene_;

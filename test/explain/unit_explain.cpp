@@ -247,6 +247,21 @@ TEST_CASE("total internal reflection, from inside, and the end of the recursion"
     }
 }
 
+TEST_CASE("an explanation of a direction beyond double has no number that is not finite") {
+    ExplainedScene scene;
+    scene.camera.film_left = 1.4e308, scene.camera.film_right = 1.7e308;
+    scene.camera.look = {0, 0, -1};
+    scene.camera.up = {0, 4, 0};  // twice as far along u
+    scene.add("", Type::Plane, {2, 0, 0}, glm::dvec3(1), scene.glass(1));
+    scene.transforms.back().rotate = {-90, {0, 1, 0}};
+    const RenderOptions options = wholePicture(scene, 1);
+    const RayExplanation ray = makeRenderer(scene, Precision::Double)->explain(options, 0, 0);
+    const std::string text = explanationText(ray, scene);
+    INFO(text);
+    CHECK(text.find("inf") == std::string::npos);
+    CHECK(explanationJson(ray, scene).find("null") == std::string::npos);
+}
+
 TEST_CASE("an explanation of colours beyond double has no number that is not finite") {
     for (const double huge : {1e300, -1e300}) {
         ExplainedScene scene;
