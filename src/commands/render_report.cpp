@@ -55,6 +55,7 @@ class NoPicture final : public PixelSink {
 // limit.
 double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
     constexpr int tiles = 64, samples = 64;  // 65,536 pixels: some milliseconds a sample
+    constexpr double coarsest = 0.01;        // above it, many pixels would not take a second sample
     RenderOptions options = wanted;
     const double pixels = static_cast<double>(options.crop.area());
     options.part = {1, std::clamp(static_cast<int>(pixels / (tileEdge * tileEdge * tiles)), 1, mostParts)};
@@ -67,7 +68,8 @@ double timeOnOneThread(const Renderer& renderer, const RenderOptions& wanted) {
     const double first = samplesTaken(1);  // also fetches the scene into the caches
     const bool isAdaptive = wanted.adaptive > 0;
     const int limit = isAdaptive ? std::min(wanted.samples, samples) : 1;
-    const double fewer = static_cast<double>(wanted.samples) / limit;
+    double fewer = static_cast<double>(wanted.samples) / limit;
+    if (isAdaptive) fewer = std::clamp(coarsest / wanted.adaptive, 1.0, fewer);
     options.adaptive *= fewer;
     Stopwatch watch;
     const double taken = samplesTaken(limit), seconds = watch.lap().cpu;  // does not depend on other programs

@@ -220,10 +220,14 @@ bool hasNoArea(const ShapeDescription& shape) {
     for (std::size_t i = 0; i < mesh.positionIndex.size(); i += 3) {
         const auto corner = [&](std::size_t j) { return Vec(mesh.positions[mesh.positionIndex[i + j]]); };
         const Vec a = corner(0), b = corner(1) - a, c = corner(2) - a;
-        // Each corner is as far off as its number is rounded.
-        const Real farthest = std::max({glm::length(a), glm::length(corner(1)), glm::length(corner(2))});
-        const Real error = 2 * writtenRoundoff * farthest * (glm::length(b) + glm::length(c));
-        if (glm::length(glm::cross(b, c)) > error) return false;
+        // Each coordinate is as far off as its number is rounded.
+        const Vec error =
+            2 * writtenRoundoff * glm::max(glm::abs(a), glm::max(glm::abs(corner(1)), glm::abs(corner(2))));
+        const Vec sizes = glm::abs(b) + glm::abs(c), area = glm::abs(glm::cross(b, c));
+        for (int x = 0; x < 3; ++x) {
+            const int y = (x + 1) % 3, z = (x + 2) % 3;
+            if (area[x] > error[y] * sizes[z] + error[z] * sizes[y]) return false;
+        }
     }
     return true;
 }

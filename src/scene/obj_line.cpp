@@ -19,7 +19,7 @@ std::string_view takeObjLine(std::string_view& text, std::size_t& physicalLines)
     const auto goesOn = [&] {
         const std::string_view line = text.substr(begin, end - begin);
         return end != text.npos && endsInBackslash(line) && line.find('#') == line.npos &&
-               ObjLine(text.substr(0, end)).keyword() != ObjKeyword::other;
+               ObjLine(text.substr(0, end + 1)).keyword() != ObjKeyword::other;
     };
     for (physicalLines = 1; goesOn(); ++physicalLines) {
         begin = end + 1;
@@ -55,6 +55,12 @@ std::int64_t ObjLine::wholeNumber() {
     const char* const begin = std::exchange(p_, readNumber(p_, end_, value));
     if (p_ == begin) failWord("expected a corner as v, v/vt, v//vn or v/vt/vn, found ");
     return value;
+}
+
+bool ObjLine::isWindowsNumber() const {
+    const std::string_view behind(p_ + 1, end_);
+    const auto begins = [&](std::string_view letters) { return behind.starts_with(letters); };
+    return p_ != word_ && p_[-1] == '.' && (begins("IN") || begins("QNAN") || begins("SNAN"));
 }
 
 bool ObjLine::isAtContinuation() const {

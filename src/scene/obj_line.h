@@ -79,10 +79,11 @@ class ObjLine {
     }
     // A line end within a line comes after a backslash.
     bool isAtBlank() const { return isObjBlank(*p_) || *p_ == '\n' || (*p_ == '\\' && isAtContinuation()); }
+    bool isWindowsNumber() const;
     bool isAtContinuation() const;
     bool isAtWordEnd() const { return p_ == end_ || (!isPlain(*p_) && (isAtComment() || isAtBlank())); }
-    // Windows writes 1.#INF and 1.#QNAN for what is no finite number.
-    bool isAtComment() const { return *p_ == '#' && (p_ == word_ || p_[-1] != '.'); }
+    // Windows writes 1.#INF, 1.#IND, 1.#QNAN and 1.#SNAN for what is no finite number.
+    bool isAtComment() const { return *p_ == '#' && !isWindowsNumber(); }
     // A fast test: true of most characters of words, never of a blank or the start of a comment or
     // continuation.
     static bool isPlain(char c) { return c > '#' && c != '\\'; }

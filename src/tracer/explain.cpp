@@ -91,7 +91,7 @@ class Recorder final : public Observer {
         if (kind != RayKind::Primary) return 0;
         const int own = std::ilogb(std::max(maxComponent(abs(direction)), std::numeric_limits<Real>::min()));
         return std::min(scene_->camera.directionExponent(),
-                        std::numeric_limits<double>::max_exponent - 1 - own);
+                        std::numeric_limits<double>::max_exponent - 2 - own);
     }
 
     // The nearest that double has.

@@ -138,6 +138,7 @@ TEST_CASE("OBJ text as programs write it") {
     CHECK(reads("mtllib a.mtl\no a\ng b c\nusemtl d\ns off\nvn a b\nvp 1\nl 1 2\np 1\nunheard-of 1 x\n" +
                 square + "f 1 2 3\n"));
     CHECK(reads(square + "f 1 2 003\n"));
+    CHECK(parse(square + "v 0. 0. 0.#comment\nf 1 2 5\n").positions.size() == 5);
 }
 
 TEST_CASE("OBJ numbers are correctly rounded") {
@@ -254,6 +255,9 @@ TEST_CASE("A broken OBJ is told with the line") {
     SECTION("a continued line has the number of its beginning, and counts as all of its own") {
         check(square + "f 1 \\\n2\n", "line 5: a face has at least 3 corners, found 2");
         check("v 0 0 \\\n0\nf 1 1 2\n", "line 3: there is no vertex 2: the file has 1");
+    }
+    SECTION("a keyword that a backslash follows goes on") {
+        check(square + "f\\\n 1 2 5\n", "line 5: there is no vertex 5: the file has 4");
     }
     SECTION("a name that ends in a backslash does not go on") {
         check("g C:\\parts\\\nv 0 0\nf 1 1 1\n", "line 2: expected a number, found the end of the line");

@@ -130,11 +130,10 @@ struct Mesh {
         // The distance from an edge is the edge's weight over its length. The origin is moved to at least
         // eight margins from each edge, since dihedral angles may be sharp; but not beyond the centroid,
         // whose weights are a third of the area: a triangle may be smaller than its error.
-        const T longest = maxComponent(edge), least = min(T(8) * margin * longest, area / T(3));
-        for (int i = 0; i < 3; ++i) weight[i] = max(weight[i], least);
+        for (int i = 0; i < 3; ++i) weight[i] = max(weight[i], min(T(8) * margin * edge[i], area / T(3)));
         weight /= weight.x + weight.y + weight.z;  // first: products of three small lengths underflow
         object.origin = weight.x * corner[0] + weight.y * corner[1] + weight.z * corner[2];
-        const T off = least / (T(4) * longest);
+        const T off = min(T(2) * margin, area / (T(12) * maxComponent(edge)));
         object.origin += (ray.departure.inside ? -off : off) * up;
         return object;
     }
