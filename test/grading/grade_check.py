@@ -121,6 +121,7 @@ def check_cli(program, folder):
     check_lost_folder(program, folder)
     check_isolation(program, folder)
     check_found(program, folder)
+    check_looping_link(program, folder)
 
 
 def check_interrupt(program, folder):
@@ -344,6 +345,22 @@ FOUND = {
     "cp ex/p.sh . && sh p.sh": "p.sh",
     "mkdir ex && cp '{}/ex/p.sh' ex/q.sh && cd ex && sh q.sh": "q.sh",
 }
+
+
+def check_looping_link(program, folder):
+    """A student's link to itself costs that student's marks, and no one else's."""
+    here = folder / "loop"
+    (here / "one").mkdir(parents=True)
+    (here / "one/a.json").write_text(LEAST)
+    draw_scene(10).save(here / "one/a.png")
+    for name in ("ada", "eve"):
+        (here / "class" / name).mkdir(parents=True)
+    write_program(here / "class/ada/rt", f'cp {here}/one/a.png "$2"\n')
+    (here / "class/eve/rt").symlink_to("rt")
+    done = grade(program, here, "one", "--submissions", "class", "--program", "{}/rt")
+    rows = [line.split()[:3] for line in done.stdout.splitlines()]
+    check(done.returncode == 0 and ["100.0", "1/1", "ada"] in rows and ["0.0", "0/1", "eve"] in rows,
+          f"a looping link: {done.returncode} {done.stdout}{done.stderr}")
 
 
 def check_found(program, folder):
