@@ -110,3 +110,15 @@ TEST_CASE("chord: a cone's base is where the ray's own origin sees it") {
         CHECK((side < 0 ? chord.entry : chord.exit) == near);
     }
 }
+
+// The squares of its distance overflow.
+TEST_CASE("chord: a line that passes very far away does not hit") {
+    const Real far = std::sqrt(std::numeric_limits<Real>::max()) * 16;
+    for (const Real slope : {Real(0), Real(0.001), Real(0.5)}) {
+        const ObjectRay ray{Vec3(far, far, far / 2), Vec3(slope, 0, 1)};
+        CHECK_FALSE(Cone::chordOf(ray).hit);
+        CHECK_FALSE(Cylinder::chordOf(ray).hit);
+        CHECK_FALSE(Cube::chordOf(ray).hit);
+        CHECK_FALSE(Sphere::chordOf(ray).hit);
+    }
+}

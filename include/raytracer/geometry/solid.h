@@ -83,6 +83,9 @@ struct Solid : Equation<Kind> {
         return inSafeUnits(ray.origin, ray.direction, [](auto origin, const auto& direction, const auto& a) {
             const auto shift = moveCloser(origin, direction, a);
             auto chord = Kind::chord(origin, direction);
+            // A line that is still distant passes the solid by; its squares may have overflowed.
+            chord.hit =
+                chord.hit & (glm::dot(origin, origin) <= std::remove_cvref_t<decltype(a)>(distantSquared));
             chord.entry += shift;
             chord.exit += shift;
             return chord;
