@@ -73,7 +73,7 @@ class Search {
         choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
         chooseAdaptive();
         choice_.reached = choice_.reached && !choice_.isLimited;
-        if (choice_.setting.adaptive >= 0.25) {  // no pixel would take a second sample
+        if (choice_.setting.adaptive >= PixelEstimate::mostOfOneSample) {
             choice_.setting.samples = 1;
             choice_.setting.adaptive = 0;
         }
@@ -101,7 +101,9 @@ class Search {
 
     // A pixel's weight in the drawing: the estimated error of its first sample, clamped to a few targets,
     // since a pixel with a larger error takes more samples anyway.
-    double weightOf(double contrast) const { return std::min(contrast / 4, errorMargin * target_); }
+    double weightOf(double contrast) const {
+        return std::min(contrast * PixelEstimate::mostOfOneSample, errorMargin * target_);
+    }
 
     void sortPixels() {
         const std::vector<double> contrast =

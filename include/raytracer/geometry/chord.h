@@ -141,7 +141,7 @@ T moveCloser(Vec3T<T>& origin, const Vec3T<T>& direction, const T& squared) {
         shift += move;
         origin += move * direction;
         distance = glm::dot(origin, origin);
-        const Truth<T> passes = move * move * squared < distance / T(passingSquared);
+        const Truth<T> passes = move * move * squared < distance * T(unitRoundoff);
         moving = moving & (distance > T(distantSquared)) & !passes;
     }
     return shift;

@@ -8,7 +8,7 @@
 //   - `onSurface`, the surface's point at a computed hit;
 //   - `texCoord`.
 // `Solid` also gives `meet` and `touches` to a convex type that has
-//   - `chord`, the part of a line inside it;
+//   - `chord`, the part of a line inside it, for an origin that is not distant (chordOf);
 //   - `offsets`, for each face a signed measure of a point's distance from it, negative inside. The greatest
 //     is at most the Euclidean distance;
 //   - `offsetErrors`, the errors of these if the point has the given error along each axis.
@@ -81,11 +81,11 @@ struct Solid : Equation<Kind> {
         if (!any(glm::dot(ray.origin, ray.origin) > T(distantSquared)))
             return Kind::chord(ray.origin, ray.direction);
         return inSafeUnits(ray.origin, ray.direction, [](auto origin, const auto& direction, const auto& a) {
+            using Number = std::remove_cvref_t<decltype(a)>;
             const auto shift = moveCloser(origin, direction, a);
             auto chord = Kind::chord(origin, direction);
             // A line that is still distant passes the solid by; its squares may have overflowed.
-            chord.hit =
-                chord.hit & (glm::dot(origin, origin) <= std::remove_cvref_t<decltype(a)>(distantSquared));
+            chord.hit = chord.hit & (glm::dot(origin, origin) <= Number(distantSquared));
             chord.entry += shift;
             chord.exit += shift;
             return chord;

@@ -76,9 +76,6 @@ inline constexpr Real farSquared = powerOfTwo(std::numeric_limits<Real>::digits 
 // From this squared distance on, an origin is moved to the line's point that is closest to the solid. The
 // slack of closeChord, 16 roundings of the distance, is still far below a pixel there.
 inline constexpr Real distantSquared = powerOfTwo(std::numeric_limits<Real>::digits * 3 / 4);
-// moveCloser stops where the squared distance that is left is more than this times the square of the last
-// move: the line passes the solid by.
-inline constexpr Real passingSquared = powerOfTwo(std::numeric_limits<Real>::digits);
 
 // The largest error of a hit, relative to the picture's width at the hit: a pixel of 4096. On a sphere, a
 // cone or a cylinder's side also relative to the shape's size.
