@@ -226,7 +226,7 @@ void secondaryRays(const Subject& subject, const std::vector<Ray>& rays, std::ve
         HitQuery query;
         subject.ours(ray, query);
         if (!query.found()) continue;
-        const Intersection hit = query.nearest().shape->surfaceAt(ray, query.nearest());
+        const Intersection hit = query.nearest().shape->surface(ray, query.nearest());
         const Departure departure{hit.shape, hit.primitive, false, hit.positionError};
         const Vec3 toLight = lightPosition - hit.position;
         if (glm::dot(toLight, hit.normal) > 0) shadow.push_back({hit.position, toLight, departure});
@@ -293,7 +293,7 @@ Result raceShadow(const Subject& subject, const std::vector<Ray>& rays, RTCInter
     const auto ours = [&] {
         std::size_t hits = 0;
         for (const Ray& ray : rays) {
-            const RayEnd end{ray.origin + ray.direction};
+            const Vec3 end = ray.origin + ray.direction;
             HitQuery query(end, true);
             subject.ours(ray, query);
             hits += query.found();
@@ -325,7 +325,7 @@ std::vector<std::span<const Ray>> packetsOf(const std::vector<Ray>& rays) {
 }
 
 // Both in packets of eight: the nearest hits, or whether there is one before the light.
-Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const RayEnd* end,
+Result racePackets(const Subject& subject, const std::vector<Ray>& rays, const Vec3* end,
                    RTCIntersectContext& context, int rounds) {
     const auto packets = packetsOf(rays);
     const ShapeTree tree(subject.shapes, BuildOptions{});
@@ -378,10 +378,9 @@ void compare(const Subject& subject, int rounds) {
     print("nearest hit, from the camera", raceNearest(subject, primary, coherent, rounds));
     print("nearest hit, scattered", raceNearest(subject, diffuse, incoherent, rounds));
     print("shadow", raceShadow(subject, shadow, coherent, rounds));
-    const RayEnd light{lightPosition};
     print("packets, from the camera", racePackets(subject, primary, nullptr, coherent, rounds));
     print("packets, scattered", racePackets(subject, diffuse, nullptr, incoherent, rounds));
-    print("packets, shadow", racePackets(subject, shadow, &light, coherent, rounds));
+    print("packets, shadow", racePackets(subject, shadow, &lightPosition, coherent, rounds));
     std::printf("  %-28s %7.1f ms %7.1f ms   %5.2f\n", "build", 1e3 * subject.buildOurs,
                 1e3 * subject.buildEmbree, subject.buildEmbree / subject.buildOurs);
     if (subject.bytesOurs > 0)

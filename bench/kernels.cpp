@@ -107,13 +107,13 @@ void intersect(benchmark::State& state, ShapeType type) {
     state.counters["hit"] = benchmark::Counter(static_cast<double>(hits), benchmark::Counter::kAvgIterations);
 }
 
-void surfaceAt(benchmark::State& state, ShapeType type) {
+void surface(benchmark::State& state, ShapeType type) {
     const auto scene = buildScene(oneShape(type));
     const std::vector<RayHit> hits = hitsOf(*scene, cameraRays(*scene));
     std::size_t i = 0;
     for (auto _ : state) {
         const RayHit& next = hits[i++ % hits.size()];
-        benchmark::DoNotOptimize(next.hit.shape->surfaceAt(next.ray, next.hit));
+        benchmark::DoNotOptimize(next.hit.shape->surface(next.ray, next.hit));
     }
 }
 
@@ -123,7 +123,7 @@ void light(benchmark::State& state, double shininess) {
     std::vector<Intersection> hits;
     for (const RayHit& hit : hitsOf(*scene, cameraRays(*scene))) {
         rays.push_back(hit.ray);
-        hits.push_back(hit.hit.shape->surfaceAt(hit.ray, hit.hit));
+        hits.push_back(hit.hit.shape->surface(hit.ray, hit.hit));
     }
     std::size_t i = 0;
     for (auto _ : state) {
@@ -187,7 +187,7 @@ void addBenchmarks() {
     for (const auto& [name, type] : shapes)
         benchmark::RegisterBenchmark((std::string("intersect/") + name).c_str(), intersect, type);
     for (const auto& [name, type] : shapes)
-        benchmark::RegisterBenchmark((std::string("surfaceAt/") + name).c_str(), surfaceAt, type);
+        benchmark::RegisterBenchmark((std::string("surface/") + name).c_str(), surface, type);
     benchmark::RegisterBenchmark("directLight/shininess 10", light, 10.0);
     benchmark::RegisterBenchmark("directLight/shininess 10.5", light, 10.5);
     benchmark::RegisterBenchmark("lookUp/nearest", texel, lookUp);

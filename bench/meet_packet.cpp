@@ -5,7 +5,7 @@
 
 namespace raytracer {
 
-void meetPacket(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end, std::span<Hit> hits) {
+void meetPacket(const ShapeTree& tree, std::span<const Ray> rays, const Vec3* end, std::span<Hit> hits) {
     RayT<Lanes> packet;
     packet.departure.shape = rays[0].departure.shape;
     packet.departure.inside = rays[0].departure.inside;

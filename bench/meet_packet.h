@@ -9,6 +9,6 @@ namespace raytracer {
 
 // The nearest hits of up to eight rays, which leave the same side of the same shape, if any; with an end, any
 // hit before it. (Where two hits coincide, either.)
-void meetPacket(const ShapeTree& tree, std::span<const Ray> rays, const RayEnd* end, std::span<Hit> hits);
+void meetPacket(const ShapeTree& tree, std::span<const Ray> rays, const Vec3* end, std::span<Hit> hits);
 
 }  // namespace raytracer

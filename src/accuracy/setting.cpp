@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "raytracer/pictures/color_sink.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 
@@ -16,6 +17,12 @@ RenderOptions withSetting(RenderOptions options, const Setting& setting) {
     options.cutoff = setting.cutoff;
     options.bilinear = setting.bilinear;
     return options;
+}
+
+RenderedColors rendered(const Renderer& renderer, const RenderOptions& options) {
+    ColorSink sink(options.crop);
+    const RenderCounts counts = renderer.render(options, sink);
+    return {std::move(sink).colors(), counts};
 }
 
 std::string shortNumber(double value) { return formatted("%.3g", value); }
@@ -37,8 +44,6 @@ std::string commandLine(const Setting& setting) {
     add(setting.bilinear == usual.bilinear, "--texture-filter", "bilinear");
     return text.empty() ? "the defaults" : text;
 }
-
-double rayCount(const RenderCounts& counts) { return static_cast<double>(counts.all()); }
 
 std::vector<std::size_t> paretoFront(std::span<const CostAndError> points) {
     std::vector<std::size_t> order(points.size()), front;

@@ -11,7 +11,6 @@
 
 #include "depth.h"
 #include "picture_points.h"
-#include "raytracer/pictures/color_sink.h"
 #include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/pixel_estimate.h"
 
@@ -88,10 +87,9 @@ class Search {
     void takeFirst() {
         options_.samples = 1;
         options_.adaptive = 0;
-        ColorSink sink(options_.crop);
-        const RenderCounts counts = renderer_.render(options_, sink);
-        choice_.counts += counts;
-        choice_.first = {std::move(sink).colors(), counts.cutoffBound};
+        RenderedColors picture = rendered(renderer_, options_);
+        choice_.counts += picture.counts;
+        choice_.first = {std::move(picture.colors), picture.counts.cutoffBound};
     }
 
     PixelPlace placeOf(std::uint32_t i) const {

@@ -10,7 +10,6 @@
 
 #include "depth.h"
 #include "picture_points.h"
-#include "raytracer/pictures/color_sink.h"
 #include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/util/parallel.h"
 #include "raytracer/util/stopwatch.h"
@@ -107,11 +106,10 @@ class TimeSearch {
         options.crop = tile;
         options.threads = 1;
         options.sequence = sequence;
-        ColorSink sink(tile);
-        const RenderCounts counts = renderer_.render(options, sink);
+        RenderedColors picture = rendered(renderer_, options);
         const std::lock_guard lock(mutex_);
-        choice_.counts += counts;
-        return sink.colors();
+        choice_.counts += picture.counts;
+        return std::move(picture.colors);
     }
 
     // Estimates the seconds of the whole picture from those of the tiles. A tile of an adaptive picture also

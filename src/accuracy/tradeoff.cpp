@@ -5,7 +5,6 @@
 
 #include <glm/common.hpp>
 
-#include "raytracer/pictures/color_sink.h"
 #include "raytracer/pictures/picture.h"
 #include "raytracer/util/stopwatch.h"
 
@@ -16,11 +15,11 @@ namespace {
 // Renders, and adds the time to the trial's timings. It is
 // processor time, which other load on the machine hardly changes.
 std::vector<glm::dvec3> timedRender(const Renderer& renderer, const RenderOptions& options, Trial& trial) {
-    ColorSink sink(options.crop);
     Stopwatch stopwatch;
-    trial.counts = renderer.render(withSetting(options, trial.setting), sink);
+    RenderedColors picture = rendered(renderer, withSetting(options, trial.setting));
     trial.timings.push_back(stopwatch.lap().cpu);
-    return sink.colors();
+    trial.counts = picture.counts;
+    return std::move(picture.colors);
 }
 
 std::vector<CostAndError> costsAndErrors(std::span<const Trial> trials) {
@@ -75,31 +74,26 @@ std::optional<double> measuredRate(std::span<const Trial> trials, const Referenc
     return fallRate(points);
 }
 
-struct Arithmetic {
-    Precision precision;
-    std::unique_ptr<Renderer> renderer;
-};
-
 // The default setting and 16 samples, in each precision.
 std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderOptions& options,
                                     int repeats) {
-    std::vector<Arithmetic> kinds;
+    std::vector<std::unique_ptr<Renderer>> renderers;
     for (const Precision precision : {Precision::Extended, Precision::Double, Precision::Float})
-        kinds.push_back({precision, makeRenderer(scene, precision)});
+        renderers.push_back(makeRenderer(scene, precision));
     std::vector<Trial> trials;
     for (const int samples : {1, 16}) {
         std::vector<glm::dvec3> truth;
         const std::size_t first = trials.size();
-        for (const Arithmetic& kind : kinds) {
-            Trial trial{{.samples = samples, .precision = kind.precision}, {}, {}, {}};
-            const auto colors = timedRender(*kind.renderer, options, trial);
+        for (const auto& renderer : renderers) {
+            Trial trial{{.samples = samples, .precision = renderer->precision()}, {}, {}, {}};
+            const auto colors = timedRender(*renderer, options, trial);
             if (truth.empty()) truth = colors;
             trial.error = pictureError(colors, truth);
             trials.push_back(trial);
         }
         for (int i = 1; i < repeats; ++i)
-            for (std::size_t k = 0; k < kinds.size(); ++k)
-                timedRender(*kinds[k].renderer, options, trials[first + k]);
+            for (std::size_t k = 0; k < renderers.size(); ++k)
+                timedRender(*renderers[k], options, trials[first + k]);
     }
     return trials;
 }
@@ -113,13 +107,12 @@ ByteImage picture(const ImageSize& size, std::span<const glm::dvec3> colors) {
 
 Exhibit exhibit(const Renderer& renderer, const RenderOptions& options, const Trial& trial,
                 const Reference& reference) {
-    ColorSink sink(options.crop);
-    renderer.render(withSetting(options, trial.setting), sink);
+    const RenderedColors shown = rendered(renderer, withSetting(options, trial.setting));
     std::vector<glm::dvec3> difference;
     for (std::size_t i = 0; i < reference.colors.size(); ++i)
-        difference.push_back(exhibitMagnification * glm::abs(glm::clamp(sink.colors()[i], 0.0, 1.0) -
+        difference.push_back(exhibitMagnification * glm::abs(glm::clamp(shown.colors[i], 0.0, 1.0) -
                                                              glm::clamp(reference.colors[i], 0.0, 1.0)));
-    return {trial.setting, trial.error, picture(options.size, sink.colors()),
+    return {trial.setting, trial.error, picture(options.size, shown.colors),
             picture(options.size, difference)};
 }
 

@@ -2,7 +2,6 @@
 #include "raytracer/accuracy/tradeoff.h"
 
 #include "picture_points.h"
-#include "raytracer/pictures/color_sink.h"
 
 namespace raytracer {
 
@@ -26,7 +25,8 @@ struct Pilot {
 Pilot pilotAt(const Renderer& renderer, const RenderOptions& options, const Setting& depth) {
     const std::vector<glm::dvec2> points = picturePoints(options.size, 2000, 3);
     Pilot pilot{std::vector<glm::dvec3>(points.size())};
-    pilot.rays = rayCount(renderer.renderPoints(withSetting(options, depth), points, pilot.colors));
+    pilot.rays =
+        static_cast<double>(renderer.renderPoints(withSetting(options, depth), points, pilot.colors).all());
     return pilot;
 }
 
@@ -55,14 +55,6 @@ Setting deepSetting(const Renderer& renderer, const RenderOptions& options) {
     return at(deep, 0);
 }
 
-std::vector<glm::dvec3> colorsOf(const Renderer& renderer, const RenderOptions& options,
-                                 RenderCounts* counts = nullptr) {
-    ColorSink sink(options.crop);
-    const RenderCounts counted = renderer.render(options, sink);
-    if (counts) *counts = counted;
-    return sink.colors();
-}
-
 }  // namespace
 
 Reference makeReference(const Renderer& renderer, const RenderOptions& options, int samples) {
@@ -74,10 +66,10 @@ Reference makeReference(const Renderer& renderer, const RenderOptions& options, 
                   half = withSetting(options, reference.half);
     whole.sequence = 1;
     half.sequence = 2;
-    RenderCounts counts;
-    reference.colors = colorsOf(renderer, whole, &counts);
-    reference.cutoffBound = counts.cutoffBound;
-    reference.doublingError = pictureError(colorsOf(renderer, half), reference.colors).rmse;
+    RenderedColors picture = rendered(renderer, whole);
+    reference.colors = std::move(picture.colors);
+    reference.cutoffBound = picture.counts.cutoffBound;
+    reference.doublingError = pictureError(rendered(renderer, half).colors, reference.colors).rmse;
     return reference;
 }
 

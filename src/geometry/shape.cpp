@@ -1,6 +1,7 @@
 #include "raytracer/geometry/shape.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "raytracer/geometry/shapes.h"
 
@@ -36,9 +37,11 @@ Box boxAround(const Shape& shape, const Mat3& linear, const Vec3& translation) {
 
 }  // namespace
 
-void Shape::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
+bool isListedBefore(const Hit& a, const Hit& b) {
+    return std::tuple(a.shape->index(), a.primitive) < std::tuple(b.shape->index(), b.primitive);
+}
 
-Intersection Shape::surfaceAt(const Ray& ray, const Hit& hit) const { return surface(ray, hit); }
+void Shape::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
 
 bool Shape::touches(const Vec3& point, const Vec3& pointError, std::uint32_t primitive) const {
     return visit(type_, [&](auto kind) { return kind.touches(*this, point, pointError, primitive); });
@@ -51,7 +54,7 @@ Periodic Shape::periodic(std::uint32_t primitive) const {
 Intersection Shape::rayIntersect(const Ray& ray) const {
     HitQuery query;
     intersect(ray, query);
-    return query.found() ? surfaceAt(ray, query.nearest()) : Intersection{};
+    return query.found() ? surface(ray, query.nearest()) : Intersection{};
 }
 
 // The box is widened by a bound on the error of a hit that `intersect` computes.

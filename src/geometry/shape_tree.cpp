@@ -34,8 +34,6 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const BuildOptions& options)
     slackFactor_ = gamma(32) * conditioning;
 }
 
-void ShapeTree::intersect(const Ray& ray, HitQuery& query) const { meet(ray, query); }
-
 void ShapeTree::intersectBoxed(const Ray& ray, HitQuery& query) const { meetBoxed(ray, query); }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -1,11 +1,9 @@
-#include "raytracer/tracer/explain.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "point_stream.h"
-#include "render.h"
+#include "scene_renderer.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -112,18 +110,18 @@ class Recorder final : public Observer {
 
 }  // namespace
 
-RayExplanation explainPixel(const Scene& scene, const RenderOptions& options, int x, int y) {
-    Recorder recorder(scene);
+RayExplanation SceneRenderer::explain(const RenderOptions& options, int x, int y) const {
+    Recorder recorder(*scene_);
     RenderOptions shaded = options;
     shaded.pass = Pass::Color;
-    const auto brightest = scene.brightestColors(options.max_recursion);
-    RenderCounts counts;
-    const RenderContext context{&shaded, options.cutoff > 0 ? brightest.data() : nullptr, &counts};
-    PointPacket centre;
-    centre.add(static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5), &recorder);
-    onTracingThreads(1, options, [&](JobQueue& queue) {
-        for (std::uint32_t job; queue.next(job);) traceAll(scene, centre, context);
-    });
+    shareOut(
+        shaded, 1, nullptr, std::numeric_limits<std::uint64_t>::max(), [&](const RenderContext& context) {
+            return [&](std::uint32_t) {
+                PointPacket centre;
+                centre.add(static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5), &recorder);
+                traceAll(*scene_, centre, context);
+            };
+        });
     return recorder.take();
 }
 

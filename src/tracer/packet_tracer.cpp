@@ -9,17 +9,16 @@
 
 namespace raytracer {
 inline namespace RAYTRACER_PRECISION_NAMESPACE {
-inline namespace RAYTRACER_LANES_NAMESPACE {
 
-namespace {
-
-void trace(const Scene& scene, PointPacket& points, const RenderContext& context) {
+template <>
+void tracePacket<InstructionSet::RAYTRACER_INSTRUCTION_SET>(const Scene& scene, PointPacket& points,
+                                                            const RenderContext& context) {
     const RenderOptions& options = *context.options;
     for (int lane = points.count; lane < laneCount; ++lane) {
         points.x[lane] = points.x[0];
         points.y[lane] = points.y[0];
     }
-    const auto uv = scene.camera.getPixelUV(lanesOf(points.x), lanesOf(points.y), options.size.width,
+    const auto uv = scene.camera.getPixelUV(Lanes::load(points.x), Lanes::load(points.y), options.size.width,
                                             options.size.height);
     context.counts->primary += static_cast<std::uint64_t>(points.count);
     const ColorT<Lanes> color =
@@ -28,16 +27,6 @@ void trace(const Scene& scene, PointPacket& points, const RenderContext& context
     store(color.x, points.color[0]);
     store(color.y, points.color[1]);
     store(color.z, points.color[2]);
-}
-
-constexpr PacketKernel kernel{trace};
-
-}  // namespace
-}  // namespace RAYTRACER_LANES_NAMESPACE
-
-template <>
-const PacketKernel& packetKernel<InstructionSet::RAYTRACER_INSTRUCTION_SET>() {
-    return kernel;
 }
 
 }  // namespace RAYTRACER_PRECISION_NAMESPACE

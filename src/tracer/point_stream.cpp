@@ -18,8 +18,8 @@ Color pointColor(const Scene& scene, Real x, Real y, const RenderContext& contex
 }  // namespace
 
 void traceAll(const Scene& scene, PointPacket& points, const RenderContext& context) {
-    if (scene.packets && context.options->pass == Pass::Color && points.count >= PointPacket::least)
-        return scene.packets->trace(scene, points, context);
+    if (scene.tracePacket && context.options->pass == Pass::Color && points.count >= int{fewestRays})
+        return scene.tracePacket(scene, points, context);
     for (int i = 0; i < points.count; ++i) {
         const RenderContext alone = context.ofSamples(&points.samples[i]);
         const Color color = withinDouble(pointColor(scene, points.x[i], points.y[i], alone));

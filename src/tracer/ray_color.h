@@ -46,16 +46,13 @@ void Scene::closestHits(const RayT<T>& ray, HitQueryT<T>& query, const RenderCon
     });
 }
 
-// Fewer lanes are faster one at a time.
-inline constexpr unsigned fewestCoherent = 3;
-
 template <class T>
 ColorT<T> Scene::coherentColor(const RayT<T>& ray, const HitQueryT<T>& query, LaneBits coherent,
                                const RayPath& path, const RenderContext& context) const {
     if constexpr (laneCountOf<T> == 1) {
         return hitColor(ray, query.nearest(), coherent, path, context);
     } else {
-        if (countLanes<T>(coherent) >= fewestCoherent) {
+        if (countLanes<T>(coherent) >= fewestRays) {
             RayT<T> some;
             if (coherent != allLanesOf<T>) some = filled(ray, coherent);
             const RayT<T>& together = coherent == allLanesOf<T> ? ray : some;
@@ -110,8 +107,8 @@ ColorT<T> Scene::shadow(const ShadingPointT<T>& point, const Vec3T<T>& toLight, 
                         LaneBits active, const RenderContext& context) const {
     context.counts->shadow += countLanes<T>(active);
     const Observer* observer = context.samples->observer;
-    const RayEnd end{light.position};
-    HitQueryT<T> query(end, !hasRefractiveShape && !(observer && observer->asksWhatShadows()), active);
+    HitQueryT<T> query(light.position, !hasRefractiveShape && !(observer && observer->asksWhatShadows()),
+                       active);
     closestHits(point.leave(toLight, ShadingPointT<T>::Side::Near), query, context);
     ColorT<T> factor = select(maskOf<T>(query.found()), ColorT<T>(T(0)), ColorT<T>(T(1)));
     if (hasRefractiveShape)

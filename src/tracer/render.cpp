@@ -1,13 +1,12 @@
-#include "render.h"
-
 #include <algorithm>
 #include <list>
 #include <mutex>
 #include <vector>
 
 #include "point_stream.h"
-#include "ray_tree_observer.h"
-#include "raytracer/tracer/renderer.h"
+#include "raytracer/tracer/scene_builder.h"
+#include "raytracer/util/parallel.h"
+#include "scene_renderer.h"
 #include "tile.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
@@ -20,11 +19,73 @@ constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
 // the same for any number of threads, and n threads cast at most n times as many.
 std::uint64_t mostRaysOf(std::span<const glm::dvec2> points) { return mostRaysOfSample * points.size(); }
 
-// Does every job, on options.threads threads. Each thread makes its `work` by workOf(context), and calls
-// work(job).
-template <class WorkOf>
-RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::size_t jobs,
-                      ProgressListener* progress, std::uint64_t mostRays, WorkOf workOf) {
+// As onThreads, with the stack that options.max_recursion needs. Throws Error where no thread can have it.
+void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
+                      const std::function<void(JobQueue&)>& work) {
+    const std::size_t stack = usualStack + static_cast<std::size_t>(options.max_recursion) * recursionStack;
+    if (onThreads(jobs, options.threads, work, stack)) return;
+    std::string lower;
+    if (const std::size_t there = mainStack(); there >= usualStack)
+        lower = "lower it to " + std::to_string((there - usualStack) / recursionStack) + ", or ";
+    throw Error("--max-recursion " + std::to_string(options.max_recursion) +
+                " needs a thread, and none can be made: " + lower + "set ulimit -s " +
+                std::to_string((limitForMainStack(stack) + 1023) / 1024));
+}
+
+constexpr std::size_t batchSize = 64;  // points that a thread takes at once
+
+std::size_t batchCount(std::size_t points) { return (points + batchSize - 1) / batchSize; }
+
+// Traces the points of a batch. observerOf(i): null where there is none.
+template <class ObserverOf, class Take>
+void traceBatch(const Scene& scene, const RenderContext& context, std::span<const glm::dvec2> points,
+                std::uint32_t batch, ObserverOf observerOf, Take take) {
+    PointStream stream(scene, context, take);
+    const std::size_t begin = std::size_t{batch} * batchSize;
+    for (std::size_t i = begin; i < std::min(begin + batchSize, points.size()); ++i)
+        stream.add(i, points[i], observerOf(i));
+    stream.finish();
+}
+
+// Records what each ray behind a point contributes.
+class RayTreeObserver final : public Observer {
+  public:
+    bool asksWhatShadows() const override { return false; }
+    void enter(const Ray&, const RayPath& path) override {
+        if (open_.empty()) max_recursion_ = path.max_recursion;
+        open_.push_back(rays_.size());
+        RayTreeNode ray;
+        ray.weight = asDouble(path.weight);
+        ray.depth = static_cast<std::uint16_t>(max_recursion_ - path.max_recursion);
+        rays_.push_back(ray);
+    }
+    void meet(const Intersection&, const Color&) override {}
+    void shadow(const Shape*, const Color&) override { ++rays_[open_.back()].shadows; }
+    void light(const DirectLight&, const Color& sum) override {
+        RayTreeNode& ray = rays_[open_.back()];
+        ray.light += ray.weight * asDouble(sum);
+    }
+    void terminate(RayKind, TerminationReason) override {}
+    void leave(const Color&) override { open_.pop_back(); }
+
+    // Appends the point's tree to `trees`, and is ready for another point.
+    void moveTo(RayTrees& trees) {
+        trees.rays.insert(trees.rays.end(), rays_.begin(), rays_.end());
+        trees.ends.push_back(trees.rays.size());
+        rays_.clear();
+    }
+
+  private:
+    std::vector<RayTreeNode> rays_;
+    std::vector<std::size_t> open_;  // the ray in progress, after those that led to it
+    int max_recursion_ = 0;
+};
+
+}  // namespace
+
+RenderCounts SceneRenderer::shareOut(const RenderOptions& options, std::size_t jobs,
+                                     ProgressListener* progress, std::uint64_t mostRays,
+                                     const std::function<Work(const RenderContext&)>& workOf) const {
     std::mutex mutex;
     std::list<RenderCounts> counts;  // of each thread
     const auto all = [&] {
@@ -34,7 +95,7 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::siz
     };
     std::size_t done = 0;
     std::vector<Color> brightest;
-    if (options.cutoff > 0) brightest = scene.brightestColors(options.max_recursion);
+    if (options.cutoff > 0) brightest = scene_->brightestColors(options.max_recursion);
     const auto newCounts = [&] {
         const std::lock_guard lock(mutex);
         return &counts.emplace_back();
@@ -42,7 +103,7 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::siz
     const auto workOnJobs = [&](JobQueue& queue) {
         const RenderContext context{&options, brightest.empty() ? nullptr : brightest.data(), newCounts(),
                                     nullptr, mostRays};
-        auto work = workOf(context);
+        const Work work = workOf(context);
         for (std::uint32_t job; queue.next(job);) {
             work(job);
             if (!progress) continue;
@@ -59,80 +120,61 @@ RenderCounts shareOut(const Scene& scene, const RenderOptions& options, std::siz
     return all();
 }
 
-constexpr std::size_t batchSize = 64;  // points that a thread takes at once
-
-std::size_t batchCount(std::size_t points) { return (points + batchSize - 1) / batchSize; }
-
-}  // namespace
-
-void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
-                      const std::function<void(JobQueue&)>& work) {
-    const std::size_t stack = usualStack + static_cast<std::size_t>(options.max_recursion) * recursionStack;
-    if (onThreads(jobs, options.threads, work, stack)) return;
-    std::string lower;
-    if (const std::size_t there = mainStack(); there >= usualStack)
-        lower = "lower it to " + std::to_string((there - usualStack) / recursionStack) + ", or ";
-    throw Error("--max-recursion " + std::to_string(options.max_recursion) +
-                " needs a thread, and none can be made: " + lower + "set ulimit -s " +
-                std::to_string((limitForMainStack(stack) + 1023) / 1024));
-}
-
-RenderCounts renderPicture(const Scene& scene, const RenderOptions& options, PixelSink& sink,
-                           ProgressListener* progress, const FirstSamples* first) {
+RenderCounts SceneRenderer::render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress,
+                                   const FirstSamples* first) const {
     const std::vector<PixelRectangle> tiles = tilesOf(options.crop, options.part);
-    return shareOut(scene, options, tiles.size(), progress, unlimited, [&](const RenderContext& context) {
-        return [&, render = tileRenderer(scene, context, first, sink)](std::uint32_t job) {
+    return shareOut(options, tiles.size(), progress, unlimited, [&](const RenderContext& context) {
+        return [&, render = tileRenderer(*scene_, context, first, sink)](std::uint32_t job) {
             render(tiles[job]);
         };
     });
 }
 
-RenderCounts renderPoints(const Scene& scene, const RenderOptions& options,
-                          std::span<const glm::dvec2> points, std::span<glm::dvec3> colors) {
-    const auto renderBatch = [&](std::uint32_t job, const RenderContext& context) {
-        PointStream stream(scene, context,
-                           [&](std::size_t i, const glm::dvec3& color, const SampleTrace& trace) {
-                               colors[i] = color;
-                               double& bound = context.counts->cutoffBound;
-                               bound = std::max(bound, trace.truncationBound);
-                           });
-        const std::size_t begin = std::size_t{job} * batchSize;
-        for (std::size_t i = begin; i < std::min(begin + batchSize, points.size()); ++i)
-            stream.add(i, points[i]);
-        stream.finish();
+RenderCounts SceneRenderer::renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,
+                                         std::span<glm::dvec3> colors) const {
+    const auto workOf = [&](const RenderContext& context) {
+        const auto take = [&](std::size_t i, const glm::dvec3& color, const SampleTrace& trace) {
+            colors[i] = color;
+            double& bound = context.counts->cutoffBound;
+            bound = std::max(bound, trace.truncationBound);
+        };
+        return [&, take](std::uint32_t job) {
+            traceBatch(
+                *scene_, context, points, job, [](std::size_t) { return nullptr; }, take);
+        };
     };
-    return shareOut(
-        scene, options, batchCount(points.size()), nullptr, mostRaysOf(points),
-        [&](const RenderContext& context) { return [&](std::uint32_t job) { renderBatch(job, context); }; });
+    return shareOut(options, batchCount(points.size()), nullptr, mostRaysOf(points), workOf);
 }
 
-RenderCounts traceRayTrees(const Scene& scene, const RenderOptions& options,
-                           std::span<const glm::dvec2> points, RayTrees& trees) {
+RenderCounts SceneRenderer::rayTrees(const RenderOptions& options, std::span<const glm::dvec2> points,
+                                     RayTrees& trees) const {
     RenderOptions shaded = options;
     shaded.pass = Pass::Color;
     std::vector<RayTrees> parts(batchCount(points.size()));
-    const auto traceBatch = [&](std::uint32_t job, const RenderContext& context) {
-        RayTreeObserver watching[PointPacket::most];
-        PointStream stream(scene, context, [&](std::size_t i, const glm::dvec3&, const SampleTrace&) {
-            watching[i % PointPacket::most].moveTo(parts[job]);
-        });
-        const std::size_t begin = std::size_t{job} * batchSize;
-        for (std::size_t i = begin; i < std::min(begin + batchSize, points.size()); ++i)
-            stream.add(i, points[i], &watching[i % PointPacket::most]);
-        stream.finish();
+    const auto workOf = [&](const RenderContext& context) {
+        return [&](std::uint32_t job) {
+            RayTreeObserver watching[PointPacket::most];
+            const auto watcher = [&](std::size_t i) { return &watching[i % PointPacket::most]; };
+            traceBatch(*scene_, context, points, job, watcher,
+                       [&](std::size_t i, const glm::dvec3&, const SampleTrace&) {
+                           watcher(i)->moveTo(parts[job]);
+                       });
+        };
     };
-    const RenderCounts counts = shareOut(
-        scene, shaded, parts.size(), nullptr, mostRaysOf(points),
-        [&](const RenderContext& context) { return [&](std::uint32_t job) { traceBatch(job, context); }; });
+    const RenderCounts counts = shareOut(shaded, parts.size(), nullptr, mostRaysOf(points), workOf);
     trees = {};
     for (const RayTrees& part : parts) {
         const std::size_t before = trees.rays.size();
         trees.rays.insert(trees.rays.end(), part.rays.begin(), part.rays.end());
         for (const std::size_t end : part.ends) trees.ends.push_back(before + end);
     }
-    for (const Color& brightest : scene.brightestColors(options.max_recursion))
+    for (const Color& brightest : scene_->brightestColors(options.max_recursion))
         trees.brightest.push_back(asDouble(brightest));
     return counts;
+}
+
+std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& description, const BuildOptions& options) {
+    return std::make_unique<SceneRenderer>(buildScene(description, options));
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -5,7 +5,7 @@
 
 namespace raytracer {
 
-// Each is defined by scene_renderer.cpp, compiled for that precision.
+// Each is defined by render.cpp, compiled for that precision.
 namespace float_precision {
 std::unique_ptr<Renderer> makeCoreRenderer(const SceneDescription& scene, const BuildOptions& options);
 }

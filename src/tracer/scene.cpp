@@ -20,7 +20,7 @@ Color Scene::hitColor(const Ray& ray, const Hit& hit, const RayPath& path,
 Intersection Scene::closestIntersection(const Ray& ray, const RenderContext& context) const {
     HitQuery query;
     closestHits(ray, query, context);
-    return query.found() ? query.nearest().shape->surfaceAt(ray, query.nearest()) : Intersection{};
+    return query.found() ? query.nearest().shape->surface(ray, query.nearest()) : Intersection{};
 }
 
 // Surfaces that lie apart may have the same rounded t. A ray from `nearest` back along `ray` shows whether a
@@ -28,14 +28,14 @@ Intersection Scene::closestIntersection(const Ray& ray, const RenderContext& con
 // surface nearer; `passed` counts the surfaces left behind.
 Hit Scene::firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& context) const {
     for (unsigned passed = 0;; ++passed) {
-        const Intersection place = nearest.shape->surfaceAt(ray, nearest);
+        const Intersection place = nearest.shape->surface(ray, nearest);
         HitQuery coincident(nearest, place.position, place.positionError);
-        tree.intersect(ray, coincident);
+        tree.meet(ray, coincident);
         context.counts->tests += coincident.tests;
         if (coincident.apart() <= passed) return coincident.nearest();
         HitQuery before = HitQuery::upTo(nearest.t * coincidenceWindow);
         const ShadingPoint point(ray, place, false);
-        tree.intersect(point.leave(-ray.direction, ShadingPoint::Side::Near), before);
+        tree.meet(point.leave(-ray.direction, ShadingPoint::Side::Near), before);
         context.counts->tests += before.tests;
         if (!before.found()) return coincident.nearest();
         HitQuery ahead = HitQuery::upTo(nearest.t * (1 + coincidenceWindow));

@@ -187,6 +187,15 @@ bool fits(const Scene& scene) {
            brightestOf(scene) <= brightestFactor;
 }
 
+// That of the best set up to this one for which Real has packets; null where there is none. The sets are
+// listed from the least to the best.
+template <InstructionSet... sets>
+TracePacket* bestUpTo([[maybe_unused]] InstructionSet most) {
+    TracePacket* best = nullptr;
+    ((best = sets <= most ? tracePacket<sets> : best), ...);
+    return best;
+}
+
 }  // namespace
 
 std::unique_ptr<const Scene> buildScene(const SceneDescription& description, const BuildOptions& options) {
@@ -203,7 +212,10 @@ std::unique_ptr<const Scene> buildScene(const SceneDescription& description, con
     scene->hasRefractiveShape = std::any_of(scene->shapes.begin(), scene->shapes.end(),
                                             [](const Shape& shape) { return shape.material().refractive; });
     scene->fits = fits(*scene) && isSharp(*scene);
-    if (options.accelerator == Accelerator::Bvh) scene->packets = packetKernel(options.instructionSet);
+    using enum InstructionSet;
+    if (options.accelerator == Accelerator::Bvh)
+        scene->tracePacket =
+            bestUpTo<RAYTRACER_PACKET_SETS>(options.instructionSet);  // CMakeLists.txt's list
     return scene;
 }
 

@@ -23,7 +23,7 @@ namespace {
 struct Shot {
     std::vector<glm::dvec3> colors;
     RenderCounts counts;
-    double rays() const { return rayCount(counts); }
+    double rays() const { return static_cast<double>(counts.all()); }
 };
 
 Shot shoot(const Renderer& renderer, const RenderOptions& options, const Setting& setting) {

@@ -169,7 +169,7 @@ TEST_CASE("a reference has no cutoff, but where glass would take many times the 
         cut += isCut;
         const auto rays = [&](const Setting& setting) {
             ColorSink sink(options.crop);
-            return rayCount(renderer.render(withSetting(options, setting), sink));
+            return renderer.render(withSetting(options, setting), sink).all();
         };
         CHECK(isCut == (rays(whole) > 4 * rays(glass)));
         CHECK(isCut == (reference.cutoffBound > 0));
@@ -187,14 +187,15 @@ TEST_CASE("ray trees tell what every depth costs and leaves out") {
         depths.add(renderer, options, points, spent);
         const auto render = [&](const Setting& setting, std::vector<glm::dvec3>& colors) {
             colors.resize(points.size());
-            return rayCount(renderer.renderPoints(withSetting(options, setting), points, colors));
+            return renderer.renderPoints(withSetting(options, setting), points, colors).all();
         };
         std::vector<glm::dvec3> truth, colors;
         render(deepest, truth);
         for (const int depth : {0, 1, 2, 5, 9})
             for (const double cutoff : {0.02, 0.1, 0.5}) {
                 INFO(depth << ", cutoff " << cutoff);
-                const double rays = render({.max_recursion = depth, .cutoff = cutoff}, colors);
+                const auto rays =
+                    static_cast<double>(render({.max_recursion = depth, .cutoff = cutoff}, colors));
                 const DepthChoice choice = depths.measured(depth, cutoff);
                 CHECK(choice.max_recursion == depth);
                 CHECK(choice.cutoff == (choice.max_recursion == 0 ? 0 : cutoff));

@@ -78,7 +78,7 @@ TEST_CASE("stack: a reflected ray takes less than threads have for it") {
 
 TEST_CASE("stack: a packet of reflected rays takes less than threads have for it") {
     const auto scene = facingMirrors();
-    if (!scene->packets) return;
+    if (!scene->tracePacket) return;
     const RenderOptions options = deepOptions();
     RenderCounts counts;
     StackWatch watches[PointPacket::most];
@@ -86,6 +86,6 @@ TEST_CASE("stack: a packet of reflected rays takes less than threads have for it
     for (int i = 0; i < PointPacket::most; ++i)
         points.add(Real(i % 4) + Real(0.5), Real(i / 4) + Real(0.5), &watches[i]);
     const RenderContext context{&options, nullptr, &counts, points.samples};
-    scene->packets->trace(*scene, points, context);
+    scene->tracePacket(*scene, points, context);
     checkStack(watches[0]);
 }

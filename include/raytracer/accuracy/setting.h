@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "raytracer/tracer/render_options.h"
+#include "raytracer/tracer/renderer.h"
 
 namespace raytracer {
 
@@ -30,12 +30,16 @@ RenderOptions withSetting(RenderOptions options, const Setting& setting);
 // The setting as options of the command line: "--samples 16 --cutoff 0.1"; "the defaults" for Setting{}.
 std::string commandLine(const Setting& setting);
 
+// A picture's colours, row by row, and what they cost.
+struct RenderedColors {
+    std::vector<glm::dvec3> colors;
+    RenderCounts counts;
+};
+RenderedColors rendered(const Renderer& renderer, const RenderOptions& options);
+
 // A number to three significant digits, as text ("0.1", "3e-05") and as a number.
 std::string shortNumber(double value);
 double rounded(double value);
-
-// Rays of every kind: the cost of a render, independent of the machine and its load.
-double rayCount(const RenderCounts& counts);
 
 // The values of each option that `tradeoff` measures. `adaptive` and `cutoff` go in steps of half a power of
 // ten: from an error typical of few samples to one that only many samples reach.

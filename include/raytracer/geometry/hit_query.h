@@ -14,11 +14,6 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 // Whether `a` comes before `b` in the scene file: by shape, and within one shape by primitive.
 bool isListedBefore(const Hit& a, const Hit& b);
 
-// The end of a shadow ray: the light, at t = 1. A surface that the light lies on casts no shadow there.
-struct RayEnd {
-    Vec3 position{0};
-};
-
 template <class T>
 class HitQueryT {
   public:
@@ -26,8 +21,9 @@ class HitQueryT {
     explicit HitQueryT(LaneBits active = allLanesOf<T>)
         : active_(active), limit_(select(maskOf<T>(active), T(std::numeric_limits<Real>::max()), T(-1))) {}
 
-    // Asks for the nearest hit before t = 1; with `any`, for any such hit.
-    HitQueryT(const RayEnd& end, bool any, LaneBits active = allLanesOf<T>)
+    // Asks for the nearest hit before t = 1, where the light `end` is; with `any`, for any such hit. A
+    // surface that the light lies on casts no shadow there.
+    HitQueryT(const Vec3& end, bool any, LaneBits active = allLanesOf<T>)
         : active_(active),
           limit_(select(maskOf<T>(active), T(1 - unitRoundoff), T(-1))),
           end_(&end),
@@ -167,7 +163,7 @@ class HitQueryT {
     LaneBits throughEnd(LaneBits which, const T& t, const Shape& shape, PrimitiveOf primitiveOf) const {
         LaneBits result = 0;
         forEach<T>(which & bits(t >= T(1 - coincidenceWindow)), [&](int lane) {
-            if (shape.touches(end_->position, Vec3(0), primitiveOf(lane))) result |= bitOf(lane);
+            if (shape.touches(*end_, Vec3(0), primitiveOf(lane))) result |= bitOf(lane);
         });
         return result;
     }
@@ -199,7 +195,7 @@ class HitQueryT {
 
     LaneBits active_, found_ = 0, contended_ = 0, entering_ = 0;
     T limit_, nearest_ = T(infinity);
-    const RayEnd* end_ = nullptr;
+    const Vec3* end_ = nullptr;
     bool any_ = false;
     const Shape* shape_[laneCountOf<T>] = {};
     Primitive<T> primitive_{};

@@ -1,7 +1,7 @@
 // A shape in a scene, and its surface at a hit.
 //
 // Intersection has two stages. `intersect` finds hits and offers them to a HitQuery as {t, shape, primitive}.
-// `surfaceAt` computes position, normal, texture coordinate and error bound once, for the hit that won. Each
+// `surface` computes position, normal, texture coordinate and error bound once, for the hit that won. Each
 // type of shape has a file of its own (sphere.h, ...); shapes.h lists them.
 #pragma once
 
@@ -84,12 +84,9 @@ class Shape {
     // (unless it is a solid 1 / coincidenceWindow times smaller than its distance from the frame's origin).
     void intersect(const Ray& ray, HitQueryT<Real>& query) const;
 
-    // The surface at a hit that `intersect` offered for this ray.
-    Intersection surfaceAt(const Ray& ray, const Hit& hit) const;
-
-    // The same two for one ray or a packet (shapes.h). `surface` takes hits on one face, from one side.
-    // areCoherent: whether it can also compute them together; on a mesh it cannot where the rays need
-    // different ShearAxes.
+    // The same for one ray or a packet (shapes.h), and the surface at a hit that was offered. `surface` takes
+    // hits on one face, from one side. areCoherent: whether it can also compute them together; on a mesh it
+    // cannot where the rays need different ShearAxes.
     template <class T>
     void meet(const RayT<T>& ray, HitQueryT<T>& query) const;
     template <class T>

@@ -17,7 +17,6 @@ class ShapeTree {
     ShapeTree(std::span<const Shape> shapes, const BuildOptions& options);
 
     // Offers to the query every hit that could matter to it (Shape::intersect); for one ray or several.
-    void intersect(const Ray& ray, HitQuery& query) const;
     template <class T>
     void meet(const RayT<T>& ray, HitQueryT<T>& query) const;
 

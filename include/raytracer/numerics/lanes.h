@@ -67,9 +67,6 @@ struct MaskOf {
         return detail::partwise<LanesOf<Number>>(
             [](auto m, auto x, auto y) { return detail::choose(m, x, y); }, mask, yes, no);
     }
-    friend MaskOf select(const MaskOf& mask, const MaskOf& yes, const MaskOf& no) {
-        return (mask & yes) | ((!mask) & no);
-    }
 };
 
 template <class Number>

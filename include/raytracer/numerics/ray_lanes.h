@@ -13,8 +13,6 @@ inline namespace RAYTRACER_LANES_NAMESPACE {
 using Lanes = LanesOf<Real>;
 using Mask = MaskOf<Real>;
 
-inline Lanes lanesOf(const Real (&numbers)[laneCount]) { return Lanes::load(numbers); }
-
 // Stores the least lane of each component; to[3] has no meaning.
 template <class Number>
 inline void storeLeast(const Vec3T<LanesOf<Number>>& v, double (&to)[4]) {

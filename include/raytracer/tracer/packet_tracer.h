@@ -9,8 +9,7 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // A few points of the picture, in pixels, (0, 0) at the top left, and the colours seen there.
 struct PointPacket {
-    static constexpr int width = packetWidth, height = packetHeight;  // the pixels that fill it best
-    static constexpr int most = width * height, least = 3;            // fewer are faster one at a time
+    static constexpr int most = packetWidth * packetHeight;
 
     int count = 0;
     alignas(32) Real x[most], y[most];
@@ -25,16 +24,8 @@ struct PointPacket {
     glm::dvec3 colorOf(int i) const { return {color[0][i], color[1][i], color[2][i]}; }
 };
 
-// What packet_tracer.cpp offers, compiled for one instruction set.
-struct PacketKernel {
-    // Fills in the points' colours; x and y beyond count may change.
-    void (*trace)(const Scene& scene, PointPacket& points, const RenderContext& context);
-};
-
+// A Scene::tracePacket, compiled for one instruction set.
 template <InstructionSet set>
-const PacketKernel& packetKernel();
-
-// The kernel of the best set up to this one for which Real has packets; null where there is none.
-const PacketKernel* packetKernel(InstructionSet set);
+void tracePacket(const Scene& scene, PointPacket& points, const RenderContext& context);
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -37,6 +37,8 @@ struct SampleTrace {
     Observer* observer = nullptr;
 };
 
+struct Scene;
+
 // What a thread traces rays with.
 struct RenderContext {
     const RenderOptions* options;
@@ -51,7 +53,12 @@ struct RenderContext {
     }
 };
 
-struct PacketKernel;  // packet_tracer.h
+struct PointPacket;  // packet_tracer.h
+// Fills in the points' colours; x and y beyond count may change.
+using TracePacket = void(const Scene& scene, PointPacket& points, const RenderContext& context);
+
+// Fewer rays are faster one at a time.
+inline constexpr unsigned fewestRays = 3;
 
 // Made by scene_builder.h. A function with T is for one ray or several (ray_color.h); `active` are the lanes
 // in use.
@@ -64,8 +71,8 @@ struct Scene {
     std::vector<std::shared_ptr<const Texture>> textures;  // keeps alive what materials point to
     ShapeTree tree;                                        // of the shapes
     bool hasRefractiveShape = false;
-    bool fits = true;  // in Real, as numerics.h has it; where not, the picture may be wrong
-    const PacketKernel* packets = nullptr;  // null: each ray is traced alone
+    bool fits = true;                    // in Real, as numerics.h has it; where not, the picture may be wrong
+    TracePacket* tracePacket = nullptr;  // null: each ray is traced alone
 
     Scene() = default;
     Scene(const Scene&) = delete;  // shapes point to materials
