@@ -39,7 +39,7 @@ Depths depthsFor(const Renderer& renderer, const RenderOptions& options, double 
         .max_recursion = std::min(layers, limit), .cutoff = cutoffs.front(), .bilinear = options.bilinear};
     for (;; deepest.max_recursion *= 2) {
         Depths depths = depthsAt(renderer, options, points, deepest, cutoffs, spent);
-        isLimited = depths.deepest().max_recursion < deepest.max_recursion;
+        isLimited = depths.deepest().max_recursion < std::max(deepest.max_recursion, layers);
         if (isLimited) return depths;
         const double change = depths.measured(deepest.max_recursion / 2, deepest.cutoff).squaredError;
         if (std::sqrt(change) * errorMargin <= target) return depths;

@@ -10,6 +10,7 @@
 
 #include "depth.h"
 #include "picture_points.h"
+#include "raytracer/pictures/tiles.h"
 #include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/util/parallel.h"
 #include "raytracer/util/stopwatch.h"
@@ -27,7 +28,6 @@ constexpr double timedPart = 1.0 / 50, fewestTiles = 8;
 constexpr double largestError = 1, firstError = 0.3, nextError = 1 / 1.5;
 constexpr double adaptiveFor = 2;    // `adaptive` over the error of its picture: mostly between 1 and 6
 constexpr double estimation = 0.06;  // share of the time: three renders of the tiles give the error
-constexpr double ringOfTile = 4 * 33.0 / (32 * 32);  // ring samples per pixel, for a tile of 32 x 32
 
 double now() { return Seconds::now().wall; }
 
@@ -112,21 +112,29 @@ class TimeSearch {
         return std::move(picture.colors);
     }
 
+    // The samples of the rings around these tiles.
+    double ringOf(std::span<const PixelRectangle> tiles) const {
+        double ring = 0;
+        for (const PixelRectangle& tile : tiles) ring += withRing(tile, options_.size).area() - tile.area();
+        return ring;
+    }
+
     // Estimates the seconds of the whole picture from those of the tiles. A tile of an adaptive picture also
     // samples a ring of neighbouring pixels. The picture's own tiles are larger, so their rings cost less per
     // pixel.
     double secondsOf(const Setting& setting) {
         const auto primary = choice_.counts.primary;
         const double start = now();
-        double pixels = 0, ring = 0;
-        for (const PixelRectangle& tile : tiles_) {
-            pixels += tile.area();
-            ring += 2 * (tile.width() + tile.height() + 2);
-        }
         forEachTile([&](const PixelRectangle& tile) { colorsOf(setting, tile, 0); });
         const double seconds = now() - start, samples = static_cast<double>(choice_.counts.primary - primary);
-        const double samplesOfPicture = setting.adaptive > 0 ? samples - ring + ringOfTile * pixels : samples;
-        return seconds * samplesOfPicture / samples * options_.crop.area() / pixels;
+        double pixels = 0, ring = 0, ringOfPicture = 0;
+        for (const PixelRectangle& tile : tiles_) pixels += tile.area();
+        if (setting.adaptive > 0) {
+            ring = ringOf(tiles_);
+            ringOfPicture = ringOf(tilesOf(options_.crop));
+        }
+        const double samplesOfPicture = (samples - ring) * options_.crop.area() / pixels + ringOfPicture;
+        return seconds * samplesOfPicture / samples;
     }
 
     void estimateError() {

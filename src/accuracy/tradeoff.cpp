@@ -74,12 +74,14 @@ std::optional<double> measuredRate(std::span<const Trial> trials, const Referenc
     return fallRate(points);
 }
 
-// The default setting and 16 samples, in each precision.
+// The default setting and 16 samples, in each precision that suits the scene.
 std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderOptions& options,
-                                    int repeats) {
+                                    const BuildOptions& build, int repeats) {
     std::vector<std::unique_ptr<Renderer>> renderers;
-    for (const Precision precision : {Precision::Extended, Precision::Double, Precision::Float})
-        renderers.push_back(makeRenderer(scene, precision));
+    for (const Precision precision : {Precision::Extended, Precision::Double, Precision::Float}) {
+        auto renderer = makeRenderer(scene, precision, build);
+        if (renderer->precision() == precision) renderers.push_back(std::move(renderer));
+    }
     std::vector<Trial> trials;
     for (const int samples : {1, 16}) {
         std::vector<glm::dvec3> truth;
@@ -175,12 +177,11 @@ SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& s
     options.threads = tradeoff.threads;
 
     report("the reference");
-    result.reference =
-        makeReference(*makeRenderer(scene, tradeoff.referencePrecision), options, tradeoff.samples);
-    result.reference.setting.precision = result.reference.half.precision = tradeoff.referencePrecision;
+    const BuildOptions build{.threads = tradeoff.threads};
+    const auto renderer = makeRenderer(scene, Precision::Double, build);
+    result.reference = makeReference(*renderer, options, tradeoff.samples);
     result.referencePicture = picture(options.size, result.reference.colors);
 
-    const auto renderer = makeRenderer(scene, Precision::Double);
     for (const Setting& setting :
          settingsToTry(*renderer, options, result.reference, hasTextures(scene), tradeoff.samples))
         result.truncation.push_back({setting, {}, {}, {}});
@@ -192,7 +193,7 @@ SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& s
     markFront(result.truncation);
     result.sampleRate = measuredRate(result.truncation, result.reference);
     report("the arithmetic");
-    result.arithmetic = arithmeticTrials(scene, options, tradeoff.repeats);
+    result.arithmetic = arithmeticTrials(scene, options, build, tradeoff.repeats);
     result.exhibits = exhibits(*renderer, options, result);
     return result;
 }

@@ -210,7 +210,7 @@ void RenderArguments::warnAll(const std::vector<std::string>& warnings) const {
 }
 
 SceneDescription RenderArguments::load(std::vector<std::string>* files, FileKind kind) const {
-    LoadedScene loaded = loadScene(scene, sets, files, kind);
+    LoadedScene loaded = loadScene(scene, sets, files, kind, options.threads);
     if (!warns()) return std::move(loaded.description);
     std::vector<std::string> remarks = sceneSlips(loaded.description);
     std::ranges::move(sceneAdvice(loaded.description), std::back_inserter(remarks));

@@ -109,7 +109,8 @@ int measure(TradeoffArguments& arguments) {
     const std::vector<std::string> names = namesOf(arguments.scenes);
     if (!arguments.quiet) arguments.options.report = [](const std::string& what) { tell(what + " ..."); };
     std::vector<LoadedScene> loaded;  // all are loaded first, since the work may take an hour
-    for (const std::string& scene : arguments.scenes) loaded.push_back(loadScene(scene));
+    for (const std::string& scene : arguments.scenes)
+        loaded.push_back(loadScene(scene, {}, nullptr, FileKind::Any, arguments.options.threads));
     print("");
     makeFolder(arguments.out);
     const auto inFolder = [out = std::filesystem::path(arguments.out)](const char* name) {

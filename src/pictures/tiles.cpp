@@ -46,6 +46,11 @@ std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle, const Pictu
     return tiles;
 }
 
+PixelRectangle withRing(const PixelRectangle& tile, const ImageSize& size) {
+    return {std::max(tile.x0 - 1, 0), std::max(tile.y0 - 1, 0), std::min(tile.x1 + 1, size.width),
+            std::min(tile.y1 + 1, size.height)};
+}
+
 std::vector<PixelRectangle> bandsOf(const PixelRectangle& rectangle, double pixels) {
     const int rows = std::max(1, static_cast<int>(std::min(pixels / rectangle.width(), 1e9) / tileEdge));
     std::vector<PixelRectangle> bands;

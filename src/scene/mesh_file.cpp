@@ -83,6 +83,14 @@ void requireNoOtherType(std::string_view text, const std::string& path) {
         throw Error({path}, "a PLY mesh: save it as OBJ");
 }
 
+// A vertex that no face uses must not count in the mesh's bounds: it becomes a copy of one that is used.
+void hideUnused(MeshData& mesh) {
+    std::vector<char> isUsed(mesh.positions.size());
+    for (const std::uint32_t i : mesh.positionIndex) isUsed[i] = 1;
+    for (std::size_t i = 0; i < isUsed.size(); ++i)
+        if (!isUsed[i]) mesh.positions[i] = mesh.positions[mesh.positionIndex[0]];
+}
+
 void requireUsable(const ObjCounts& whole, const std::string& path) {
     if (whole.faces == 0 && whole.positions == 0)
         throw Error({path}, "no vertices and no faces, so not an OBJ mesh");
@@ -180,13 +188,14 @@ void MeshData::chooseUnit() {
     exponent = more;
 }
 
-MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path) {
+MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path,
+                          int threads) {
     const std::vector<std::string_view> chunks = splitAtLines(text, chunkCount);
     std::vector<ObjCounts> above(chunkCount);
     const auto jobs = static_cast<std::uint32_t>(chunkCount);
-    parallelFor(jobs, 0, [&](std::uint32_t i) { above[i] = countObjChunk(chunks[i]); });
+    parallelFor(jobs, threads, [&](std::uint32_t i) { above[i] = countObjChunk(chunks[i]); });
     const ObjCounts whole = sumAbove(above);
-    if (whole.hasReturns) return parseObjInChunks(withNewlines(text), chunkCount, path);
+    if (whole.hasReturns) return parseObjInChunks(withNewlines(text), chunkCount, path, threads);
     if (whole.hasNul) failAtNul(text, path);
     requireUsable(whole, path);
 
@@ -198,28 +207,29 @@ MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const s
     mesh.positionIndex.resize(3 * whole.triangles);
     if (whole.texCoords > 0) mesh.texCoordIndex.resize(3 * whole.triangles);
     std::vector<ObjFaces> faces(chunkCount);
-    parallelFor(jobs, 0, [&](std::uint32_t i) {
+    parallelFor(jobs, threads, [&](std::uint32_t i) {
         faces[i] = parseObjChunk({chunks[i], path}, above[i], whole, mesh);
     });
     if (std::ranges::none_of(faces, &ObjFaces::textured)) {
         mesh.texCoords = {};
         mesh.texCoordIndex = {};
     }
-    parallelFor(jobs, 0, [&](std::uint32_t i) { cutConcavePolygons(faces[i], mesh); });
+    parallelFor(jobs, threads, [&](std::uint32_t i) { cutConcavePolygons(faces[i], mesh); });
+    hideUnused(mesh);
     mesh.findBounds();
     return mesh;
 }
 
-MeshData parseObj(std::string_view text, const std::string& path) {
+MeshData parseObj(std::string_view text, const std::string& path, int threads) {
     if (const auto wide = wideEncoding(text); !wide.empty())
         throw Error({path}, "expected UTF-8, found " + wide);
     requireNoOtherType(text, path);
     if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
-    return parseObjInChunks(text, text.size() / chunkBytes + 1, path);
+    return parseObjInChunks(text, text.size() / chunkBytes + 1, path, threads);
 }
 
-MeshData loadObj(const std::string& path) {
-    return parseObj(FileBytes(path, FileKind::Regular).text(), path);
+MeshData loadObj(const std::string& path, int threads) {
+    return parseObj(FileBytes(path, FileKind::Regular).text(), path, threads);
 }
 
 }  // namespace raytracer

@@ -50,7 +50,8 @@ void cutConcavePolygons(const ObjFaces& faces, MeshData& mesh);
 
 // Parses the whole text in so many chunks, in parallel. Neither the mesh nor an Error depends on their
 // number.
-MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path = {});
+MeshData parseObjInChunks(std::string_view text, std::size_t chunkCount, const std::string& path = {},
+                          int threads = 0);
 
 // Throws Error where a mesh of so many triangles is too large.
 void requireTriangles(std::size_t count, const std::string& path);

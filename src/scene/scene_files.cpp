@@ -21,16 +21,16 @@ namespace {
               (name.empty() ? "" : "; write " + inQuotes(name)));
 }
 
-MeshData readMesh(const std::string& file) {
-    MeshData mesh = loadObj(file);
+MeshData readMesh(const std::string& file, int threads) {
+    MeshData mesh = loadObj(file, threads);
     mesh.chooseUnit();
     return mesh;
 }
 
 }  // namespace
 
-SceneFiles::SceneFiles(const std::string& scenePath)
-    : folder_(std::filesystem::path(scenePath).parent_path()) {
+SceneFiles::SceneFiles(const std::string& scenePath, int threads)
+    : folder_(std::filesystem::path(scenePath).parent_path()), threads_(threads) {
     std::error_code unknown;
     isPipe_ = std::filesystem::is_fifo(scenePath, unknown);
 }
@@ -51,7 +51,8 @@ auto SceneFiles::readNamed(JsonView path, const std::string& file, Read read) co
 std::shared_ptr<const MeshData> SceneFiles::mesh(JsonView path) {
     const std::string file = resolve(path);
     std::shared_ptr<const MeshData>& mesh = meshes_[file];
-    if (!mesh) mesh = std::make_shared<MeshData>(readNamed(path, file, readMesh));
+    const auto read = [this](const std::string& name) { return readMesh(name, threads_); };
+    if (!mesh) mesh = std::make_shared<MeshData>(readNamed(path, file, read));
     return mesh;
 }
 

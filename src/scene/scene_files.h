@@ -17,7 +17,7 @@ namespace raytracer {
 // file.
 class SceneFiles {
   public:
-    explicit SceneFiles(const std::string& scenePath);
+    SceneFiles(const std::string& scenePath, int threads);
 
     std::shared_ptr<const MeshData> mesh(JsonView path);
     std::shared_ptr<const Texture> texture(JsonView path);
@@ -34,6 +34,7 @@ class SceneFiles {
 
     std::filesystem::path folder_;
     bool isPipe_;
+    int threads_;
     std::set<std::string> names_;
     std::unordered_map<std::string, std::shared_ptr<const MeshData>> meshes_;  // by resolved path
     std::unordered_map<std::string, std::shared_ptr<const Texture>> textures_;

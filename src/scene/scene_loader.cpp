@@ -26,7 +26,7 @@ constexpr std::array sceneKeys = {"$schema"sv, "camera"sv,     "materials"sv, "l
 // Reads the whole scene and resolves its names. Strings and views belong to the document.
 class SceneReader {
   public:
-    explicit SceneReader(const std::string& path) : path_(path), files_(path) {}
+    SceneReader(const std::string& path, int threads) : path_(path), files_(path, threads) {}
 
     void read(JsonView scene);
 
@@ -180,8 +180,8 @@ std::vector<Error> remarksOn(const std::string& path, const std::vector<std::str
 }
 
 LoadedScene loadScene(const std::string& path, std::span<const std::string> edits,
-                      std::vector<std::string>* named, FileKind kind) {
-    SceneReader reader(path);
+                      std::vector<std::string>* named, FileKind kind, int threads) {
+    SceneReader reader(path, threads);
     try {
         const FileBytes file(path, kind);
         EditedJson json;

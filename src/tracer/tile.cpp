@@ -13,12 +13,6 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
 
-// The tile with a ring of neighbouring pixels, as far as they are in the picture.
-PixelRectangle withRing(const PixelRectangle& tile, const ImageSize& size) {
-    return {std::max(tile.x0 - 1, 0), std::max(tile.y0 - 1, 0), std::min(tile.x1 + 1, size.width),
-            std::min(tile.y1 + 1, size.height)};
-}
-
 // Renders one tile after another, in the same memory: a large allocation for each would go back to the
 // system.
 class Tile {

@@ -77,9 +77,8 @@ TEST_CASE("the error falls with the samples at the rate that the chart claims") 
         INFO(name);
         const SceneDescription scene =
             loadScene(std::string(SOURCE_DIR "/scenes/") + name + ".json").description;
-        const SceneTradeoff chart = measureTradeoff(
-            name, scene,
-            {.size = 24, .samples = 16, .repeats = 1, .referencePrecision = Precision::Double, .report = {}});
+        const SceneTradeoff chart =
+            measureTradeoff(name, scene, {.size = 24, .samples = 16, .repeats = 1, .report = {}});
         const auto renderer = makeRenderer(scene, Precision::Double);
         const RenderOptions options = wholePicture(scene, 32);
         const double rate = fallRate(errorsOfSamples(*renderer, options));
@@ -93,12 +92,38 @@ TEST_CASE("the error falls with the samples at the rate that the chart claims") 
 
 TEST_CASE("one number of samples tells no rate, and none is claimed") {
     const SceneDescription scene = loadScene(SOURCE_DIR "/scenes/spheres_cylinder.json").description;
-    const SceneTradeoff chart = measureTradeoff(
-        "one", scene,
-        {.size = 12, .samples = 1, .repeats = 1, .referencePrecision = Precision::Double, .report = {}});
+    const SceneTradeoff chart =
+        measureTradeoff("one", scene, {.size = 12, .samples = 1, .repeats = 1, .report = {}});
     CHECK(!chart.sampleRate);
     CHECK(tradeoffTable(chart).find("falls like") == std::string::npos);
     CHECK(tradeoffSvg(std::span(&chart, 1)).find("sampling error") == std::string::npos);
+}
+
+TEST_CASE(
+    "the reference takes shapes that touch up to the rounding of their decimals as touching, as pictures "
+    "do") {
+    // In double the cubes touch at z = 0.2. In extended precision there is a gap of 3e-17.
+    SceneDescription scene = loadScene(SOURCE_DIR "/test/accuracy/touching_cubes.json").description;
+    const SceneTradeoff chart =
+        measureTradeoff("touching", scene, {.size = 40, .samples = 16, .repeats = 1, .report = {}});
+    const auto best =
+        std::ranges::min_element(chart.truncation, {}, [](const Trial& t) { return t.error.rmse; });
+    CHECK(best->error.rmse < 0.01);
+}
+
+TEST_CASE("the errors of the arithmetic are those of the precisions that were computed") {
+    SceneDescription scene = loadScene(SOURCE_DIR "/scenes/cone_cube.json").description;
+    const auto precisions = [&] {
+        const SceneTradeoff chart =
+            measureTradeoff("scene", scene, {.size = 12, .samples = 1, .repeats = 1, .report = {}});
+        std::vector<Precision> found;
+        for (const Trial& trial : chart.arithmetic) found.push_back(trial.setting.precision);
+        return found;
+    };
+    using enum Precision;
+    CHECK(precisions() == std::vector{Extended, Double, Float, Extended, Double, Float});
+    scene.camera.eye *= 3e4;  // too far away for float
+    CHECK(precisions() == std::vector{Extended, Double, Extended, Double});
 }
 
 TEST_CASE("a chart shows errors of any size, and none at all") {

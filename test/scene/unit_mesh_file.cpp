@@ -38,14 +38,20 @@ bool same(const MeshData& a, const MeshData& b) {
 
 TEST_CASE("An OBJ's faces become triangles in file order") {
     SECTION("a triangle") {
-        const MeshData mesh = parse(square + "f 1 2 3\n");
+        const MeshData mesh = parse(square + "f 1 2 3\nf 1 3 4\n");
         CHECK(mesh.positions ==
               raytracer::LargeVector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
         CHECK(mesh.low == glm::dvec3(0, 0, 0));
         CHECK(mesh.high == glm::dvec3(1, 1, 0));
-        CHECK(mesh.positionIndex == Indices{0, 1, 2});
+        CHECK(mesh.positionIndex == Indices{0, 1, 2, 0, 2, 3});
         CHECK(mesh.texCoordIndex.empty());
-        CHECK(mesh.triangleCount() == 1);
+        CHECK(mesh.triangleCount() == 2);
+    }
+    SECTION("a vertex that no face uses does not count in the bounds") {
+        const MeshData mesh = parse("v 1e9 1e9 1e9\n" + square + "v -1e-300 5 5\nf 2 3 4\n");
+        CHECK(mesh.low == glm::dvec3(0, 0, 0));
+        CHECK(mesh.high == glm::dvec3(1, 1, 0));
+        CHECK(mesh.positions[5] == mesh.positions[1]);
     }
     SECTION("a polygon is a fan about its first corner") {
         CHECK(parse(square + "v 0 0.5 0\nf 1 2 3 4 5").positionIndex == Indices{0, 1, 2, 0, 2, 3, 0, 3, 4});

@@ -1,8 +1,9 @@
 // Measures the cost and the error of a scene's render with many settings.
 //
-// Two errors are measured separately. For the rounding error of the arithmetic,
-// the truth is the same samples in extended precision. For the error of too few
-// samples and truncated recursion, it is a converged reference.
+// Two errors are measured separately. For the rounding error of the arithmetic, the truth is the same samples
+// in extended precision. For the error of too few samples and truncated recursion, it is a converged
+// reference in double, in which all settings are measured: its rounding error is far smaller, and surfaces
+// that touch up to the rounding of their decimals touch in both.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,6 @@ struct TradeoffOptions {
     int samples = 64;  // most samples of a pixel
     int repeats = 3;   // timings of each setting near the Pareto front
     int threads = 0;
-    Precision referencePrecision = Precision::Extended;
     std::function<void(const std::string&)> report;  // called with the current step's name; may be empty
 };
 

@@ -35,6 +35,9 @@ class PartLattice {
 std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle);
 std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle, const PicturePart& part);
 
+// The tile with a ring of neighbouring pixels, as far as they are in the picture.
+PixelRectangle withRing(const PixelRectangle& tile, const ImageSize& size);
+
 // Divides the rectangle, from the top, into bands of whole rows of tiles. A band has at most this many
 // pixels, but at least one row of tiles.
 std::vector<PixelRectangle> bandsOf(const PixelRectangle& rectangle, double pixels);

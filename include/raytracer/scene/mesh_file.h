@@ -39,10 +39,10 @@ struct MeshData {
 
 // Reads positions, texture coordinates and faces (any polygons, negative indices, v, v/vt, v//vn, v/vt/vn);
 // ignores groups, objects, normals, materials and smoothing. Throws Error, with the line where it can, if the
-// file is missing, unreadable or not an OBJ of this kind.
-MeshData loadObj(const std::string& path);
+// file is missing, unreadable or not an OBJ of this kind. `threads`: as threadCount's.
+MeshData loadObj(const std::string& path, int threads = 0);
 
 // The same from text in memory. `path` is the file's name in an Error.
-MeshData parseObj(std::string_view text, const std::string& path = {});
+MeshData parseObj(std::string_view text, const std::string& path = {}, int threads = 0);
 
 }  // namespace raytracer

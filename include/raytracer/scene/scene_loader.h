@@ -21,9 +21,10 @@ struct LoadedScene {
 // file. The `edits` ("/pointer=value", JsonEdit) are made first, one after the other. An unknown key is a
 // warning; in one of the edits it is an Error. Throws Error: "FILE:LINE:COLUMN: /json/pointer: what was
 // expected, what was found" (syntax errors: without the pointer). `named` gets LoadedScene::files; where this
-// throws, those that are known by then.
+// throws, those that are known by then. `threads`: as threadCount's.
 LoadedScene loadScene(const std::string& path, std::span<const std::string> edits = {},
-                      std::vector<std::string>* named = nullptr, FileKind kind = FileKind::Any);
+                      std::vector<std::string>* named = nullptr, FileKind kind = FileKind::Any,
+                      int threads = 0);
 
 // Turns remarks about values of a scene, "/json/pointer: ...", into Errors about the file. An Error has a
 // line and a column where the file can be read again and the value is not one of the edits'. A remark without

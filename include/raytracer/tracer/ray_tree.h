@@ -15,7 +15,7 @@ struct RayTreeNode {
     glm::dvec3 light{0};        // of all lights at its hit, with the ambient terms, times the weight
     glm::dvec3 weight{1};       // throughput: the factor of the ray's colour in the point's colour
     std::uint16_t depth = 0;    // reflections and refractions before this ray
-    std::uint16_t shadows = 0;  // shadow rays from its hit
+    std::uint32_t shadows = 0;  // shadow rays from its hit
 };
 
 // The trees of several points, traced with one max_recursion and one cutoff.
