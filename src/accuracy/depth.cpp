@@ -49,11 +49,12 @@ Depths depthsFor(const Renderer& renderer, const RenderOptions& options, double 
 }
 
 // The choice that makes the picture cheapest. The samples may have the error that the depth leaves of the
-// target, and a picture's sampling error falls about as 1 / its rays.
+// target, and a picture's sampling error falls about as 1 / its rays. If no depth leaves any: the best depth.
 DepthChoice cheapest(const std::vector<DepthChoice>& depths, double target) {
     return *std::ranges::min_element(depths, {}, [&](const DepthChoice& depth) {
-        const double left = target * target - depth.squaredError - standardErrors * depth.standardError;
-        return left > 0 ? depth.rays / std::sqrt(left) : std::numeric_limits<double>::infinity();
+        const double left = depth.leftOf(target);
+        const double cost = left > 0 ? depth.rays / std::sqrt(left) : std::numeric_limits<double>::infinity();
+        return std::pair(cost, depth.squaredError);
     });
 }
 

@@ -28,6 +28,11 @@ struct DepthChoice {
     double squaredError = 0;   // truncation error against the deepest: mean square over the samples
     double standardError = 0;  // of squaredError
     bool isLimited = false;    // squaredError leaves out rays beyond the deepest: too many to trace
+
+    // What the depth leaves for the samples, of the square of the target. Above 0 where samples can reach it.
+    double leftOf(double target) const {
+        return target * target - squaredError - standardErrors * standardError;
+    }
 };
 
 class Depths {

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "raytracer/tracer/render_options.h"
+
 namespace raytracer {
 
 namespace {
@@ -15,11 +17,22 @@ glm::dvec3 clamped(const glm::dvec3& color) { return glm::clamp(color, 0.0, 1.0)
 }  // namespace
 
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth) {
-    return squaredError(color, truth, truth);
+    const glm::dvec3 off = clamped(color) - clamped(truth);
+    return glm::dot(off, off) / 3;
 }
 
 double squaredError(const glm::dvec3& color, const glm::dvec3& one, const glm::dvec3& other) {
-    return glm::dot(clamped(color) - clamped(one), clamped(color) - clamped(other)) / 3;
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        const auto [low, high] = std::minmax({color[i], one[i], other[i]});
+        if (low >= 1 || high <= 0) continue;
+        const auto off = [shown = std::clamp(color[i], 0.0, 1.0)](double truth) {
+            constexpr double most = mostSamples;  // so that powers of the result are finite
+            return shown - std::clamp(truth, -most, most);
+        };
+        sum += off(one[i]) * off(other[i]);
+    }
+    return sum / 3;
 }
 
 PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth) {

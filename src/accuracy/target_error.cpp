@@ -18,10 +18,9 @@ namespace raytracer {
 
 namespace {
 
-// The first and the last `adaptive`, as multiples of the target. A picture's error is 0.1 to 1.3 times
-// `adaptive`. With one above `coarsest`, single pixels have errors that pilot samples may miss. `finest` is
-// far below 1 / 1.3, to leave room for the margin.
-constexpr double coarsest = 8, finest = 1 / 16.0;
+// The first `adaptive`, as a multiple of the target. A picture's error is 0.1 to 1.3 times `adaptive`. With a
+// coarser one, single pixels have errors that pilot samples may miss.
+constexpr double coarsest = 8;
 constexpr double finer = 1 / 1.09;     // from one `adaptive` to the next: on average 4 % below the target
 constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 170 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
@@ -72,11 +71,9 @@ class Search {
         choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
         chooseAdaptive();
         choice_.reached = choice_.reached && !choice_.isLimited;
-        if (choice_.setting.adaptive >= PixelEstimate::mostOfOneSample) {
-            choice_.setting.samples = 1;
-            choice_.setting.adaptive = 0;
-        }
         if (areaOf(options_.size) < area_) choice_.first = {};
+        else if (needsOneSample()) choice_.setting.samples = 1;
+        if (choice_.setting.samples == 1) choice_.setting.adaptive = 0;
         return std::move(choice_);
     }
 
@@ -100,7 +97,7 @@ class Search {
     // A pixel's weight in the drawing: the estimated error of its first sample, clamped to a few targets,
     // since a pixel with a larger error takes more samples anyway.
     double weightOf(double contrast) const {
-        return std::min(contrast * PixelEstimate::mostOfOneSample, errorMargin * target_);
+        return std::min(contrast * PixelEstimate::errorOfOneSample, errorMargin * target_);
     }
 
     void sortPixels() {
@@ -133,6 +130,12 @@ class Search {
         count_ += count;
     }
 
+    // Whether no pixel of the picture takes a second sample.
+    bool needsOneSample() const {
+        const auto most = static_cast<double>(pixels_.back().first);
+        return std::min(1.0, most * PixelEstimate::errorOfOneSample) <= choice_.setting.adaptive;
+    }
+
     struct SquaredError {
         double mean = 0;
         double margin = 0;
@@ -143,28 +146,30 @@ class Search {
         double& adaptive = choice_.setting.adaptive;
         adaptive = rounded(coarsest * target_);
         before_ = choice_.counts.all();
-        for (bool isLast = false;;) {
+        for (;;) {
             takeSamples(adaptive);
             const SquaredError error = squaredErrorOfPicture();
             const double left = target_ * target_ - depth_.squaredError - error.mean;
             // The search tends to stop where the mean is too small
             // by chance: one standard error makes up for that.
             choice_.sampleError = std::sqrt(error.mean + error.margin / standardErrors);
-            choice_.reached = left >= (isLast ? error.margin / standardErrors : error.margin);
-            if (isSpent()) endHere();
-            if (choice_.reached || isLast || isSpent()) return;
-            if (left >= 0 && mayDrawMore(error)) {
-                drawPixels(count_);
-                continue;
-            }
-            adaptive = rounded(adaptive * finer);
-            isLast = adaptive < finest * target_;
+            const bool isEnd = isSpent();
+            choice_.reached = left >= (isEnd ? error.margin / standardErrors : error.margin);
+            if (isEnd) endHere();
+            if (choice_.reached || isEnd) return;
+            if (left >= 0 && mayDrawMore(error)) drawPixels(count_);
+            else adaptive = rounded(adaptive * finer);
         }
     }
 
+    // Whether more samples cannot help: the rays are spent, the depth's error is too large, or each pilot
+    // pixel has taken the most samples.
     bool isSpent() const {
         const double most = std::min<double>(mostSamples, raysOfRandom / (target_ * target_));
-        return static_cast<double>(choice_.counts.all() - before_) > most * area_;
+        return static_cast<double>(choice_.counts.all() - before_) > most * area_ ||
+               depth_.leftOf(target_) <= 0 || std::ranges::all_of(pilots_, [](const PilotPixel& p) {
+                   return p.own.samples() == mostSamples;
+               });
     }
 
     // Out of rays: limits the picture's samples to the most that a pilot pixel has taken.
@@ -245,7 +250,7 @@ class Search {
         const double deviations =
             standardErrors + skewness / std::sqrt(count_) / 6 * (1 + 2 * standardErrors * standardErrors);
         return {std::max(0.0, first),  // the estimate may be negative by chance
-                deviations * std::hypot(std::sqrt(variance / count_), depth_.standardError)};
+                std::hypot(deviations * std::sqrt(variance / count_), standardErrors * depth_.standardError)};
     }
 
     const Renderer& renderer_;

@@ -74,7 +74,7 @@ class TimeSearch {
         const double adaptive = rounded(adaptiveFor * error);
         Step step{{1, 0, depth.max_recursion, depth.cutoff, options_.bilinear},
                   std::sqrt(depth.squaredError)};
-        if (adaptive < PixelEstimate::mostOfOneSample) {
+        if (adaptive < PixelEstimate::errorOfOneSample) {
             step.setting.samples = mostSamples;
             step.setting.adaptive = adaptive;
         }

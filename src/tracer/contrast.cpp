@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 
@@ -11,7 +12,7 @@ namespace raytracer {
 namespace {
 
 struct ColorRange {
-    glm::dvec3 low{1}, high{0};
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-low};
 
     void add(const ColorRange& other) {
         low = glm::min(low, other.low);
@@ -23,9 +24,8 @@ struct ColorRange {
 void measureRow(std::span<const glm::dvec3> colors, std::span<ColorRange> ranges) {
     std::ranges::fill(ranges, ColorRange());
     for (std::size_t x = 0; x < colors.size(); ++x) {
-        const glm::dvec3 shown = glm::clamp(colors[x], 0.0, 1.0);
         const std::size_t end = std::min(x + 2, colors.size());
-        for (std::size_t i = x == 0 ? 0 : x - 1; i < end; ++i) ranges[i].add({shown, shown});
+        for (std::size_t i = x == 0 ? 0 : x - 1; i < end; ++i) ranges[i].add({colors[x], colors[x]});
     }
 }
 

@@ -12,7 +12,6 @@
 #include "raytracer/accuracy/target_error.h"
 #include "raytracer/accuracy/target_time.h"
 #include "raytracer/pictures/color_sink.h"
-#include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/tracer/sample_sequence.h"
 
 using namespace raytracer;
@@ -246,25 +245,30 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
     const auto of = [&](int column, int row) -> const auto& {
         return samples[static_cast<std::size_t>(row * size.width + column)];
     };
-    glm::dvec3 low(1), high(0);
+    glm::dvec3 low = of(x, y)[0], high = low;
     for (int row = std::max(0, y - 1); row <= std::min(size.height - 1, y + 1); ++row)
         for (int column = std::max(0, x - 1); column <= std::min(size.width - 1, x + 1); ++column) {
-            low = glm::min(low, glm::clamp(of(column, row)[0], 0.0, 1.0));
-            high = glm::max(high, glm::clamp(of(column, row)[0], 0.0, 1.0));
+            low = glm::min(low, of(column, row)[0]);
+            high = glm::max(high, of(column, row)[0]);
         }
     const double contrast = std::max({high.x - low.x, high.y - low.y, high.z - low.z,
                                       8 / std::sqrt(static_cast<double>(size.width) * size.height)});
     for (int n = 1;; n = std::min(limit, n == 1 ? 4 : 2 * n)) {
-        double variance = 0;
-        for (int channel = 0; channel < 3; ++channel) {
-            double mean = 0;
-            for (int i = 0; i < n; ++i) mean += std::clamp(of(x, y)[i][channel], 0.0, 1.0) / n;
-            for (int i = 0; i < n; ++i)
-                variance +=
-                    std::pow(std::clamp(of(x, y)[i][channel], 0.0, 1.0) - mean, 2) / 3 / std::max(1, n - 1);
-        }
         const double weight = n == 1 ? 1 : std::pow(16.0 / n, 0.25);
-        const double error = weight * std::max(std::sqrt(variance) / std::pow(n, 0.75), contrast / (4 * n));
+        double bySamples = 0, byContrast = 0;  // mean squares over the channels
+        for (int channel = 0; channel < 3; ++channel) {
+            double mean = 0, variance = 0;
+            for (int i = 0; i < n; ++i) mean += of(x, y)[i][channel] / n;
+            for (int i = 0; i < n; ++i)
+                variance += std::pow(of(x, y)[i][channel] - mean, 2) / std::max(1, n - 1);
+            const auto shown = [mean](double error) {
+                const auto clamped = [](double value) { return std::clamp(value, 0.0, 1.0); };
+                return std::max(clamped(mean) - clamped(mean - error), clamped(mean + error) - clamped(mean));
+            };
+            bySamples += std::pow(shown(weight * std::sqrt(variance) / std::pow(n, 0.75)), 2) / 3;
+            byContrast += std::pow(shown(weight * contrast / (4 * n)), 2) / 3;
+        }
+        const double error = std::sqrt(std::max(bySamples, byContrast));
         if (error <= adaptive || n == limit) return {n, error > adaptive};
     }
 }
@@ -286,6 +290,21 @@ TEST_CASE("an adaptive pixel stops by the rule, and it is counted where the limi
             CHECK(shot.counts.limited == limited);
         }
     });
+}
+
+TEST_CASE("the error against two estimates of the truth has no bias where samples are brighter than white") {
+    // One of 64 samples is 30: the truth is 0.47. Estimates of four samples are 0 or 7.5 or more.
+    double sum = 0;
+    const auto chance = [](int hits) {
+        return std::pow(1 / 64.0, hits) * std::pow(63 / 64.0, 4 - hits) *
+               std::array{1, 4, 6, 4, 1}[static_cast<std::size_t>(hits)];
+    };
+    for (int one = 0; one <= 4; ++one)
+        for (int other = 0; other <= 4; ++other)
+            sum += chance(one) * chance(other) *
+                   squaredError(glm::dvec3(0), glm::dvec3(7.5 * one), glm::dvec3(7.5 * other));
+    CHECK(std::sqrt(sum) == Approx(30 / 64.0).epsilon(0.02));
+    CHECK(squaredError(glm::dvec3(3), glm::dvec3(2), glm::dvec3(5)) == 0);
 }
 
 TEST_CASE("the error of a picture is at most what its pixels' errors are estimated to be") {
@@ -347,8 +366,7 @@ TEST_CASE("target-time: where no time is enough, the fastest setting is chosen")
     withEveryRenderer(100, [](const Renderer& renderer, const RenderOptions& options) {
         CHECK(chooseForTime(renderer, options, 1e-9).setting == Setting{.max_recursion = 0});
         const Shot one = shoot(renderer, options, {});
-        const double adaptive = PixelEstimate::mostOfOneSample;
-        const Shot coarsest = shoot(renderer, options, {.samples = 64, .adaptive = adaptive});
+        const Shot coarsest = shoot(renderer, options, {.samples = 64, .adaptive = 1});
         CHECK(coarsest.colors == one.colors);
         CHECK(coarsest.counts.primary > one.counts.primary);  // so one sample is faster
     });

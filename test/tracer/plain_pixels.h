@@ -49,22 +49,31 @@ class Pixels {
                static_cast<double>(colors.size());
     }
 
-    static double error(Colors colors, double contrast) {
-        for (glm::dvec3& color : colors) color = clamp(color, 0.0, 1.0);
-        const double n = static_cast<double>(colors.size());
-        double squares = 0;
-        for (const glm::dvec3& color : colors) squares += dot(color - mean(colors), color - mean(colors)) / 3;
-        const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
-        return (n == 1 ? 1 : std::pow(16 / n, 0.25)) *
-               std::max(deviation / std::pow(n, 0.75), contrast / (4 * n));
+    static double error(const Colors& colors, double contrast) {
+        const double n = static_cast<double>(colors.size()), weight = n == 1 ? 1 : std::pow(16 / n, 0.25);
+        double ofSamples = 0, ofContrast = 0;
+        for (int c = 0; c < 3; ++c) {
+            const double middle = mean(colors)[c];
+            double squares = 0;
+            for (const glm::dvec3& color : colors) squares += std::pow(color[c] - middle, 2);
+            const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
+            ofSamples += std::pow(shown(middle, weight * deviation / std::pow(n, 0.75)), 2) / 3;
+            ofContrast += std::pow(shown(middle, weight * contrast / (4 * n)), 2) / 3;
+        }
+        return std::sqrt(std::max(ofSamples, ofContrast));
+    }
+
+    // How far the clamped value may be off, where the unclamped one may be off by `error`.
+    static double shown(double value, double error) {
+        const auto clamped = [](double x) { return std::clamp(x, 0.0, 1.0); };
+        return std::max(clamped(value) - clamped(value - error), clamped(value + error) - clamped(value));
     }
 
     double contrast(int x, int y) const {
-        glm::dvec3 least(1), most(0);
+        glm::dvec3 least = centres_[static_cast<std::size_t>(y * size_.width + x)], most = least;
         for (int v = std::max(0, y - 1); v <= std::min(size_.height - 1, y + 1); ++v)
             for (int u = std::max(0, x - 1); u <= std::min(size_.width - 1, x + 1); ++u) {
-                const glm::dvec3 color =
-                    clamp(centres_[static_cast<std::size_t>(v * size_.width + u)], 0.0, 1.0);
+                const glm::dvec3 color = centres_[static_cast<std::size_t>(v * size_.width + u)];
                 least = min(least, color);
                 most = max(most, color);
             }

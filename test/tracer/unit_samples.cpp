@@ -66,23 +66,38 @@ TEST_CASE("a pixel may stop at 1, 4, 8, 16 ... samples and at the limit") {
 TEST_CASE("a pixel's error: by the contrast around it, and by what its samples say") {
     PixelEstimate pixel;
     pixel.add({0.5, 0.5, 0.5});
-    CHECK(pixel.error(0.2) == 0.2 / 4);
+    CHECK(pixel.error(0.2) == Approx(0.2 / 4));
     for (int i = 0; i < 3; ++i) pixel.add({0.5, 0.5, 0.5});
     CHECK(pixel.error(0) == 0);
     const double weight = std::sqrt(2);  // (16 / 4)^1/4
     CHECK(pixel.error(0.2) == Approx(weight * 0.2 / 16));
 
     PixelEstimate mixed;
-    for (const double red : {0.0, 0.0, 5.0, 5.0}) mixed.add({red, 0, 0});  // 5 is shown as 1
-    CHECK(mixed.color() == glm::dvec3(2.5, 0, 0));
-    const double deviation = std::sqrt((4 * 0.25) / 3 / 3);  // of four samples, in one channel of three
-    CHECK(mixed.error(0) == Approx(weight * deviation / std::pow(4, 0.75)));
-    CHECK(mixed.error(1) == Approx(weight * deviation / std::pow(4, 0.75)));
-    CHECK(mixed.error(4) == Approx(weight * 0.25));
+    for (const double red : {0.1, 0.1, 0.3, 0.3}) mixed.add({red, 0, 0});
+    CHECK(mixed.color() == glm::dvec3(0.2, 0, 0));
+    const double deviation = std::sqrt(4 * 0.01 / 3);  // of four samples
+    CHECK(mixed.error(0) == Approx(weight * deviation / std::pow(4, 0.75) / std::sqrt(3)));  // in one channel
+    CHECK(mixed.error(1) == Approx(weight / 16));
 }
 
-TEST_CASE("contrast is that of the 3 x 3 colours around a pixel, as shown, in the worst channel") {
-    std::vector<glm::dvec3> colors(4 * 3, glm::dvec3(0.25, -3, 5));  // shown as (0.25, 0, 1)
+TEST_CASE("a pixel's error is what it shows: of samples brighter than white") {
+    PixelEstimate rare, white;
+    for (int i = 0; i < 64; ++i) {
+        rare.add(glm::dvec3(i == 9 ? 30 : 0));
+        white.add(glm::dvec3(i % 2 == 0 ? 5 : 7));
+    }
+    // The standard deviation is 30 / 8, the mean 0.47.
+    CHECK(rare.error(0) == Approx(std::sqrt(0.5) * 30 / 8 / std::pow(64, 0.75)).epsilon(0.01));
+    CHECK(white.error(0) == 0);
+    CHECK(white.error(2) == 0);
+    PixelEstimate beside;  // one sample beside something bright
+    beside.add(glm::dvec3(0.25));
+    CHECK(beside.error(2) == Approx(0.5));
+    CHECK(beside.error(30) == Approx(0.75));
+}
+
+TEST_CASE("contrast is that of the 3 x 3 colours around a pixel, in the worst channel") {
+    std::vector<glm::dvec3> colors(4 * 3, glm::dvec3(0.25, 0, 1));
     colors[0] = {0.5, 0.75, 1};
     CHECK(contrasts(colors, {4, 3}, 0) ==
           std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 0, 0, 0, 0, 0, 0});

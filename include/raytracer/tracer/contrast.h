@@ -11,8 +11,7 @@
 namespace raytracer {
 
 // For each pixel of an image, row by row: the largest difference, in any channel, between the colours of the
-// 3 x 3 pixels around it, as far as they are in the image. Colours are clamped to [0, 1], as a picture shows
-// them. No contrast is less than `least`.
+// 3 x 3 pixels around it, as far as they are in the image. No contrast is less than `least`.
 std::vector<double> contrasts(std::span<const glm::dvec3> colors, const ImageSize& size, double least);
 
 // A neighbourhood that looks flat may hide something smaller than a pixel. With this as the least contrast,
