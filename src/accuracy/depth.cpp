@@ -66,20 +66,22 @@ Depths::Depths(const Setting& deepest, std::vector<double> cutoffs)
       sums_(cutoffs_.size(), std::vector<Sums>(static_cast<std::size_t>(deepest.max_recursion) + 1)) {}
 
 void Depths::add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-                 RenderCounts& spent) {
+                 RenderCounts& spent, std::span<const double> weights) {
     constexpr std::size_t together = 512;  // trees at a time: a few MB of memory
     for (std::size_t begin = 0; begin < points.size(); begin += together) {
         const auto some = points.subspan(begin, std::min(together, points.size() - begin));
         RayTrees trees;
         spent += renderer.rayTrees(withSetting(options, deepest_), some, trees);
         for (std::size_t point = 0; point < some.size(); ++point)
-            for (std::size_t i = 0; i < cutoffs_.size(); ++i) measure(trees, point, cutoffs_[i], sums_[i]);
+            for (std::size_t i = 0; i < cutoffs_.size(); ++i)
+                measure(trees, point, weights.empty() ? 1 : weights[begin + point], cutoffs_[i], sums_[i]);
     }
     points_ += static_cast<double>(points.size());
 }
 
 // One pass over a tree measures every max_recursion.
-void Depths::measure(const RayTrees& trees, std::size_t point, double cutoff, std::span<Sums> sums) {
+void Depths::measure(const RayTrees& trees, std::size_t point, double weight, double cutoff,
+                     std::span<Sums> sums) {
     if (const auto rays = trees.of(point); rays.size() == 1) {  // no bounce: every depth is exact
         sums[0].rays += 1 + rays[0].shadows;
         return;
@@ -99,19 +101,21 @@ void Depths::measure(const RayTrees& trees, std::size_t point, double cutoff, st
     for (std::size_t depth = 0; depth < light.size(); ++depth) {
         const bool isLast = depth + 1 == light.size();
         color += light[depth];
-        const double error = squaredError(color, deepest);
+        const double error = weight * squaredError(color, deepest);
         (isLast ? sums[depth].lastSquares : sums[depth].squares) += error;
         (isLast ? sums[depth].lastFourths : sums[depth].fourths) += error * error;
     }
 }
 
 DepthChoice Depths::measured(int max_recursion, double cutoff) const {
-    const auto& sums =
-        sums_[static_cast<std::size_t>(std::ranges::find(cutoffs_, cutoff) - cutoffs_.begin())];
+    const std::size_t i =
+        max_recursion == 0 ? 0
+                           : static_cast<std::size_t>(std::ranges::find(cutoffs_, cutoff) - cutoffs_.begin());
+    const auto& sums = sums_[i];
     const Sums& depth = sums[static_cast<std::size_t>(max_recursion)];
     double rays = 0, squares = depth.squares, fourths = depth.fourths;
-    for (int i = 0; i <= max_recursion; ++i) {
-        const Sums& until = sums[static_cast<std::size_t>(i)];
+    for (int d = 0; d <= max_recursion; ++d) {
+        const Sums& until = sums[static_cast<std::size_t>(d)];
         rays += until.rays;
         squares += until.lastSquares;
         fourths += until.lastFourths;
@@ -130,11 +134,12 @@ std::vector<DepthChoice> Depths::all() const {
 }
 
 Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-                Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent) {
+                Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent,
+                std::span<const double> weights) {
     for (;; deepest.max_recursion /= 2) {
         Depths depths(deepest, cutoffs);
         try {
-            depths.add(renderer, options, points, spent);
+            depths.add(renderer, options, points, spent, weights);
             return depths;
         } catch (const TooManyRays& tooMany) {
             spent += tooMany.cast();
@@ -142,25 +147,69 @@ Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::spa
     }
 }
 
-DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
-                        RenderCounts& spent, int limit) {
-    if (options.pass != Pass::Color)
-        return {.max_recursion = Setting{}.max_recursion};  // other passes do not recurse
-    target = std::min(target, 1.0);                         // no error is larger
+DepthSearch::DepthSearch(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
+                         RenderCounts& spent, int limit)
+    : renderer_(renderer),
+      options_(options),
+      target_(std::min(target, 1.0)),  // no error is larger
+      spent_(spent),
+      depths_(Setting{.max_recursion = 0}, {0}) {
+    if (options.pass == Pass::Color) measure(pixels, limit);
+    else choice_.max_recursion = Setting{}.max_recursion;  // other passes do not recurse
+}
+
+void DepthSearch::measure(double pixels, int limit) {
     // A tiny picture gets one point per pixel.
-    const double fewest = std::min(fewestPilots, double(options.size.width) * options.size.height);
-    const std::vector<glm::dvec2> points = picturePoints(options.size, pointsFor(target, pixels, fewest), 3);
+    const double fewest = std::min(fewestPilots, double(options_.size.width) * options_.size.height);
+    const std::vector<glm::dvec2> points =
+        picturePoints(options_.size, pointsFor(target_, pixels, fewest), 3);
     bool isLimited = false;
     const auto few = std::span(points).first(static_cast<std::size_t>(fewest));
-    Depths depths = depthsFor(renderer, options, target, limit, few, spent, isLimited);
+    depths_ = depthsFor(renderer_, options_, target_, limit, few, spent_, isLimited);
     if (points.size() > few.size()) {
-        const Setting deepest = depths.deepest();
-        depths = depthsAt(renderer, options, points, deepest, cutoffsFor(target), spent);
-        isLimited = isLimited || depths.deepest().max_recursion < deepest.max_recursion;
+        const Setting deepest = depths_.deepest();
+        depths_ = depthsAt(renderer_, options_, points, deepest, cutoffsFor(target_), spent_);
+        isLimited = isLimited || depths_.deepest().max_recursion < deepest.max_recursion;
     }
-    DepthChoice choice = cheapest(depths.all(), target);
-    choice.isLimited = isLimited;
-    return choice;
+    choice_ = cheapest(depths_.all(), target_);
+    choice_.isLimited = isLimited;
+}
+
+DepthChoice DepthSearch::confirmed(std::span<const float> leftOut) {
+    const auto most = [&](std::size_t i) {
+        return std::pow(std::min(1.0, static_cast<double>(leftOut[i])), 2);
+    };
+    double total = 0;  // of the pixels' squared errors, at most
+    for (std::size_t i = 0; i < leftOut.size(); ++i) total += most(i);
+    const auto pixels = static_cast<double>(leftOut.size());
+    if (std::sqrt(total / pixels) * errorMargin <= target_) return choice_;
+
+    // Systematic sampling, as in target_error.cpp.
+    const double step = total / std::max(fewestPilots, total / pixels / (target_ * target_));
+    const auto width = static_cast<std::size_t>(options_.size.width);
+    std::vector<glm::dvec2> points;
+    std::vector<double> weights;
+    double sum = 0, next = step / 2;
+    for (std::size_t i = 0; i < leftOut.size(); ++i)
+        for (sum += most(i); next < sum; next += step) {
+            points.push_back(glm::dvec2(i % width, i / width) + SampleSequence(options_.sequence)[0]);
+            weights.push_back(total / (pixels * most(i)));
+        }
+    const Depths here =
+        depthsAt(renderer_, options_, points, depths_.deepest(), cutoffsFor(target_), spent_, weights);
+    // Another depth takes another first sample of each pixel.
+    const double enough = std::min(choice_.leftOf(target_), target_ * target_ / 2);
+    std::vector<DepthChoice> choices;
+    for (DepthChoice choice : here.all()) {
+        if (choice.max_recursion < choice_.max_recursion) continue;
+        if (choice_.cutoff > 0 && choice.cutoff > choice_.cutoff) continue;
+        choice.rays = depths_.measured(choice.max_recursion, choice.cutoff).rays;
+        choice.isLimited =
+            choice_.isLimited || here.deepest().max_recursion < depths_.deepest().max_recursion;
+        if (choice.isSameAs(choice_) && choice.leftOf(target_) >= enough) return choice;
+        choices.push_back(choice);
+    }
+    return choices.empty() ? choice_ : cheapest(choices, target_);
 }
 
 }  // namespace raytracer

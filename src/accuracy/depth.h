@@ -29,6 +29,9 @@ struct DepthChoice {
     double standardError = 0;  // of squaredError
     bool isLimited = false;    // squaredError leaves out rays beyond the deepest: too many to trace
 
+    bool isSameAs(const DepthChoice& other) const {
+        return max_recursion == other.max_recursion && cutoff == other.cutoff;
+    }
     // What the depth leaves for the samples, of the square of the target. Above 0 where samples can reach it.
     double leftOf(double target) const {
         return target * target - squaredError - standardErrors * standardError;
@@ -42,8 +45,9 @@ class Depths {
     Depths(const Setting& deepest, std::vector<double> cutoffs);
 
     // Traces more points with the deepest setting, and adds their rays to `spent`. Throws TooManyRays.
+    // `weights`: of the points' squared errors; empty: 1.
     void add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-             RenderCounts& spent);
+             RenderCounts& spent, std::span<const double> weights = {});
 
     DepthChoice measured(int max_recursion, double cutoff) const;
     std::vector<DepthChoice> all() const;
@@ -57,7 +61,8 @@ class Depths {
         // colour no larger max_recursion changes: they count for each larger one too.
         double squares = 0, fourths = 0, lastSquares = 0, lastFourths = 0;
     };
-    void measure(const RayTrees& trees, std::size_t point, double cutoff, std::span<Sums> sums);
+    void measure(const RayTrees& trees, std::size_t point, double weight, double cutoff,
+                 std::span<Sums> sums);
 
     Setting deepest_;
     std::vector<double> cutoffs_;
@@ -66,13 +71,35 @@ class Depths {
 };
 
 // Measures at these points. Where the deepest setting casts too many rays, its max_recursion is halved until
-// it does not. Both functions below add the rays that they cast to `spent`.
+// it does not. Adds the rays that it casts to `spent`.
 Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-                Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent);
+                Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent,
+                std::span<const double> weights = {});
 
-// The depth, at most `limit`, and the cutoff with which a picture of this many pixels reaches the target
-// error at the least cost.
-DepthChoice chooseDepth(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
-                        RenderCounts& spent, int limit = mostRecursion);
+// Searches the depth and the cutoff with which a picture reaches the target error at the least cost. Adds the
+// rays that it casts to `spent`.
+class DepthSearch {
+  public:
+    // Traces ray trees at points all over a picture of this many pixels. The depth is at most `limit`.
+    DepthSearch(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
+                RenderCounts& spent, int limit = mostRecursion);
+
+    const DepthChoice& choice() const { return choice_; }
+
+    // The choice, or a deeper one if that misses the target. leftOut: FirstSamples::leftOut with the choice.
+    // What the choice misses may be in few pixels, but only in pixels with rays that it left out: more trees
+    // are traced there, so many that one is expected in any part that makes an RMSE of the target.
+    DepthChoice confirmed(std::span<const float> leftOut);
+
+  private:
+    void measure(double pixels, int limit);
+
+    const Renderer& renderer_;
+    const RenderOptions& options_;
+    double target_;
+    RenderCounts& spent_;
+    Depths depths_;
+    DepthChoice choice_;
+};
 
 }  // namespace raytracer

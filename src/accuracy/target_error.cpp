@@ -60,12 +60,13 @@ class Search {
     // Throws TooManyRays where the pixels with the largest contrast cast many more rays than others. The
     // caller then tries again with half of depth().
     TargetChoice choose(int mostDepth) {
-        depth_ = chooseDepth(renderer_, options_, target_, area_, choice_.counts, mostDepth);
-        options_.max_recursion = depth_.max_recursion;
-        options_.cutoff = depth_.cutoff;
+        DepthSearch depths(renderer_, options_, target_, area_, choice_.counts, mostDepth);
+        depth_ = depths.choice();
+        takeFirst();
+        const DepthChoice confirmed = depths.confirmed(choice_.first.leftOut);
+        if (!std::exchange(depth_, confirmed).isSameAs(confirmed)) takeFirst();
         choice_.depthError = std::sqrt(depth_.squaredError);
         choice_.isLimited = depth_.isLimited;
-        takeFirst();
         sortPixels();
         drawPixels(fewestPilots);
         choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
@@ -82,11 +83,9 @@ class Search {
 
   private:
     void takeFirst() {
-        options_.samples = 1;
-        options_.adaptive = 0;
-        RenderedColors picture = rendered(renderer_, options_);
-        choice_.counts += picture.counts;
-        choice_.first = {std::move(picture.colors), picture.counts.cutoffBound};
+        options_.max_recursion = depth_.max_recursion;
+        options_.cutoff = depth_.cutoff;
+        choice_.counts += renderer_.renderFirst(options_, choice_.first);
     }
 
     PixelPlace placeOf(std::uint32_t i) const {

@@ -70,7 +70,7 @@ class TimeSearch {
     };
 
     Step step(double error) {
-        const DepthChoice depth = chooseDepth(renderer_, options_, error, 0, choice_.counts);
+        const DepthChoice depth = DepthSearch(renderer_, options_, error, 0, choice_.counts).choice();
         const double adaptive = rounded(adaptiveFor * error);
         Step step{{1, 0, depth.max_recursion, depth.cutoff, options_.bilinear},
                   std::sqrt(depth.squaredError)};

@@ -130,6 +130,22 @@ RenderCounts SceneRenderer::render(const RenderOptions& options, PixelSink& sink
     });
 }
 
+RenderCounts SceneRenderer::renderFirst(RenderOptions options, FirstSamples& first) const {
+    options.crop = {0, 0, options.size.width, options.size.height};
+    options.samples = 1;
+    options.adaptive = 0;
+    const std::vector<PixelRectangle> tiles = tilesOf(options.crop);
+    const auto pixels = static_cast<std::size_t>(options.crop.area());
+    first.colors.resize(pixels);
+    first.leftOut.resize(pixels);
+    const RenderCounts counts =
+        shareOut(options, tiles.size(), nullptr, unlimited, [&](const RenderContext& context) {
+            return [&](std::uint32_t job) { raytracer::renderFirst(*scene_, tiles[job], context, first); };
+        });
+    first.cutoffBound = counts.cutoffBound;
+    return counts;
+}
+
 RenderCounts SceneRenderer::renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,
                                          std::span<glm::dvec3> colors) const {
     const auto workOf = [&](const RenderContext& context) {

@@ -67,6 +67,8 @@ void Scene::terminate(LaneBits lanes, const RayPath& onwards, TerminationReason 
         if (reason == TerminationReason::Cutoff)
             sample.truncationBound +=
                 throughputBound(onwards.weight, context.brightest[onwards.max_recursion]);
+        if (reason == TerminationReason::Cutoff || reason == TerminationReason::MaxRecursion)
+            sample.leftOut += static_cast<double>(maxComponent(abs(onwards.weight)));
         if (sample.observer) sample.observer->terminate(onwards.kind, reason);
     }
 }

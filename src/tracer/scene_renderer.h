@@ -21,6 +21,7 @@ class SceneRenderer final : public Renderer {
 
     RenderCounts render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress,
                         const FirstSamples* first) const override;
+    RenderCounts renderFirst(RenderOptions options, FirstSamples& first) const override;
     RenderCounts renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,
                               std::span<glm::dvec3> colors) const override;
     RenderCounts rayTrees(const RenderOptions& options, std::span<const glm::dvec2> points,

@@ -128,11 +128,9 @@ class Tile {
     std::vector<PixelPlace> active_;  // the pixels that take more samples
 };
 
-// The same as Tile with one sample a pixel, in a tenth of the instructions.
-void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
-                   PixelSink& sink) {
-    const auto width = static_cast<std::size_t>(tile.width());
-    std::vector<glm::dvec3> colors(width * static_cast<std::size_t>(tile.height()));
+// Traces the first sample of each pixel, and calls take(x, y, color, trace) for it.
+template <class Take>
+void traceFirst(const Scene& scene, const PixelRectangle& tile, const RenderContext& context, Take take) {
     double& bound = context.counts->cutoffBound;
     const glm::dvec2 centre = SampleSequence(context.options->sequence)[0];
     forEachPacket(tile, [&](const PixelRectangle& pixels) {
@@ -142,14 +140,21 @@ void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderC
                 points.add(static_cast<Real>(x + centre.x), static_cast<Real>(y + centre.y));
         traceAll(scene, points, context);
         int i = 0;
-        for (int y = pixels.y0; y < pixels.y1; ++y) {
-            glm::dvec3* to = &colors[static_cast<std::size_t>(y - tile.y0) * width +
-                                     static_cast<std::size_t>(pixels.x0 - tile.x0)];
-            for (int x = pixels.x0; x < pixels.x1; ++x, ++i, ++to) {
-                *to = points.colorOf(i);
+        for (int y = pixels.y0; y < pixels.y1; ++y)
+            for (int x = pixels.x0; x < pixels.x1; ++x, ++i) {
+                take(x, y, points.colorOf(i), points.samples[i]);
                 bound = std::max(bound, points.samples[i].truncationBound);
             }
-        }
+    });
+}
+
+// The same as Tile with one sample a pixel, in a tenth of the instructions.
+void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
+                   PixelSink& sink) {
+    const auto width = static_cast<std::size_t>(tile.width());
+    std::vector<glm::dvec3> colors(width * static_cast<std::size_t>(tile.height()));
+    traceFirst(scene, tile, context, [&](int x, int y, const glm::dvec3& color, const SampleTrace&) {
+        colors[static_cast<std::size_t>(y - tile.y0) * width + static_cast<std::size_t>(x - tile.x0)] = color;
     });
     for (int y = tile.y0; y < tile.y1; ++y)
         sink.write(tile.x0, y,
@@ -166,6 +171,16 @@ std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, cons
     return [tile = Tile(scene, context, first, sink)](const PixelRectangle& place) mutable {
         tile.render(place);
     };
+}
+
+void renderFirst(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
+                 FirstSamples& first) {
+    const auto width = static_cast<std::size_t>(context.options->size.width);
+    traceFirst(scene, tile, context, [&](int x, int y, const glm::dvec3& color, const SampleTrace& trace) {
+        const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+        first.colors[i] = color;
+        first.leftOut[i] = static_cast<float>(trace.leftOut);
+    });
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

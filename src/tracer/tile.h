@@ -13,4 +13,8 @@ namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, const RenderContext& context,
                                                         const FirstSamples* first, PixelSink& sink);
 
+// Takes the first samples of a tile.
+void renderFirst(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
+                 FirstSamples& first);
+
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

@@ -194,7 +194,7 @@ TEST_CASE("a crop is what the whole picture has there, whatever the knobs and th
 TEST_CASE("first samples that are there already are not cast again, and change nothing") {
     withEveryRenderer(smallEdge, [](const Renderer& renderer, RenderOptions options) {
         const Shot first = shoot(renderer, options, {});
-        const FirstSamples known{first.colors, first.counts.cutoffBound};
+        const FirstSamples known{first.colors, first.counts.cutoffBound, {}};
         const Setting setting{.samples = 32, .adaptive = 0.05};
         options.crop = {3, 2, options.size.width - 1, options.size.height};
         const Shot all = shoot(renderer, options, setting);
@@ -360,6 +360,57 @@ TEST_CASE("target-error: a reflection in few pixels of a small picture is seen")
     const TargetChoice choice = chooseSetting(*renderer, options, 0.001);
     INFO(commandLine(choice.setting));
     CHECK(pictureError(shoot(*renderer, options, choice.setting).colors, truth.colors).rmse <= 0.001);
+}
+
+TEST_CASE("the first samples tell what the recursion left out") {
+    const SceneDescription scene = facingMirrors(0.5, 0.5);
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    RenderOptions options = wholePicture(scene, 16);
+    for (const int depth : {0, 3}) {
+        options.max_recursion = depth;
+        FirstSamples first;
+        const RenderCounts counts = renderer->renderFirst(options, first);
+        const Shot picture = shoot(*renderer, options, {.max_recursion = depth});
+        CHECK(first.colors == picture.colors);
+        CHECK(counts.all() == picture.counts.all());
+        CHECK(first.leftOut == std::vector<float>(16 * 16, depth == 0 ? 0.5F : 0.0625F));
+    }
+    options.cutoff = 0.3;  // of 0.5: the next ray's weight times its brightest colour
+    FirstSamples cut;
+    renderer->renderFirst(options, cut);
+    CHECK(cut.leftOut == std::vector<float>(16 * 16, 0.25F));
+}
+
+TEST_CASE("target-error: a small window of three clear panes is seen, wherever it is") {
+    // Until the last pane the window is black. It covers 0.25 % of the picture.
+    SceneDescription scene;
+    scene.camera.type = CameraDescription::Type::Orthographic;
+    scene.camera.eye = {0, 0, 9};
+    scene.camera.film_left = scene.camera.film_bottom = -3;
+    scene.camera.film_right = scene.camera.film_top = 3;
+    MaterialDescription wall, clear;
+    wall.color_diffuse = glm::dvec3(1);
+    wall.color_specular = clear.color_diffuse = clear.color_specular = glm::dvec3(0);
+    clear.refractive = true;
+    clear.color_refract = glm::dvec3(1);
+    clear.index_of_refraction = 1;
+    scene.materials = {wall, clear};
+    scene.lights.resize(1);
+    scene.lights[0].position = {0, 0, 9};
+    scene.transforms.resize(4);
+    scene.transforms[3].translate = glm::dvec3(0, 0, -2);
+    scene.shapes.push_back({ShapeType::Plane, 3, 0, nullptr});
+    for (std::size_t i = 0; i < 3; ++i) scene.shapes.push_back({ShapeType::Cube, i, 1, nullptr});
+    for (const glm::dvec2& place : {glm::dvec2(-1.653, 2.409), glm::dvec2(0.7, -1.1), glm::dvec2(2.2, 0.3)}) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            scene.transforms[i].translate = glm::dvec3(place, static_cast<double>(i));
+            scene.transforms[i].scale = glm::dvec3(0.15, 0.15, 0.01);
+        }
+        const auto renderer = makeRenderer(scene, Precision::Double);
+        const TargetChoice choice = chooseSetting(*renderer, wholePicture(scene, 100), 0.01);
+        CHECK(choice.setting.max_recursion == 6);
+        CHECK(choice.reached);
+    }
 }
 
 TEST_CASE("target-time: where no time is enough, the fastest setting is chosen") {

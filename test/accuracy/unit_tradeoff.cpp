@@ -171,7 +171,7 @@ TEST_CASE(
     }
     REQUIRE(last != nullptr);
     CHECK(std::ranges::count(measured.truncation, Setting{}, &Trial::setting) == 1);
-    CHECK(measured.reference.setting.precision == Precision::Extended);
+    CHECK(measured.reference.setting.precision == Precision::Double);
     CHECK(measured.reference.doublingError < last->error.rmse);
     for (const Trial& trial : measured.arithmetic) {
         CHECK(trial.setting.max_recursion ==

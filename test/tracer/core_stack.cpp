@@ -70,7 +70,7 @@ TEST_CASE("stack: a reflected ray takes less than threads have for it") {
     const RenderOptions options = deepOptions();
     RenderCounts counts;
     StackWatch watch;
-    SampleTrace sample{0, &watch};
+    SampleTrace sample{.observer = &watch};
     const RenderContext context{&options, nullptr, &counts, &sample};
     scene->rayColor(scene->camera.getRay(Vec2(0)), {Color(1), reflections}, context);
     checkStack(watch);

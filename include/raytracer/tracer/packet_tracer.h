@@ -19,7 +19,7 @@ struct PointPacket {
     void add(Real pointX, Real pointY, Observer* observer = nullptr) {
         x[count] = pointX;
         y[count] = pointY;
-        samples[count++] = {0, observer};
+        samples[count++] = {.observer = observer};
     }
     glm::dvec3 colorOf(int i) const { return {color[0][i], color[1][i], color[2][i]}; }
 };

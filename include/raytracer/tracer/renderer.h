@@ -20,6 +20,9 @@ namespace raytracer {
 struct FirstSamples {
     std::vector<glm::dvec3> colors;  // row by row
     double cutoffBound = 0;          // RenderCounts::cutoffBound of that render
+    // For each pixel, the weights of the rays that max_recursion and the cutoff left out, added up: how much
+    // it may change by them, where a ray's colour is at most 1.
+    std::vector<float> leftOut;
 };
 
 // A call for some pilot samples may cast this many reflected and refracted rays for each of them, on average;
@@ -51,6 +54,9 @@ class Renderer {
     virtual RenderCounts render(const RenderOptions& options, PixelSink& sink,
                                 ProgressListener* progress = nullptr,
                                 const FirstSamples* first = nullptr) const = 0;
+
+    // The first sample of every pixel.
+    virtual RenderCounts renderFirst(RenderOptions options, FirstSamples& first) const = 0;
 
     // The colours of samples at some points of the picture, in pixels, (0, 0) at its top left: colors[i] is
     // that of points[i]. Points next to each other in the list are faster if they are neighbours in the

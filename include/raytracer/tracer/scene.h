@@ -34,6 +34,7 @@ inline constexpr std::size_t recursionStack = std::size_t{64} << 10;
 // What is kept for a camera ray besides its colour.
 struct SampleTrace {
     double truncationBound = 0;  // an upper bound on what rays terminated by the cutoff change it by
+    double leftOut = 0;          // the weights of rays terminated by max_recursion or the cutoff, added up
     Observer* observer = nullptr;
 };
 
