@@ -148,7 +148,7 @@ class Search {
         for (;;) {
             takeSamples(adaptive);
             const SquaredError error = squaredErrorOfPicture();
-            const double left = target_ * target_ - depth_.squaredError - error.mean;
+            const double left = depth_.leftOf(target_) - error.mean;
             // The search tends to stop where the mean is too small
             // by chance: one standard error makes up for that.
             choice_.sampleError = std::sqrt(error.mean + error.margin / standardErrors);
@@ -248,8 +248,7 @@ class Search {
         const double skewness = variance > 0 ? thirdCentral / variance / std::sqrt(variance) : 0;
         const double deviations =
             standardErrors + skewness / std::sqrt(count_) / 6 * (1 + 2 * standardErrors * standardErrors);
-        return {std::max(0.0, first),  // the estimate may be negative by chance
-                std::hypot(deviations * std::sqrt(variance / count_), standardErrors * depth_.standardError)};
+        return {std::max(0.0, first), deviations * std::sqrt(variance / count_)};  // negative by chance
     }
 
     const Renderer& renderer_;

@@ -263,7 +263,8 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
                 variance += std::pow(of(x, y)[i][channel] - mean, 2) / std::max(1, n - 1);
             const auto shown = [mean](double error) {
                 const auto clamped = [](double value) { return std::clamp(value, 0.0, 1.0); };
-                return std::max(clamped(mean) - clamped(mean - error), clamped(mean + error) - clamped(mean));
+                const double below = clamped(mean) - clamped(mean - 4 * error);
+                return std::min(error, std::max(below, clamped(mean + 4 * error) - clamped(mean)));
             };
             bySamples += std::pow(shown(weight * std::sqrt(variance) / std::pow(n, 0.75)), 2) / 3;
             byContrast += std::pow(shown(weight * contrast / (4 * n)), 2) / 3;

@@ -63,10 +63,12 @@ class Pixels {
         return std::sqrt(std::max(ofSamples, ofContrast));
     }
 
-    // How far the clamped value may be off, where the unclamped one may be off by `error`.
+    // The error as far as four times as much would show, once the value is clamped.
     static double shown(double value, double error) {
         const auto clamped = [](double x) { return std::clamp(x, 0.0, 1.0); };
-        return std::max(clamped(value) - clamped(value - error), clamped(value + error) - clamped(value));
+        const double below = clamped(value) - clamped(value - 4 * error);
+        const double above = clamped(value + 4 * error) - clamped(value);
+        return std::min(error, std::max(below, above));
     }
 
     double contrast(int x, int y) const {

@@ -86,10 +86,14 @@ TEST_CASE("a pixel's error is what it shows: of samples brighter than white") {
         rare.add(glm::dvec3(i == 9 ? 30 : 0));
         white.add(glm::dvec3(i % 2 == 0 ? 5 : 7));
     }
-    // The standard deviation is 30 / 8, the mean 0.47.
+    // The standard deviation of `rare` is 30 / 8, its mean 0.47.
     CHECK(rare.error(0) == Approx(std::sqrt(0.5) * 30 / 8 / std::pow(64, 0.75)).epsilon(0.01));
     CHECK(white.error(0) == 0);
     CHECK(white.error(2) == 0);
+    PixelEstimate single;  // white, but its neighbours are not
+    single.add(glm::dvec3(1.7));
+    CHECK(single.error(2.2) == Approx(2.2 / 4));
+    CHECK(single.error(0.5) == 0);
     PixelEstimate beside;  // one sample beside something bright
     beside.add(glm::dvec3(0.25));
     CHECK(beside.error(2) == Approx(0.5));

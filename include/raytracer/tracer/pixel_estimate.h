@@ -18,7 +18,7 @@ inline int nextLevel(int samples, int limit) { return std::min(limit, samples ==
 
 class PixelEstimate {
   public:
-    // The error of one sample, relative to the contrast.
+    // The estimated error of one sample, relative to the contrast.
     static constexpr double errorOfOneSample = 0.25;
 
     // Linear, unclamped.
@@ -51,12 +51,14 @@ class PixelEstimate {
     }
 
   private:
-    // The root mean square, over the channels, of what an error of the unclamped colour shows. Nothing, where
-    // both are white.
+    // The root mean square, over the channels, of an estimated error of the unclamped colour, as far as it
+    // shows. The true error may be several times the estimate, so only where four times the estimate shows
+    // nothing, since all is white, there is no error.
     double shown(const glm::dvec3& error) const {
         const auto clamped = [](const glm::dvec3& unclamped) { return glm::clamp(unclamped, 0.0, 1.0); };
-        const glm::dvec3 mean = color(), here = clamped(mean);
-        const glm::dvec3 off = glm::max(here - clamped(mean - error), clamped(mean + error) - here);
+        const glm::dvec3 mean = color(), here = clamped(mean), most = error / errorOfOneSample;
+        const glm::dvec3 visible = glm::max(here - clamped(mean - most), clamped(mean + most) - here);
+        const glm::dvec3 off = glm::min(error, visible);
         return std::sqrt(glm::dot(off, off) / 3);
     }
 
