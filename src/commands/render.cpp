@@ -132,12 +132,12 @@ void renderTo(RenderJob& job, OutputFile& file, std::unique_ptr<PictureWriter<Im
 void choose(RenderJob& job) {
     Stopwatch watch;
     if (const auto target = job.wanted.targetError)
-        job.choice = chooseAndTell(job.renderer, job.options, *target, job.arguments.quiet);
+        job.choice = chooseAndTell(job.arguments, job.renderer, job.options, *target);
     if (const auto seconds = job.wanted.targetTime)
-        job.counts += chooseForTimeAndTell(job.renderer, job.options,
-                                           *seconds - job.timings.load.wall - job.timings.build.wall,
-                                           job.arguments.quiet ? "" : job.wanted.again)
-                          .counts;
+        job.counts +=
+            chooseForTimeAndTell(job.arguments, job.renderer, job.options,
+                                 *seconds - job.timings.load.wall - job.timings.build.wall, job.wanted.again)
+                .counts;
     if (job.choice) job.counts += job.choice->counts;
     job.timings.choose = watch.lap();
 }
