@@ -140,10 +140,11 @@ TargetChoice chooseAndTell(const RenderArguments& arguments, const Renderer& ren
     const std::string head = "--target-error " + shortNumber(target) + ": ";
     std::optional<TerminalLine> line;
     if (!arguments.quiet) line.emplace();
-    const TargetChoice choice = chooseSetting(renderer, options, target, [&](std::uint64_t samples) {
+    TargetChoice choice = chooseSetting(renderer, options, target, [&](std::uint64_t samples) {
         if (line) line->show(head + "searching, " + grouped(samples) + " samples so far");
     });
     line.reset();
+    choice.setting = arguments.accepted(choice.setting);
     options = withSetting(options, choice.setting);
     if (arguments.quiet) return choice;
     tell(head + commandLine(choice.setting));
@@ -153,7 +154,8 @@ TargetChoice chooseAndTell(const RenderArguments& arguments, const Renderer& ren
 
 TimeChoice chooseForTimeAndTell(const RenderArguments& arguments, const Renderer& renderer,
                                 RenderOptions& options, double seconds, const std::string& command) {
-    const TimeChoice choice = chooseForTime(renderer, options, seconds);
+    TimeChoice choice = chooseForTime(renderer, options, seconds);
+    choice.setting = arguments.accepted(choice.setting);
     options = withSetting(options, choice.setting);
     if (arguments.quiet) return choice;
     Setting told = choice.setting;

@@ -62,6 +62,17 @@ def check_doubt(folder):
         r"more is too slow\n", done.stderr), done.stderr
 
 
+def check_one_sample(folder):
+    """With so many lights the search ends at one sample: --adaptive would have no effect, and is not told."""
+    scene = json.loads(pathlib.Path("test/good/least.json").read_text())
+    scene |= {"lights": [{"position": [0, 0, 9], "color": [1e-4, 1e-4, 1e-4]}] * 4000,
+              "materials": [{"name": "m", "color_diffuse": [1, 1, 1]}],
+              "transforms": [{"name": "t", "scale": [3, 3, 3]}],
+              "shapes": [{"type": "cube", "material": "m", "transform": "t"}]}
+    (folder / "lights.json").write_text(json.dumps(scene))
+    check_target(folder, folder / "lights.json", 16, 0.031)
+
+
 def check_time(folder, scene, others=""):
     """--target-time tells the command that makes its picture again."""
     picture, done = render(scene, folder / "a time.png", 50, f"--target-time 0.1 {others}")
@@ -175,7 +186,11 @@ def main():
         check_target(folder, "scenes/cone_cube.json", 160, 0.02)
         check_target(folder, "scenes/texture.json", 60, 0.5)  # no recursion, so no cutoff
         check_target(folder, "scenes/cone_cube.json", 60, 0.05, "--pass normals")  # neither
+        for only in ("diffuse", "ambient,shadows,textures"):  # neither
+            check_target(folder, "scenes/spheres_cylinder.json", 60, 0.05, f"--only {only}")
+            check_time(folder, "scenes/spheres_cylinder.json", f"--only {only}")
         check_doubt(folder)
+        check_one_sample(folder)
         check_time(folder, "scenes/texture.json", "--texture-filter bilinear")
         check_again(folder)
         check_no_time(folder)
