@@ -31,7 +31,8 @@ owner of the file that it replaces. A symbolic link is followed. A hard link is
 broken: the other names keep the old picture.
 
 Exit status: 0; 1 where --target-error is not reached, though the picture is
-written; 2 for a wrong command line, scene or place of the picture.
+written (of the parts of a picture, only assemble ends with 1); 2 for a wrong
+command line, scene or place of the picture.
 
 Examples:
   raytracer scenes/spheres_cylinder.json out.png 600
@@ -132,12 +133,12 @@ void renderTo(RenderJob& job, OutputFile& file, std::unique_ptr<PictureWriter<Im
 void choose(RenderJob& job) {
     Stopwatch watch;
     if (const auto target = job.wanted.targetError)
-        job.choice = chooseAndTell(job.renderer, job.options, *target, job.arguments.quiet);
+        job.choice = chooseAndTell(job.arguments, job.renderer, job.options, *target);
     if (const auto seconds = job.wanted.targetTime)
-        job.counts += chooseForTimeAndTell(job.renderer, job.options,
-                                           *seconds - job.timings.load.wall - job.timings.build.wall,
-                                           job.arguments.quiet ? "" : job.wanted.again)
-                          .counts;
+        job.counts +=
+            chooseForTimeAndTell(job.arguments, job.renderer, job.options,
+                                 *seconds - job.timings.load.wall - job.timings.build.wall, job.wanted.again)
+                .counts;
     if (job.choice) job.counts += job.choice->counts;
     job.timings.choose = watch.lap();
 }
@@ -224,10 +225,12 @@ int renderFrames(const RenderArguments& arguments, const PictureArguments& wante
 }
 
 void addTargetsTo(CommandLine& line, PictureArguments& wanted) {
-    line.number("--target-error", wanted.targetError, atLeast(1e-9),
-                "Choose options for this error: --samples, --adaptive, --max-recursion, --cutoff such that "
-                "the RMSE (of 1, of linear colours) against samples and depth without end is at most this; "
-                "rounding to a PNG's bytes adds 0.0011; exit status 1 where nothing is that accurate");
+    line.number(
+        "--target-error", wanted.targetError, atLeast(1e-9),
+        "Choose options for this error: --samples, --adaptive, --max-recursion, --cutoff such that "
+        "the RMSE (of 1, of linear colours) against samples and depth without end is at most this; "
+        "rounding to a PNG's bytes adds 0.0011; exit status 1 where nothing is that accurate (of parts, that "
+        "of assemble)");
     line.number("--target-time", wanted.targetTime, above(0),
                 "Choose options for this time: the same, such that all takes about so many seconds here");
     line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});

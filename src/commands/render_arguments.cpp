@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "arguments.h"
-#include "raytracer/accuracy/setting.h"
 #include "raytracer/explain/scene_advice.h"
 #include "raytracer/explain/scene_slips.h"
 #include "raytracer/json/json_document.h"
@@ -159,11 +158,25 @@ void RenderArguments::check(const CommandLine& line) const {
     };
     if (pass != "color")
         refuse("--pass " + pass, {"--only", "--opaque", "--max-recursion", "--cutoff", "--texture-filter"});
-    if (!chosen.reflections && !chosen.refraction) refuse("--only " + only, {"--cutoff", "--max-recursion"});
+    if (!recurses()) refuse("--only " + only, {"--cutoff", "--max-recursion"});
     if (!chosen.refraction && !chosen.shadows) refuse("--only " + only, {"--opaque"});
     if (!chosen.textures) refuse("--only " + only, {"--texture-filter"});
     if (options.max_recursion == 0 && options.cutoff > 0) refuse("--max-recursion 0", {"--cutoff"});
     if (samples == 1 && options.adaptive > 0) refuse("--samples 1", {"--adaptive"});
+}
+
+bool RenderArguments::recurses() const {
+    const Terms chosen = terms();
+    return pass == "color" && (chosen.reflections || chosen.refraction);
+}
+
+Setting RenderArguments::accepted(Setting setting) const {
+    if (!recurses()) {
+        setting.max_recursion = Setting{}.max_recursion;
+        setting.cutoff = 0;
+    }
+    if (setting.samples == 1) setting.adaptive = 0;
+    return setting;
 }
 
 void RenderArguments::addLongEdgeTo(CommandLine& line) {

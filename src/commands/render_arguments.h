@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "raytracer/accuracy/setting.h"
 #include "raytracer/tracer/renderer.h"
 #include "raytracer/util/file_bytes.h"
 
@@ -62,10 +63,14 @@ struct RenderArguments {
     // Applies `only` and `opaque` to the scene, and returns the complete options. Throws Error.
     RenderOptions prepare(SceneDescription& scene) const;
 
+    // The setting without those of its options that `check` refuses since they have no effect.
+    Setting accepted(Setting setting) const;
+
     // Throws Error for unknown terms, and for an option that is given but has no effect.
     void check(const CommandLine& line) const;
 
   private:
+    bool recurses() const;  // whether any ray may be reflected or refracted
     void warnAll(const std::vector<std::string>& warnings) const;
 };
 

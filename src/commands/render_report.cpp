@@ -26,21 +26,28 @@ void printTimes(JsonWriter& json, const Timings& timings, const char* name, doub
     json.endObject();
 }
 
-// The estimated errors in words. The estimate for the samples may be zero although there is an error.
-std::string errorInWords(double ofSamples, double ofDepth) {
-    if (ofSamples == 0)
-        return "pilot samples show no error for want of samples; for want of depth it is about " +
-               shortNumber(ofDepth);
-    return "the error is about " + shortNumber(ofSamples) + " for want of samples and " +
-           shortNumber(ofDepth) + " for want of depth";
+// An estimate below `least` is not shown: it may only show that the pilot samples miss what makes the error.
+std::string errorInWords(double estimate, double least) {
+    return "estimated error " + (estimate < least ? "below " + shortNumber(least) : shortNumber(estimate));
 }
 
-std::string whyNotReached(const TargetChoice& choice, double target) {
-    if (choice.isLimited) return "perhaps not reached: deeper rays are too many to follow";
-    if (std::hypot(choice.sampleError, choice.depthError) <= target)
-        return "perhaps not reached: the pilot samples are too few to tell";
-    return formatted("not reached: %d samples are too few", choice.setting.samples) +
-           (choice.setting.samples < mostSamples ? ", and more would take a search too many rays" : "");
+std::string resultInWords(const TargetChoice& choice, double target) {
+    const double estimate = std::hypot(choice.sampleError, choice.depthError);
+    // The search stops near the target: a far smaller estimate is in doubt.
+    const std::string error = "reached: " + errorInWords(estimate, target / 10);
+    if (choice.reached) return error;
+    if (estimate > target)
+        return "not " + error + formatted(" at --samples %d", choice.setting.samples) +
+               (choice.setting.samples < mostSamples ? "; more is too slow" : ", the most");
+    return "perhaps not " + error +
+           (choice.isLimited ? "; deeper rays are too many" : " from too few pixels");
+}
+
+// "1,234,567".
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t digits = 3; digits < text.size(); digits += 4) text.insert(text.size() - digits, ",");
+    return text;
 }
 
 constexpr double longTime = 60;  // seconds
@@ -128,34 +135,36 @@ void tellWaiting(bool quiet) {
     if (!quiet && terminalColumns() > 0) tell("waiting for a change; Ctrl+C ends");
 }
 
-TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet) {
+TargetChoice chooseAndTell(const RenderArguments& arguments, const Renderer& renderer, RenderOptions& options,
+                           double target) {
     const std::string head = "--target-error " + shortNumber(target) + ": ";
     std::optional<TerminalLine> line;
-    if (!quiet) line.emplace();
+    if (!arguments.quiet) line.emplace();
     TargetChoice choice = chooseSetting(renderer, options, target, [&](std::uint64_t samples) {
-        if (line)
-            line->show(head + formatted("searching, %.3g million samples so far",
-                                        static_cast<double>(samples) / 1e6));
+        if (line) line->show(head + "searching, " + grouped(samples) + " samples so far");
     });
     line.reset();
+    choice.setting = arguments.accepted(choice.setting);
     options = withSetting(options, choice.setting);
-    if (quiet) return choice;
+    if (arguments.quiet) return choice;
     tell(head + commandLine(choice.setting));
-    tell(head + errorInWords(choice.sampleError, choice.depthError));
-    if (!choice.reached) tell(head + whyNotReached(choice, target));
+    tell(head + resultInWords(choice, target));
     return choice;
 }
 
-TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options, double seconds,
-                                const std::string& command) {
-    const TimeChoice choice = chooseForTime(renderer, options, seconds);
+TimeChoice chooseForTimeAndTell(const RenderArguments& arguments, const Renderer& renderer,
+                                RenderOptions& options, double seconds, const std::string& command) {
+    TimeChoice choice = chooseForTime(renderer, options, seconds);
+    choice.setting = arguments.accepted(choice.setting);
     options = withSetting(options, choice.setting);
-    if (command.empty()) return choice;
+    if (arguments.quiet) return choice;
     Setting told = choice.setting;
     told.bilinear = false;  // `command` has that option already
-    tell("--target-time: the expected time is " + durationInWords(choice.seconds) +
+    // One wrong pixel, which is probably not among the pilots, makes this error.
+    const double least = 1 / std::sqrt(static_cast<double>(options.crop.area()));
+    tell("--target-time: " + errorInWords(std::hypot(choice.sampleError, choice.depthError), least) +
+         ", expected time " + durationInWords(choice.seconds) +
          (choice.seconds > seconds ? "; no setting takes less" : ""));
-    tell("--target-time: " + errorInWords(choice.sampleError, choice.depthError));
     tell("--target-time: the same picture again:");
     tellUnbroken(told == Setting{} ? command : command + " " + commandLine(told));
     return choice;

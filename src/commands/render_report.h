@@ -43,11 +43,11 @@ std::string durationInWords(double seconds);
 // Says that --watch waits for a change, if standard error is a terminal.
 void tellWaiting(bool quiet);
 
-// For --target-error: chooses the setting, puts it into the options, and reports it on stderr unless `quiet`.
-TargetChoice chooseAndTell(const Renderer& renderer, RenderOptions& options, double target, bool quiet);
-// The same for --target-time. `command` is the command line
-// without --target-time; if it is empty, nothing is reported.
-TimeChoice chooseForTimeAndTell(const Renderer& renderer, RenderOptions& options, double seconds,
-                                const std::string& command);
+// For --target-error: chooses the setting, puts it into the options, and reports it on stderr.
+TargetChoice chooseAndTell(const RenderArguments& arguments, const Renderer& renderer, RenderOptions& options,
+                           double target);
+// The same for --target-time. `command` is the command line without --target-time.
+TimeChoice chooseForTimeAndTell(const RenderArguments& arguments, const Renderer& renderer,
+                                RenderOptions& options, double seconds, const std::string& command);
 
 }  // namespace raytracer::commands

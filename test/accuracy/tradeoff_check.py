@@ -5,7 +5,6 @@ Usage: tradeoff_check.py RAYTRACER, from the source folder.
 """
 import csv
 import json
-import math
 import pathlib
 import re
 import subprocess
@@ -40,32 +39,57 @@ def check_target(folder, scene, size, target, others=""):
     """What --target-error says that it chooses is what it renders, also under --crop."""
     picture, done = render(scene, folder / "target.png", size, f"--target-error {target} {others}")
     assert done.returncode == 0, done
-    setting = re.match(r"--target-error \S+: (--.*|the defaults)\n--target-error \S+: the error is about "
-                       r"(\S+) for want of samples and (\S+) for want of depth\n$", done.stderr)
+    setting = re.match(r"(--target-error \S+: )(--.*|the defaults)\n"
+                       r"\1reached: estimated error (?:below )?(\S+)\n$", done.stderr)
     assert setting, done.stderr
-    assert math.hypot(float(setting[2]), float(setting[3])) < 1.01 * target, done.stderr
-    options = setting[1].replace("the defaults", "")
+    assert target / 11 < float(setting[3]) < 1.01 * target, done.stderr
+    options = setting[2].replace("the defaults", "")
     same, done = render(scene, folder / "same.png", size, f"{options} {others}")
     assert done.returncode == 0 and picture == same, done
     _, done = render(scene, folder / "crop.png", size, f"--target-error {target} --crop 3,4,9,11 {others}")
     assert setting[0] == done.stderr, done.stderr
 
 
-def check_time(folder, scene):
+def check_doubt(folder):
+    """No estimate far below the target is shown; what is not reached has a reason in the same line."""
+    _, done = render("test/good/least.json", folder / "o.png", 8, "--target-error 0.02")
+    assert "--target-error 0.02: reached: estimated error below 0.002\n" in done.stderr, done.stderr
+    _, done = render("test/good/least.json", folder / "o.png", 8, "--target-time 0.05")
+    assert done.stderr.startswith("--target-time: estimated error below 0.125, "), done.stderr  # 1 / 8
+    _, done = render("scenes/checker_horizon.json", folder / "o.png", 2, "--target-error 1e-7")
+    assert done.returncode == 1 and re.fullmatch(
+        r"(--target-error 1e-07: )--samples (\d+) .*\n\1not reached: estimated error \S+ at --samples \2; "
+        r"more is too slow\n", done.stderr), done.stderr
+
+
+def check_one_sample(folder):
+    """With so many lights the search ends at one sample: --adaptive would have no effect, and is not told."""
+    scene = json.loads(pathlib.Path("test/good/least.json").read_text())
+    scene |= {"lights": [{"position": [0, 0, 9], "color": [1e-4, 1e-4, 1e-4]}] * 4000,
+              "materials": [{"name": "m", "color_diffuse": [1, 1, 1]}],
+              "transforms": [{"name": "t", "scale": [3, 3, 3]}],
+              "shapes": [{"type": "cube", "material": "m", "transform": "t"}]}
+    (folder / "lights.json").write_text(json.dumps(scene))
+    check_target(folder, folder / "lights.json", 16, 0.031)
+
+
+def check_time(folder, scene, others=""):
     """--target-time tells the command that makes its picture again."""
-    picture, done = render(scene, folder / "a time.png", 50, "--target-time 0.1 --texture-filter bilinear")
+    picture, done = render(scene, folder / "a time.png", 50, f"--target-time 0.1 {others}")
     again = re.search(r"^--target-time: the same picture again:\n(.*)$", done.stderr, re.M)
     assert done.returncode == 0 and again, done
     (folder / "a time.png").unlink()
     subprocess.run(again[1], shell=True, check=True, timeout=300)
     assert picture == (folder / "a time.png").read_bytes(), again[1]
-    # Names that begin with a dash stand behind "--", and options that say nothing of the picture are left
-    # out.
+
+
+def check_again(folder):
+    """In that command a name that begins with a dash has a folder; what changes no picture is left out."""
     (folder / "-s.json").write_text(pathlib.Path("scenes/cone_cube.json").read_text())
     done = subprocess.run([RAYTRACER, "--target-time=0.1", "--skip-existing", "--", "-s.json", "-o.png",
                            "20"], cwd=folder,
                           capture_output=True, text=True)
-    assert f"again:\n{RAYTRACER} ./-s.json ./-o.png 20 --samples 65536 --adaptive" in done.stderr, done.stderr
+    assert f"again:\n{RAYTRACER} ./-s.json ./-o.png 20 --" in done.stderr, done.stderr
 
 
 def check_no_time(folder):
@@ -162,7 +186,13 @@ def main():
         check_target(folder, "scenes/cone_cube.json", 160, 0.02)
         check_target(folder, "scenes/texture.json", 60, 0.5)  # no recursion, so no cutoff
         check_target(folder, "scenes/cone_cube.json", 60, 0.05, "--pass normals")  # neither
-        check_time(folder, "scenes/texture.json")
+        for only in ("diffuse", "ambient,shadows,textures"):  # neither
+            check_target(folder, "scenes/spheres_cylinder.json", 60, 0.05, f"--only {only}")
+            check_time(folder, "scenes/spheres_cylinder.json", f"--only {only}")
+        check_doubt(folder)
+        check_one_sample(folder)
+        check_time(folder, "scenes/texture.json", "--texture-filter bilinear")
+        check_again(folder)
         check_no_time(folder)
         check_limit(folder)
         check_report(folder)

@@ -55,6 +55,14 @@ def check_knobs(folder):
     check_same(folder, ".pfm", 7, "--samples", 3)
 
 
+def check_unreached(folder):
+    """An error that no setting reaches: each part ends with 0, and the picture of them with 1."""
+    check_same(folder, ".png", 2, "--target-error", 1e-7, size=2, status=1)
+    parts = render_parts(folder / "out.png", 2, "--target-error", 1e-7, size=2)
+    check("assemble", (1, f"{folder / 'out.png'}: --target-error is not reached\n"),
+          run("assemble", *parts, folder / "out.png"))
+
+
 def check_fault(folder, what, paths, *lines, out="out.png"):
     (folder / out).unlink(missing_ok=True)
     status, error = run("assemble", *paths, folder / out)
@@ -202,7 +210,7 @@ def check_refusals(folder):
 
 def main():
     faults = (check_faults, check_scene_files, check_outputs, check_refusals)
-    for test in faults if "faults" in sys.argv else (check_knobs,):
+    for test in faults if "faults" in sys.argv else (check_knobs, check_unreached):
         with tempfile.TemporaryDirectory() as folder:
             test(pathlib.Path(folder))
     return conclude("parts make the pictures of one run; what does not fit is named")

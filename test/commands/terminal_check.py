@@ -97,7 +97,7 @@ def check_search(folder):
     out = pathlib.Path(folder, "out.png")
     words = ("scenes/texture.json", out, 200, "--target-error", 1e-6, "--threads", 1)
     lines = re.findall(r"\r\033\[K([^\r\033]+)", on_terminal(100, *words, until=rb"so far"))
-    expected = r"--target-error 1e-06: searching, \d\S* million samples so far"
+    expected = r"--target-error 1e-06: searching, \d{1,3}(,\d{3})* samples so far"
     wrong = [line for line in lines if not re.fullmatch(expected, line)]
     check("the search", (True, []), (bool(lines), wrong))
 
