@@ -175,7 +175,6 @@ Setting RenderArguments::accepted(Setting setting) const {
         setting.max_recursion = Setting{}.max_recursion;
         setting.cutoff = 0;
     }
-    if (setting.samples == 1) setting.adaptive = 0;
     return setting;
 }
 
