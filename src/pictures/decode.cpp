@@ -88,7 +88,7 @@ void forgetReason() {
 [[noreturn]] void failForMemory(const FileBytes& file) {
     const auto size = sizeInHeader(file);
     const std::string what = size ? pixelsInWords(size->width, size->height) : "the picture";
-    file.fail("not enough memory to decode " + what + ": " + memoryLeft().inWords);
+    throw OutOfMemory({file.path()}, "not enough memory to decode " + what + ": " + memoryLeft().inWords);
 }
 
 // Throws Error with stb's reason. If stb gets no memory to inflate, it sets no reason: the older one,
