@@ -10,6 +10,7 @@
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/stopwatch.h"
 #include "raytracer/util/temporary_folder.h"
@@ -74,19 +75,35 @@ std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c)
     return {pixel[0], pixel[1], pixel[2]};
 }
 
-// Any Error here is the fault of the program's picture.
-ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
+// Throws Error if the file is larger than any picture of this size need be: that a file is too large for the
+// memory is then no fault of it.
+void requireFileFits(const std::string& picture, const ByteImage& reference) {
+    constexpr std::uint64_t pixelBytes = 8;                        // with four channels of 16 bits
+    constexpr std::uint64_t otherBytes = std::uint64_t{16} << 20;  // for profiles, texts and the like
+    const std::uint64_t most = reference.pixels.size() / 3 * pixelBytes + otherBytes;
+    std::error_code error;
+    const std::uint64_t size = fs::file_size(picture, error);
+    if (!error && size > most)
+        throw Error({picture}, "the file is too large: " + std::to_string(size) + " bytes, at most " +
+                                   std::to_string(most));
+}
+
+// Any Error here is the fault of the program's picture, but for OutOfMemory.
+ByteImage readPicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
+    requireFileFits(picture, reference.image);
     const FileBytes file(picture, FileKind::Regular);
     if (const auto size = sizeInHeader(file))
         requireSameSize(*size, {reference.image.width, reference.image.height});
-    ByteImage ours = readImage(file);
     result.ourPng = file.text();
+    return readImage(file);
+}
+
+void comparePicture(GradeResult& result, const ReferencePicture& reference, const ByteImage& ours) {
     result.comparison = compareImages(ours, reference.image);
     result.ourWorst = pixelOf(ours, *result.comparison);
     result.referenceWorst = pixelOf(reference.image, *result.comparison);
     const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference.image));
     result.differencePng.assign(difference.begin(), difference.end());
-    return ours;
 }
 
 // Throws Error if there is too little room for the program's
@@ -135,7 +152,6 @@ CaseRenderer programRenderer(const std::string& command, const ProgramOptions& o
 ReferencePicture::ReferencePicture(const std::string& path) {
     const FileBytes file(path, FileKind::Regular);
     image = readImage(file);
-    requireMemoryToDecode(file);  // for the program's picture: it is not to be blamed for that
     png = file.text();
 }
 
@@ -170,12 +186,16 @@ void gradePicture(GradeResult& result, const ReferencePicture& reference, const 
                   NamedCase* named) {
     ByteImage ours;
     try {
-        ours = comparePicture(result, reference, picture);
+        ours = readPicture(result, reference, picture);
+    } catch (const OutOfMemory&) {
+        throw;
     } catch (const Error& error) {
         result.message = error.inFile();
+        result.ourPng.clear();
         result.isUnreadable = true;
         return;
     }
+    comparePicture(result, reference, ours);
     if (named && result.comparison->pixelsOver(0) > 0) named->name(result, ours);
 }
 
