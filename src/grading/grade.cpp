@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/stopwatch.h"
 #include "raytracer/util/temporary_folder.h"
+#include "raytracer/util/text.h"
 
 #include "programs.h"
 
@@ -39,7 +41,7 @@ std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& fold
     std::error_code error;
     std::vector<fs::path> files = filesIn(folder, error);
     if (error) throw folderError(folder, error);
-    std::erase_if(files, [&](const fs::path& file) { return file.extension() != ending; });
+    std::erase_if(files, [&](const fs::path& file) { return !endsIn(file.string(), ending); });
     return files;
 }
 
@@ -48,23 +50,34 @@ void requireRegular(const fs::path& file) {
     if (!fs::is_regular_file(file, error)) FileBytes(file.string(), FileKind::Regular);  // throws
 }
 
-// Adds a case if the reference is there. If it is, even as a
-// broken link, both files must be regular: throws Error otherwise.
-void addCase(GradePlan& plan, const fs::path& scene, const fs::path& reference, const Stage& stage) {
-    std::error_code error;
-    if (fs::symlink_status(reference, error).type() == fs::file_type::not_found) return;
-    requireRegular(scene);
-    requireRegular(reference);
-    const std::string name = reference.stem().string();
-    plan.cases.push_back({name, scene.stem().string(), &stage, scene.string(), reference.string()});
+// Pictures by their names without ending; X.png before X.PNG.
+using PicturesByName = std::map<std::string, fs::path>;
+
+PicturesByName picturesIn(const std::string& folder) {
+    PicturesByName pictures;
+    for (const fs::path& file : filesThatEndIn(".png", folder))
+        if (file.extension() == ".png") pictures.insert_or_assign(file.stem().string(), file);
+        else pictures.emplace(file.stem().string(), file);
+    return pictures;
 }
 
-void planScene(GradePlan& plan, const fs::path& scene, const fs::path& references) {
+// Adds a case if the reference is there. If it is, even as a
+// broken link, both files must be regular: throws Error otherwise.
+void addCase(GradePlan& plan, const fs::path& scene, const PicturesByName& references,
+             const std::string& name, const Stage& stage) {
+    const auto found = references.find(name);
+    if (found == references.end()) return;
+    requireRegular(scene);
+    requireRegular(found->second);
+    plan.cases.push_back({name, scene.stem().string(), &stage, scene.string(), found->second.string()});
+}
+
+void planScene(GradePlan& plan, const fs::path& scene, const PicturesByName& references) {
     const std::size_t before = plan.cases.size();
     const std::string name = scene.stem().string();
-    addCase(plan, scene, references / (name + ".png"), completeStage());
+    addCase(plan, scene, references, name, completeStage());
     for (const Stage& stage : stageTable)
-        addCase(plan, scene, references / (name + "-" + std::string(stage.name) + ".png"), stage);
+        addCase(plan, scene, references, name + "-" + std::string(stage.name), stage);
     const bool isSchema = name.ends_with(".schema");
     if (plan.cases.size() == before && !isSchema)
         plan.scenesWithoutReference.push_back(scene.filename().string());
@@ -114,8 +127,8 @@ const Stage& completeStage() { return *std::prev(std::end(stageTable)); }
 
 GradePlan planGrading(const std::string& scenes, const std::string& references) {
     GradePlan plan;
-    filesThatEndIn(".png", references);  // throws if the folder cannot be read
-    for (const fs::path& scene : filesThatEndIn(".json", scenes)) planScene(plan, scene, references);
+    const PicturesByName pictures = picturesIn(references);
+    for (const fs::path& scene : filesThatEndIn(".json", scenes)) planScene(plan, scene, pictures);
     std::sort(plan.cases.begin(), plan.cases.end(),
               [](const GradeCase& a, const GradeCase& b) { return a.name < b.name; });
     std::sort(plan.scenesWithoutReference.begin(), plan.scenesWithoutReference.end());

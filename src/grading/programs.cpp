@@ -78,20 +78,19 @@ struct ActiveRun {
     std::string folder = own.hiddenFolder(), picture = folder + "/out.png", printed = own.file("log");
 };
 
-// The bytes that the case's picture has at most, as far as the reference tells.
-std::size_t pictureBytes(const ProgramRun& run) {
-    const auto size = sizeInHeader(FileBytes(run.test->reference, FileKind::Regular));
-    return size ? std::size_t{3} * static_cast<std::size_t>(size->width) *
-                      static_cast<std::size_t>(size->height)
-                : 0;
+// The bytes of room that a program is promised: for its picture, for a copy of that, and for what it prints.
+std::size_t promisedRoom(const ProgramRun& run) {
+    constexpr std::size_t printed = std::size_t{1} << 20;
+    const auto size = sizeInHeader(FileBytes(run.test->reference, FileKind::Regular)).value_or(ImageSize{});
+    return printed +
+           std::size_t{6} * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
 
 // Throws Error if there is too little room for the program's
 // files, so that the program is not blamed for that.
 ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const ProgramOptions& options) {
-    constexpr std::size_t printed = std::size_t{1} << 20;  // bytes for the program's output
     const std::string scene = copyScene(absolutePath(run.test->scene), active.folder);
-    active.own.requireRoom(2 * pictureBytes(run) + printed);  // twice: the picture is kept
+    active.own.requireRoom(promisedRoom(run));
     giveFolderTo(options.user, active.folder);
     return {commandFromHere(run.command),
             {scene, active.picture, std::to_string(run.longEdge)},
@@ -149,7 +148,7 @@ bool isReadable(const ProgramRun& run) {
 // Whether the disk may be why there is no picture that can be read.
 bool hasDiskFailed(const ProgramRun& run, const ActiveRun& active, const Rendered& rendered) {
     const DiskRoom room = temporaryRoom();
-    const bool lacksRoom = active.lacksRoom || room.files == 0 || room.bytes < pictureBytes(run);
+    const bool lacksRoom = active.lacksRoom || room.files == 0 || room.bytes < promisedRoom(run);
     return (lacksRoom || active.isDisturbed) && (rendered.failed || !isReadable(run));
 }
 

@@ -172,6 +172,9 @@ def check_own_failures(program, folder):
     for command in ('true "', "true )"):
         failing(f"the shell's syntax, {command}",
                 "raytracer grade: --program: a shell cannot read it: sh: .*\n", "one", "--program", command)
+    for command, comment in (("#", "#"), ("true # of ada", "# of ada")):
+        failing(f"a comment, {command}", "raytracer grade: --program: a comment hides the scene from it: "
+                f'leave out "{comment}"\n', "one", "--program", command)
     check_files(program, folder, failing)
     (folder / "one/a.png").write_bytes((folder / "one/a.png").read_bytes()[:100])
     failing("a broken reference",

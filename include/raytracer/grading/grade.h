@@ -77,9 +77,9 @@ CaseRenderer programRenderer(const std::string& command, const ProgramOptions& o
 // if only a shell can tell. "{}" stands for a submission's folder.
 std::vector<std::string> filesStarted(const std::string& command);
 
-// Why a command cannot be started: its syntax is no shell's, there is no such program or script, it is a
-// folder, or it is not executable. Empty if it can be started, if only a shell can tell, and for a file in a
-// submission.
+// Why a command cannot be started: its syntax is no shell's, it ends in a comment, there is no such program
+// or script, it is a folder, or it is not executable. Empty if it can be started, if only a shell can tell,
+// and for a file in a submission.
 std::string programFault(const std::string& command);
 
 // Makes the namer for a case's scene; null if the scene's picture has another size, or cannot be made.
