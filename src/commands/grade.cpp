@@ -15,6 +15,7 @@
 #include "raytracer/pictures/picture.h"
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/output_file.h"
 #include "raytracer/util/progress_bar.h"
 #include "raytracer/util/standard_streams.h"
@@ -53,6 +54,8 @@ std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& si
         const RenderOptions options = arguments.prepare(scene);
         if (options.size.width != size.width || options.size.height != size.height) return nullptr;
         return std::make_unique<MistakeNamer>(whole, options, arguments.terms());
+    } catch (const OutOfMemory&) {
+        throw;
     } catch (const Error&) {
         return nullptr;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -10,9 +11,11 @@
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/stopwatch.h"
 #include "raytracer/util/temporary_folder.h"
+#include "raytracer/util/text.h"
 
 #include "programs.h"
 
@@ -38,7 +41,7 @@ std::vector<fs::path> filesThatEndIn(const char* ending, const std::string& fold
     std::error_code error;
     std::vector<fs::path> files = filesIn(folder, error);
     if (error) throw folderError(folder, error);
-    std::erase_if(files, [&](const fs::path& file) { return file.extension() != ending; });
+    std::erase_if(files, [&](const fs::path& file) { return !endsIn(file.string(), ending); });
     return files;
 }
 
@@ -47,23 +50,34 @@ void requireRegular(const fs::path& file) {
     if (!fs::is_regular_file(file, error)) FileBytes(file.string(), FileKind::Regular);  // throws
 }
 
-// Adds a case if the reference is there. If it is, even as a
-// broken link, both files must be regular: throws Error otherwise.
-void addCase(GradePlan& plan, const fs::path& scene, const fs::path& reference, const Stage& stage) {
-    std::error_code error;
-    if (fs::symlink_status(reference, error).type() == fs::file_type::not_found) return;
-    requireRegular(scene);
-    requireRegular(reference);
-    const std::string name = reference.stem().string();
-    plan.cases.push_back({name, scene.stem().string(), &stage, scene.string(), reference.string()});
+// Pictures by their names without ending; X.png before X.PNG.
+using PicturesByName = std::map<std::string, fs::path>;
+
+PicturesByName picturesIn(const std::string& folder) {
+    PicturesByName pictures;
+    for (const fs::path& file : filesThatEndIn(".png", folder))
+        if (file.extension() == ".png") pictures.insert_or_assign(file.stem().string(), file);
+        else pictures.emplace(file.stem().string(), file);
+    return pictures;
 }
 
-void planScene(GradePlan& plan, const fs::path& scene, const fs::path& references) {
+// Adds a case if the reference is there. If it is, even as a
+// broken link, both files must be regular: throws Error otherwise.
+void addCase(GradePlan& plan, const fs::path& scene, const PicturesByName& references,
+             const std::string& name, const Stage& stage) {
+    const auto found = references.find(name);
+    if (found == references.end()) return;
+    requireRegular(scene);
+    requireRegular(found->second);
+    plan.cases.push_back({name, scene.stem().string(), &stage, scene.string(), found->second.string()});
+}
+
+void planScene(GradePlan& plan, const fs::path& scene, const PicturesByName& references) {
     const std::size_t before = plan.cases.size();
     const std::string name = scene.stem().string();
-    addCase(plan, scene, references / (name + ".png"), completeStage());
+    addCase(plan, scene, references, name, completeStage());
     for (const Stage& stage : stageTable)
-        addCase(plan, scene, references / (name + "-" + std::string(stage.name) + ".png"), stage);
+        addCase(plan, scene, references, name + "-" + std::string(stage.name), stage);
     const bool isSchema = name.ends_with(".schema");
     if (plan.cases.size() == before && !isSchema)
         plan.scenesWithoutReference.push_back(scene.filename().string());
@@ -74,26 +88,35 @@ std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c)
     return {pixel[0], pixel[1], pixel[2]};
 }
 
-// Any Error here is the fault of the program's picture.
-ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
+// Throws Error if the file is larger than any picture of this size need be: that a file is too large for the
+// memory is then no fault of it.
+void requireFileFits(const std::string& picture, const ByteImage& reference) {
+    constexpr std::uint64_t pixelBytes = 8;                        // with four channels of 16 bits
+    constexpr std::uint64_t otherBytes = std::uint64_t{16} << 20;  // for profiles, texts and the like
+    const std::uint64_t most = reference.pixels.size() / 3 * pixelBytes + otherBytes;
+    std::error_code error;
+    const std::uint64_t size = fs::file_size(picture, error);
+    if (!error && size > most)
+        throw Error({picture}, "the file is too large: " + std::to_string(size) + " bytes, at most " +
+                                   std::to_string(most));
+}
+
+// Any Error here is the fault of the program's picture, but for OutOfMemory.
+ByteImage readPicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
+    requireFileFits(picture, reference.image);
     const FileBytes file(picture, FileKind::Regular);
     if (const auto size = sizeInHeader(file))
         requireSameSize(*size, {reference.image.width, reference.image.height});
-    ByteImage ours = readImage(file);
     result.ourPng = file.text();
+    return readImage(file);
+}
+
+void comparePicture(GradeResult& result, const ReferencePicture& reference, const ByteImage& ours) {
     result.comparison = compareImages(ours, reference.image);
     result.ourWorst = pixelOf(ours, *result.comparison);
     result.referenceWorst = pixelOf(reference.image, *result.comparison);
     const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference.image));
     result.differencePng.assign(difference.begin(), difference.end());
-    return ours;
-}
-
-// Throws Error if there is too little room for the program's
-// files, so that the program is not blamed for that.
-void requireRoom(const TemporaryFolder& folder, const ByteImage& reference) {
-    constexpr std::size_t printed = std::size_t{1} << 20;  // bytes for the program's output
-    folder.requireRoom(reference.pixels.size() * 2 + printed);
 }
 
 }  // namespace
@@ -104,8 +127,8 @@ const Stage& completeStage() { return *std::prev(std::end(stageTable)); }
 
 GradePlan planGrading(const std::string& scenes, const std::string& references) {
     GradePlan plan;
-    filesThatEndIn(".png", references);  // throws if the folder cannot be read
-    for (const fs::path& scene : filesThatEndIn(".json", scenes)) planScene(plan, scene, references);
+    const PicturesByName pictures = picturesIn(references);
+    for (const fs::path& scene : filesThatEndIn(".json", scenes)) planScene(plan, scene, pictures);
     std::sort(plan.cases.begin(), plan.cases.end(),
               [](const GradeCase& a, const GradeCase& b) { return a.name < b.name; });
     std::sort(plan.scenesWithoutReference.begin(), plan.scenesWithoutReference.end());
@@ -135,7 +158,6 @@ CaseRenderer programRenderer(const std::string& command, const ProgramOptions& o
 ReferencePicture::ReferencePicture(const std::string& path) {
     const FileBytes file(path, FileKind::Regular);
     image = readImage(file);
-    requireMemoryToDecode(file);  // for the program's picture: it is not to be blamed for that
     png = file.text();
 }
 
@@ -170,12 +192,16 @@ void gradePicture(GradeResult& result, const ReferencePicture& reference, const 
                   NamedCase* named) {
     ByteImage ours;
     try {
-        ours = comparePicture(result, reference, picture);
+        ours = readPicture(result, reference, picture);
+    } catch (const OutOfMemory&) {
+        throw;
     } catch (const Error& error) {
         result.message = error.inFile();
+        result.ourPng.clear();
         result.isUnreadable = true;
         return;
     }
+    comparePicture(result, reference, ours);
     if (named && result.comparison->pixelsOver(0) > 0) named->name(result, ours);
 }
 
@@ -185,7 +211,6 @@ GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, const N
     const ReferencePicture reference(test.reference);
     result.referencePng = reference.png;
     const TemporaryFolder folder;
-    requireRoom(folder, reference.image);
     const std::string out = folder.file("out.png");
     const int edge = std::max(reference.image.width, reference.image.height);
     Stopwatch watch;

@@ -30,7 +30,7 @@ double fromGamma(double value) { return std::pow(value, 2.2); }
 double squareRoot(double linear) { return std::sqrt(linear); }
 
 // The integer part, clamped to the range of int: far above a byte, it does not matter to which byte it wraps.
-int toInt(double value) { return static_cast<int>(std::clamp(value, 0.0, 1e9)); }
+int toInt(double value) { return value > 0 ? static_cast<int>(std::min(value, 1e9)) : 0; }  // NaN: 0
 
 std::uint8_t wrapped(double channel) { return static_cast<std::uint8_t>(toInt(255 * channel + 0.5) & 255); }
 std::uint8_t wrappedAndCut(double channel) { return static_cast<std::uint8_t>(toInt(255 * channel) & 255); }

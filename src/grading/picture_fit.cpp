@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace raytracer {
 
@@ -96,12 +97,15 @@ Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, 
 
 Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels& split, Variant& variant) {
     std::vector<ByteImage> takes;
-    takes.push_back(variant.picture());
-    if (takes.front().pixels != picture.pixels)
-        for (Variant& other : variant.otherRoundings()) takes.push_back(other.picture());
+    const auto take = [&](Variant& one) {
+        if (auto made = one.pictureIfAny()) takes.push_back(std::move(*made));
+    };
+    take(variant);
+    if (takes.empty()) return {};
+    if (takes.front().pixels != picture.pixels) std::ranges::for_each(variant.otherRoundings(), take);
     const auto likestOf = [&](std::size_t pixel) {
         Likest likest(at(picture, pixel), at(right, pixel));
-        for (const ByteImage& take : takes) likest.add(at(take, pixel));
+        for (const ByteImage& made : takes) likest.add(at(made, pixel));
         return likest;
     };
     const std::size_t pixels = picture.pixels.size() / 3;

@@ -126,6 +126,14 @@ std::string syntaxFault(const std::string& command) {
     return "a shell cannot read it: " + printable(line);
 }
 
+// The comment at the end of a command, which would hide the arguments that are appended; empty if there is
+// none.
+std::string lastComment(const std::string& command) {
+    const std::vector<ShellWord> words = shellWords(command);
+    const std::size_t rest = command.find_first_not_of(" \t", words.empty() ? 0 : words.back().end);
+    return rest != command.npos && command[rest] == '#' ? command.substr(rest) : "";
+}
+
 std::string faultOfProgram(const std::string& word) {
     std::error_code error;
     const files::file_status status = files::status(word, error);
@@ -174,6 +182,8 @@ std::vector<std::string> filesStarted(const std::string& command) {
 
 std::string programFault(const std::string& command) {
     if (std::string fault = syntaxFault(command); !fault.empty()) return fault;
+    if (const std::string comment = lastComment(command); !comment.empty())
+        return "a comment hides the scene from it: leave out " + inQuotes(comment);
     const std::vector<std::string> started = filesStarted(command);
     if (started.empty()) return {};
     if (std::string fault = faultOfProgram(started[0]); !fault.empty() || started.size() < 2) return fault;

@@ -5,12 +5,15 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <numeric>
+#include <utility>
 
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_watch.h"
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/temporary_folder.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -68,12 +71,26 @@ std::string copyScene(const std::string& scene, const std::string& folder) {
 
 // A run in progress. The program's folder is inside one of this run's own: ".." has no files of other runs.
 struct ActiveRun {
+    DiskRoom roomBefore = temporaryRoom();
+    bool lacksRoom = false;    // for its picture's copy
+    bool isDisturbed = false;  // another run has filled the disk meanwhile
     TemporaryFolder own;
     std::string folder = own.hiddenFolder(), picture = folder + "/out.png", printed = own.file("log");
 };
 
+// The bytes of room that a program is promised: for its picture, for a copy of that, and for what it prints.
+std::size_t promisedRoom(const ProgramRun& run) {
+    constexpr std::size_t printed = std::size_t{1} << 20;
+    const auto size = sizeInHeader(FileBytes(run.test->reference, FileKind::Regular)).value_or(ImageSize{});
+    return printed +
+           std::size_t{6} * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+}
+
+// Throws Error if there is too little room for the program's
+// files, so that the program is not blamed for that.
 ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const ProgramOptions& options) {
     const std::string scene = copyScene(absolutePath(run.test->scene), active.folder);
+    active.own.requireRoom(promisedRoom(run));
     giveFolderTo(options.user, active.folder);
     return {commandFromHere(run.command),
             {scene, active.picture, std::to_string(run.longEdge)},
@@ -93,17 +110,19 @@ void requireKept(const FileWatch& kept, const ProgramRun& run) {
                               ", or one beside it; as root, --user NAME prevents that");
 }
 
-// Copies a program's picture. False if it is not a regular file, or if the program has made it unreadable.
-bool keepPicture(const std::string& picture, const std::string& place) {
+// Copies a program's picture. False if it is not a regular file, if
+// the program has made it unreadable, or if there is no room for it.
+bool keepPicture(ActiveRun& active, const std::string& place) {
     std::error_code error;
-    if (files::symlink_status(picture, error).type() != files::file_type::regular) return false;
-    files::copy_file(picture, place, error);
-    if (error && error != std::errc::permission_denied)
+    if (files::symlink_status(active.picture, error).type() != files::file_type::regular) return false;
+    files::copy_file(active.picture, place, error);
+    active.lacksRoom = active.lacksRoom || error == std::errc::no_space_on_device;
+    if (error && error != std::errc::permission_denied && error != std::errc::no_space_on_device)
         throw Error({place}, "cannot keep the picture of a program: " + error.message());
     return !error;
 }
 
-Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const ProcessEnd& end) {
+Rendered renderedBy(const ProgramRun& run, ActiveRun& active, const ProcessEnd& end) {
     // An exit status other than 0 is no failure if there is a picture: the course grades the picture.
     Rendered rendered{end.stop != ProcessEnd::Stop::None || end.signal != 0, end.description(),
                       endOfFile(active.printed)};
@@ -111,7 +130,7 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
     rendered.processorSeconds = end.processorSeconds;
     removeShellsReport(rendered.output, end);
     if (rendered.failed) return rendered;
-    if (keepPicture(active.picture, run.picture)) return rendered;
+    if (keepPicture(active, run.picture)) return rendered;
     std::error_code error;
     const bool isGone = files::symlink_status(active.folder, error).type() == files::file_type::not_found;
     rendered.message += std::string(rendered.message.empty() ? "" : ", ") +
@@ -120,25 +139,96 @@ Rendered renderedBy(const ProgramRun& run, const ActiveRun& active, const Proces
     return rendered;
 }
 
+bool isReadable(const ProgramRun& run) {
+    GradeResult result;
+    gradePicture(result, ReferencePicture(run.test->reference), run.picture, nullptr);
+    return !result.isUnreadable;
+}
+
+// Whether the disk may be why there is no picture that can be read.
+bool hasDiskFailed(const ProgramRun& run, const ActiveRun& active, const Rendered& rendered) {
+    const DiskRoom room = temporaryRoom();
+    const bool lacksRoom = active.lacksRoom || room.files == 0 || room.bytes < promisedRoom(run);
+    return (lacksRoom || active.isDisturbed) && (rendered.failed || !isReadable(run));
+}
+
+// Whether others have taken most of the room that there was before a run. Its own files are gone.
+bool isTakenByOthers(const DiskRoom& before) {
+    const DiskRoom now = temporaryRoom();
+    return now.bytes < before.bytes / 2 || now.files < before.files / 2;
+}
+
+// Runs programs. One for which others leave no room on the disk runs again later, alone.
+class ProgramRuns {
+  public:
+    using Ended = std::function<void(std::size_t, const Rendered&)>;
+
+    ProgramRuns(const std::vector<ProgramRun>& runs, const ProgramOptions& options, const Ended& ended)
+        : runs_(runs), options_(options), ended_(ended) {}
+
+    void run(std::vector<std::size_t> which, int atOnce) {
+        isAlone_ = atOnce == 1;
+        runProcesses(
+            which.size(), atOnce, [&](std::size_t i) { return start(which[i]); },
+            [&](std::size_t i, const ProcessEnd& end) { take(which[i], end); });
+        if (!again_.empty()) run(std::exchange(again_, {}), 1);
+    }
+
+  private:
+    ProcessStart start(std::size_t i) try {
+        active_[i] = std::make_unique<ActiveRun>();
+        return startOf(runs_[i], *active_[i], options_);
+    } catch (const Error&) {
+        active_.erase(i);
+        if (active_.empty()) throw;
+        again_.push_back(i);
+        return {":", {}, "/dev/null"};
+    }
+
+    void take(std::size_t i, const ProcessEnd& end) {
+        const auto found = active_.find(i);
+        if (found == active_.end()) return;  // it was not started
+        std::unique_ptr<ActiveRun> run = std::move(found->second);
+        active_.erase(found);
+        requireKept(kept_, runs_[i]);
+        Rendered rendered = renderedBy(runs_[i], *run, end);
+        if (hasDiskFailed(runs_[i], *run, rendered)) {
+            const DiskRoom before = run->roomBefore;
+            const bool isDisturbed = run->isDisturbed;
+            const std::string folder = files::path(run->printed).parent_path().string();
+            std::error_code error;
+            files::remove(runs_[i].picture, error);
+            run.reset();
+            if (isDisturbed || isTakenByOthers(before)) return runAgain(i, folder);
+            for (const auto& [number, other] : active_) other->isDisturbed = true;
+            rendered.failed = true;
+            rendered.message = joined({end.description(), "filled the disk"}, ", ");
+        }
+        if (!rendered.failed) kept_.add(runs_[i].picture);
+        ended_(i, rendered);
+    }
+
+    void runAgain(std::size_t i, const std::string& folder) {
+        if (isAlone_) throw Error({folder}, "no room for a picture: others have filled the disk meanwhile");
+        again_.push_back(i);
+    }
+
+    const std::vector<ProgramRun>& runs_;
+    const ProgramOptions& options_;
+    const Ended& ended_;
+    std::map<std::size_t, std::unique_ptr<ActiveRun>> active_;
+    std::vector<std::size_t> again_;
+    FileWatch kept_;
+    bool isAlone_ = false;
+};
+
 }  // namespace
 
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended) {
-    std::map<std::size_t, std::unique_ptr<ActiveRun>> active;
-    FileWatch kept;
-    runProcesses(
-        runs.size(), atOnce,
-        [&](std::size_t i) {
-            active[i] = std::make_unique<ActiveRun>();
-            return startOf(runs[i], *active[i], options);
-        },
-        [&](std::size_t i, const ProcessEnd& end) {
-            requireKept(kept, runs[i]);
-            const Rendered rendered = renderedBy(runs[i], *active[i], end);
-            if (!rendered.failed) kept.add(runs[i].picture);
-            ended(i, rendered);
-            active.erase(i);
-        });
+    std::vector<std::size_t> all(runs.size());
+    std::iota(all.begin(), all.end(), 0);
+    ProgramRuns(runs, options, ended).run(std::move(all), atOnce);
 }
 
 }  // namespace raytracer

@@ -21,7 +21,8 @@ struct ProgramRun {
 std::string commandFromHere(const std::string& command);
 
 // Runs the programs, up to `atOnce` at a time, and calls ended(i, how) after each. It is a failure if no
-// picture was written, or if it is not a regular file.
+// picture was written, if it is not a regular file, or if the program has filled the disk. Throws Error if
+// others have.
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended);
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <new>
 
 #include <glm/geometric.hpp>
 
 #include "raytracer/pictures/color_sink.h"
+#include "raytracer/util/memory.h"
 
 namespace raytracer {
 
@@ -27,6 +30,20 @@ void otherSide(SceneDescription& scene, RenderOptions&) { moveEye(scene.camera, 
 // The edits of Variant::otherRoundings.
 const Mistake roundings[] = {{.what = "", .hint = "", .edit = otherNearest},
                              {.what = "", .hint = "", .edit = otherSide}};
+
+// What `make` returns; empty if it throws, for any reason but a lack of memory, which is no mistake's fault.
+template <class Make>
+auto ifPossible(const Make& make) -> std::optional<decltype(make())> {
+    try {
+        return make();
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const OutOfMemory&) {
+        throw;
+    } catch (const std::exception&) {
+        return std::nullopt;
+    }
+}
 
 }  // namespace
 
@@ -60,7 +77,7 @@ Variant::Variant(std::vector<const Mistake*> mistakes, std::shared_ptr<RenderedS
 }
 
 Variant::Variant(Variant& a, Variant& b) : Variant({a.mistakes_[0], b.mistakes_[0]}, a.right_) {
-    if (!(a.edits() && b.edits())) made_ = a.edits() ? a.madeScene() : b.madeScene();
+    if (!(a.edits() && b.edits())) made_ = a.edits() ? a.made_ : b.made_;
 }
 
 bool Variant::edits() const {
@@ -106,17 +123,18 @@ std::vector<glm::dvec3> Variant::colorsOf(const Pixels& pixels) {
         for (const glm::dvec2& place : places) points.push_back(glm::dvec2(pixel.x, pixel.y) + place);
     std::vector<glm::dvec3> colors(points.size()), means(pixels.size(), glm::dvec3(0));
     const RenderedScene& scene = *madeScene();
-    try {
-        scene.renderer().renderPoints(scene.options(), points, colors);
-    } catch (const TooManyRays&) {
-        return {};
-    }
+    scene.renderer().renderPoints(scene.options(), points, colors);
     for (std::size_t i = 0; i < colors.size(); ++i)
         means[i / places.size()] += colors[i] / static_cast<double>(places.size());
     return means;
 }
 
 std::vector<std::optional<Rgb>> Variant::bytes(const Pixels& pixels, Trees& rightTrees) {
+    const auto bytes = ifPossible([&] { return madeBytes(pixels, rightTrees); });
+    return bytes.value_or(std::vector<std::optional<Rgb>>(pixels.size()));
+}
+
+std::vector<std::optional<Rgb>> Variant::madeBytes(const Pixels& pixels, Trees& rightTrees) {
     RenderedScene& scene = *madeScene();
     std::vector<std::optional<Rgb>> result(pixels.size());
     if (!isOfTrees()) {
@@ -127,8 +145,10 @@ std::vector<std::optional<Rgb>> Variant::bytes(const Pixels& pixels, Trees& righ
     Trees own;
     Trees& trees = made_ == right_ ? rightTrees : own;
     if (trees.empty()) {
-        if (colorsOf(pixels).empty()) return result;  // too many rays: their trees would fill the memory
-        for (const PixelPlace& pixel : pixels) trees.push_back(scene.explain(pixel));
+        colorsOf(pixels);  // throws if the rays are too many: their trees would fill the memory
+        Trees made;
+        for (const PixelPlace& pixel : pixels) made.push_back(scene.explain(pixel));
+        trees = std::move(made);
     }
     const CastRay cast = [&](const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion) {
         return scene.cast(origin, direction, max_recursion);
@@ -149,6 +169,10 @@ ByteImage Variant::picture() {
     for (const glm::dvec3& color : sink.colors())
         for (const std::uint8_t byte : toBytes(color)) image.pixels.push_back(byte);
     return image;
+}
+
+std::optional<ByteImage> Variant::pictureIfAny() {
+    return ifPossible([&] { return picture(); });
 }
 
 std::vector<Variant>& Variant::otherRoundings() {

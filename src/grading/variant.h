@@ -46,11 +46,14 @@ class Variant {
     bool isOfTrees() const;  // whether it is recomputed from ray trees, at a hundred times the cost
     bool isPicture() const;  // whether it costs no more than an ordinary picture
 
-    // The pixels' bytes; empty where a ray tree does not determine them, or if the rays are too many.
-    // `rightTrees` are those of the scene without a mistake; they are made here if they are empty and needed.
+    // The pixels' bytes; empty where a ray tree does not determine them, and where no picture can be made: an
+    // edit can leave a transform without an inverse, or double the rays with each bounce. `rightTrees` are
+    // those of the scene without a mistake; they are made here if they are empty and needed.
     std::vector<std::optional<Rgb>> bytes(const Pixels& pixels, Trees& rightTrees);
 
-    ByteImage picture();  // only if isPicture()
+    // Only if isPicture(). pictureIfAny is empty where no picture can be made, where picture throws.
+    ByteImage picture();
+    std::optional<ByteImage> pictureIfAny();
 
     // Only if isPicture(): the same mistakes, but rounding decides otherwise which of two surfaces in one
     // place is nearer, and whether an eye that lies on a surface sees it.
@@ -58,7 +61,8 @@ class Variant {
 
   private:
     const std::shared_ptr<RenderedScene>& madeScene();
-    std::vector<glm::dvec3> colorsOf(const Pixels& pixels);  // empty if the rays are too many
+    std::vector<std::optional<Rgb>> madeBytes(const Pixels& pixels, Trees& rightTrees);
+    std::vector<glm::dvec3> colorsOf(const Pixels& pixels);
     std::span<const glm::dvec2> samples() const;
     Rgb toBytes(glm::dvec3 color) const;
 

@@ -37,17 +37,21 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     return png;
 }
 
+constexpr const char* moreData = "broken PNG picture: it has more data than pixels";
+
 // stb checks no checksum of the data. It inflates all of them, however small the picture is, and they may be
 // larger than the memory. So the data are inflated here first, up to the size of the pixels. Longer data are
-// accepted if the memory could hold the most that they can become; their checksum is not checked.
-void requireSoundData(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+// accepted if the memory could hold the most that they can become; their checksum is not checked. Returns
+// whether they are longer.
+bool requireSoundData(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     constexpr double mostRatio = 1032;  // deflate's best: 258 bytes in 2 bits
     const std::string deflated = deflatedData(chunks);
     const libdeflate_result result = inflate(deflated, chunks.front());
     if (result == LIBDEFLATE_BAD_DATA) file.fail("broken PNG picture: its compressed data are broken");
+    const bool isLonger = result == LIBDEFLATE_INSUFFICIENT_SPACE;
     const double most = mostRatio * static_cast<double>(deflated.size());
-    if (result == LIBDEFLATE_INSUFFICIENT_SPACE && !hasMemory(most))
-        file.fail("broken PNG picture: it has more data than pixels");
+    if (isLonger && !hasMemory(most)) file.fail(moreData);
+    return isLonger;
 }
 
 // For a picture that is too large, stb gives the same reason as for a broken one or too little memory. So the
@@ -88,7 +92,7 @@ void forgetReason() {
 [[noreturn]] void failForMemory(const FileBytes& file) {
     const auto size = sizeInHeader(file);
     const std::string what = size ? pixelsInWords(size->width, size->height) : "the picture";
-    file.fail("not enough memory to decode " + what + ": " + memoryLeft().inWords);
+    throw OutOfMemory({file.path()}, "not enough memory to decode " + what + ": " + memoryLeft().inWords);
 }
 
 // Throws Error with stb's reason. If stb gets no memory to inflate, it sets no reason: the older one,
@@ -170,12 +174,17 @@ Texture decodeSound(const FileBytes& file) {
         requirePixelsFit(file, chunks);
     }
     requireMemoryToDecode(file, hasDeepTexels(chunks.front()) ? 2 : 1);
-    if (isPng) requireSoundData(file, chunks);
+    const bool isLonger = isPng && requireSoundData(file, chunks);
     Texture image;
-    if (isPng && isPaletted(chunks.front())) decodePaletted(file, chunks, image);
-    else if (hasDeepTexels(chunks.front()))
-        image.deepTexels = decode(file, text, rgb, image, &stbi_load_16_from_memory);
-    else image.texels = decode(file, text, rgb, image, &stbi_load_from_memory);
+    try {
+        if (isPng && isPaletted(chunks.front())) decodePaletted(file, chunks, image);
+        else if (hasDeepTexels(chunks.front()))
+            image.deepTexels = decode(file, text, rgb, image, &stbi_load_16_from_memory);
+        else image.texels = decode(file, text, rgb, image, &stbi_load_from_memory);
+    } catch (const OutOfMemory&) {
+        if (isLonger) file.fail(moreData);  // its own fault: stb inflates all of the data
+        throw;
+    }
     return image;
 }
 

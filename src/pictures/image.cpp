@@ -16,6 +16,7 @@
 #include "png_format.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 #include "whole_picture.h"
@@ -141,7 +142,7 @@ std::vector<char> encodePng(const ByteImage& image, const std::string& path, int
     };
     if (!stbi_write_png_to_func(append, &png, image.width, image.height, static_cast<int>(valuesPerPixel),
                                 image.pixels.data(), 0))
-        throw Error({path}, "cannot write: not enough memory");
+        throw OutOfMemory({path}, "cannot write: not enough memory");
     return png;
 }
 

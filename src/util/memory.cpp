@@ -4,7 +4,6 @@
 #include <array>
 
 #include "memory_limits.h"
-#include "raytracer/util/error.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
@@ -33,8 +32,8 @@ bool hasMemory(double bytes) {
 
 void requireMemory(const std::string& file, const std::string& what, double bytes) {
     if (hasMemory(bytes)) return;
-    throw Error({file},
-                "not enough memory for " + what + " (" + inBytes(bytes) + "): " + memoryLeft().inWords);
+    throw OutOfMemory({file},
+                      "not enough memory for " + what + " (" + inBytes(bytes) + "): " + memoryLeft().inWords);
 }
 
 }  // namespace raytracer

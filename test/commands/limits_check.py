@@ -116,7 +116,7 @@ def check_files(folder):
           "compare", folder / "deep.png", folder / "deep.png", script=addresses(150000))
     # The 180 MB of data fit, but not into a buffer that is doubled for them, to 246 MB.
     check("what stb has no memory for",
-          re.escape(f"{folder}/bomb.png: not enough memory to decode 1000 × 10 pixels: ") + LEFT,
+          re.escape(f"{folder}/bomb.png: broken PNG picture: it has more data than pixels\n"),
           "compare", folder / "bomb.png", folder / "bomb.png", script=addresses(222000))
     (folder / "large.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 500000)
     mesh = with_mesh(folder, "large.obj")
@@ -132,6 +132,33 @@ def check_files(folder):
         check(f"{command} a sparse file",
               re.escape(f"{sparse}: not enough memory for what is in it (1.1 TB): ") + LEFT,
               *command, sparse, out, *([] if command else [8]), script=addresses(300000))
+
+
+def check_class(folder):
+    """The grader's lack of memory is no score. A picture that is too large by its own fault is one: it does
+    not end the grading of a class."""
+    exam = folder / "exam"
+    exam.mkdir()
+    scene_of(exam, "a.json")
+    (exam / "a.png").write_bytes(png_of_size(3000, 3000))
+
+    def grade(what, line, pictures, limit, status):
+        for student, picture in pictures.items():
+            (folder / what / student).mkdir(parents=True)
+            (folder / what / student / "a.png").write_bytes(picture)
+            if not picture:
+                os.truncate(folder / what / student / "a.png", 1 << 40)
+        check(what, line, "grade", exam, "--submissions", folder / what, "--quiet", "--csv",
+              folder / "scores.csv", script=addresses(limit), status=status)
+
+    grade("deep", re.escape(f"{folder}/deep/ada/a.png: not enough memory for 3000 × 3000 pixels (270 MB): ") +
+          LEFT, {"ada": png_of_size(3000, 3000, depth=16)}, 200000, 2)
+    hostile = {"bomb": png_of_size(3000, 3000, 60000), "header": png_of_size(60000, 60000, 1), "sparse": b"",
+               "well": png_of_size(3000, 3000)}
+    grade("hostile", "", hostile, 800000, 0)
+    scores = [line.split(",")[:2] for line in (folder / "scores.csv").read_text().splitlines()[1:]]
+    if scores != [["bomb", "0"], ["header", "0"], ["sparse", "0"], ["well", "100"]]:
+        failures.append(f"the scores of a class: {scores}")
 
 
 def check_irregular(folder):
@@ -177,7 +204,7 @@ def check_mounted(folder):
 
 
 def main():
-    checks = [check_pictures, check_bands, check_files, check_json]
+    checks = [check_pictures, check_bands, check_files, check_class, check_json]
     if sys.argv[2:] == ["root"]:
         if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "none", "/mnt"],
                           capture_output=True).returncode:

@@ -172,6 +172,9 @@ def check_own_failures(program, folder):
     for command in ('true "', "true )"):
         failing(f"the shell's syntax, {command}",
                 "raytracer grade: --program: a shell cannot read it: sh: .*\n", "one", "--program", command)
+    for command, comment in (("#", "#"), ("true # of ada", "# of ada")):
+        failing(f"a comment, {command}", "raytracer grade: --program: a comment hides the scene from it: "
+                f'leave out "{comment}"\n', "one", "--program", command)
     check_files(program, folder, failing)
     (folder / "one/a.png").write_bytes((folder / "one/a.png").read_bytes()[:100])
     failing("a broken reference",
@@ -186,6 +189,34 @@ def check_own_failures(program, folder):
         failing("a small disk",
                 f"{folder}/one/raytracer-\\w+: no room for a picture: No space left on device\n", "few",
                 "--program", "true", before=mount, TMPDIR="one")
+        check_filled_disk(program, folder, failing, [word.replace("512k", "4m") for word in mount])
+
+
+def check_filled_disk(program, folder, failing, mount):
+    """A program that fills the disk has the score 0; another that runs at the same time has its own. Where a
+    neighbour has filled the disk, there is no score."""
+    fill, copy = "head -c 8000000 /dev/zero > ", f"cp {folder}/exam/good_one.png $2"
+    (folder / "single").mkdir()
+    for file in ("good_one.json", "good_one.png"):
+        shutil.copy(folder / "exam" / file, folder / "single")
+    write_program(folder / "neighbour", f"{fill} {folder}/one/other; {copy}")
+    failing("a neighbour on the disk", f"{folder}/one/raytracer-\\w+: no room for a picture: "
+            "others have filled the disk meanwhile\n", "single", "--program", "./neighbour",
+            before=mount, TMPDIR="one")
+    for name, body in {"bytes": f"{fill} x; sleep 0.4",
+                       "files": f"{copy}; i=0; while : > $i; do i=$((i + 1)); done; sleep 0.4",
+                       "well": f"sleep 0.2; {copy}"}.items():
+        (folder / "fillers" / name).mkdir(parents=True)
+        write_program(folder / "fillers" / name / "run", body)
+    for jobs in (1, 3):
+        done = subprocess.run([word.replace("size=4m", "size=4m,nr_inodes=300") for word in mount] +
+                              [program, "grade", "single", "--submissions", "fillers", "--program", "{}/run",
+                               "--csv", "fill.csv", "--jobs", str(jobs)], cwd=folder, capture_output=True,
+                              text=True, timeout=60, env=os.environ | {"TMPDIR": "one"})
+        rows = [line.split(",") for line in (folder / "fill.csv").read_text().splitlines()[1:]]
+        check([(row[0], row[1], "filled the disk" in row[-1]) for row in rows] ==
+              [("bytes", "0", True), ("files", "0", True), ("well", "100", False)],
+              f"programs that fill the disk, {jobs} at a time: {done.stderr} {rows}")
 
 
 def check_files(raytracer, folder, failing):

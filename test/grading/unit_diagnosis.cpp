@@ -242,6 +242,24 @@ TEST_CASE("mistakes: where rays are too many to follow, none is named") {
     CHECK(MistakeNamer(scene, options).diagnose(other).names() == "with max_recursion 1 instead of 12");
 }
 
+TEST_CASE("mistakes: one whose scene cannot be made explains no picture") {
+    SceneDescription scene = courseScene("spheres_cylinder");
+    scene.shapes.push_back(scene.shapes[0]);
+    scene.shapes.back().transform = scene.transforms.size();
+    for (const glm::dvec3& scale : {glm::dvec3(1, 1, 1.7e308), glm::dvec3(-6e100, 0.065, -1.79e308)}) {
+        TransformDescription transform;  // in another order, its parts have an infinite product
+        transform.translate = glm::dvec3(50, 1, 1);
+        transform.rotate = TransformDescription::Rotation{40, {1, 1, 1}};
+        transform.scale = scale;
+        SceneDescription wide = scene;
+        wide.transforms.push_back(transform);
+        const ByteImage negative = changed(bytesOf(wide, edge), [](double c) { return 1 - c; });
+        CHECK(nameOf(wide, negative).empty());
+        CHECK(nameOf(wide, termsPicture(wide, "ambient,diffuse,shadows,reflections")) ==
+              "without specular light");
+    }
+}
+
 TEST_CASE("mistakes: right pictures have none, with any rounding") {
     for (const char* file : {"spheres_cylinder", "refraction", "texture", "mirror_corridor"}) {
         const SceneDescription scene = courseScene(file);

@@ -63,7 +63,7 @@ TEST_CASE("grade: the plan") {
     const TemporaryFolder folder;
     for (const char* name :
          {"cone_cube.json", "cone_cube.png", "cone_cube-normals.png", "cone_cube-raytracing.png",
-          "cone_cube-sketch.png", "alone.json", "3d.json", "3d-ambient.png", "nobody.png", "notes.txt"})
+          "cone_cube-sketch.png", "alone.json", "3d.json", "3d-ambient.PNG", "nobody.png", "notes.txt"})
         touch(folder.file(name));
     const GradePlan plan = planGrading(folder.file(""), folder.file(""));
     CHECK(namesOf(plan) ==

@@ -77,9 +77,9 @@ CaseRenderer programRenderer(const std::string& command, const ProgramOptions& o
 // if only a shell can tell. "{}" stands for a submission's folder.
 std::vector<std::string> filesStarted(const std::string& command);
 
-// Why a command cannot be started: its syntax is no shell's, there is no such program or script, it is a
-// folder, or it is not executable. Empty if it can be started, if only a shell can tell, and for a file in a
-// submission.
+// Why a command cannot be started: its syntax is no shell's, it ends in a comment, there is no such program
+// or script, it is a folder, or it is not executable. Empty if it can be started, if only a shell can tell,
+// and for a file in a submission.
 std::string programFault(const std::string& command);
 
 // Makes the namer for a case's scene; null if the scene's picture has another size, or cannot be made.
@@ -109,8 +109,7 @@ struct GradeResult : Rendered {
     std::string butInstead() const;  // ", but a.jpg is there"; empty if `instead` is
 };
 
-// A reference picture, read from a file. Throws Error, also if
-// there is too little memory for another picture of its size.
+// A reference picture, read from a file. Throws Error.
 struct ReferencePicture {
     explicit ReferencePicture(const std::string& path);
 
@@ -134,12 +133,13 @@ class NamedCase {
     std::unique_ptr<MistakeNamer> namer_;  // null if our own picture differs from the reference
 };
 
-// Compares the picture in a file with the reference. A fault of the picture goes into the result: no throw.
+// Compares the picture in a file with the reference. A fault of the picture goes into the result. Throws
+// OutOfMemory: that is no fault of it.
 void gradePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture,
                   NamedCase* named);
 
 // Renders a case and grades the picture, which must have the reference's size. Throws Error for what is not
-// the renderer's fault: a reference that cannot be read, no temporary folder, a full disk.
+// the renderer's fault: a reference that cannot be read, no temporary folder, a full disk, too little memory.
 GradeResult gradeCase(const GradeCase& test, const CaseRenderer& render, const NamerMaker& makeNamer = {});
 
 bool within(const GradeResult& result, const Thresholds& thresholds);

@@ -49,7 +49,7 @@ struct ClassOptions {
 // Grades all submissions. A picture that was handed in is X.png anywhere beneath the folder, the one nearest
 // to its top. Programs run in a fresh folder each. What is wrong with a submission is in its results. Throws
 // Error for what is the grader's fault: a reference or a submission that cannot be read, no temporary folder,
-// a full disk. If there is a shelf, the pictures are put there.
+// a full disk, too little memory. If there is a shelf, the pictures are put there.
 std::vector<GradedSubmission> gradeClass(const GradePlan& plan, const std::vector<Submission>& submissions,
                                          const ClassOptions& options, const NamerMaker& makeNamer,
                                          PictureShelf* shelf, ProgressListener& progress);

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "raytracer/util/error.h"
+
 namespace raytracer {
 
 // How much memory the process can still take, and which limit that is: the least of ulimit -v (RLIMIT_AS),
@@ -16,7 +18,13 @@ struct MemoryLeft {
 MemoryLeft memoryLeft();
 bool hasMemory(double bytes);
 
-// Throws Error, about `file`, if there is not enough: "not enough memory for 18000 × 18000 pixels (972
+// There is too little memory: no fault of the file that the Error is about.
+class OutOfMemory : public Error {
+  public:
+    using Error::Error;
+};
+
+// Throws OutOfMemory, about `file`, if there is not enough: "not enough memory for 18000 × 18000 pixels (972
 // MB): ulimit -v leaves 12.3 MB".
 void requireMemory(const std::string& file, const std::string& what, double bytes);
 

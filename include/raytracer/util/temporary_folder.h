@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -31,5 +32,11 @@ class TemporaryFolder {
     std::string path_;
     std::unique_ptr<Leftover> leftover_;
 };
+
+// What the disk of the temporary folders can still take.
+struct DiskRoom {
+    std::uint64_t bytes = UINT64_MAX, files = UINT64_MAX;  // as they are here: unlimited, or unknown
+};
+DiskRoom temporaryRoom();
 
 }  // namespace raytracer

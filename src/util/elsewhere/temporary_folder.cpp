@@ -35,4 +35,9 @@ void TemporaryFolder::requireRoom(std::size_t bytes) const {
     if (fs::space(path_, error).available < bytes) throw Error({path_}, "no room for a picture");
 }
 
+DiskRoom temporaryRoom() {
+    std::error_code error;
+    return {fs::space(fs::temp_directory_path(error), error).available};
+}
+
 }  // namespace raytracer

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include "../descriptor.h"
@@ -13,9 +14,17 @@
 
 namespace raytracer {
 
-TemporaryFolder::TemporaryFolder() {
+namespace {
+
+std::string parentFolder() {
     const char* const wanted = ::getenv("TMPDIR");
-    const std::string parent = wanted && *wanted ? wanted : "/tmp";
+    return wanted && *wanted ? wanted : "/tmp";
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+    const std::string parent = parentFolder();
     path_ = absolutePath(parent) + "/raytracer-XXXXXX";  // mkdtemp's placeholder
     const SignalsWait wait;
     if (!::mkdtemp(path_.data())) throw systemError(parent, "cannot make a temporary folder");
@@ -37,6 +46,16 @@ void TemporaryFolder::requireRoom(std::size_t bytes) const {
     const bool hasRoom = descriptor && errno == 0;
     if (!hasRoom) throw systemError(path_, "no room for a picture");
     ::unlink(probe.c_str());
+}
+
+// What is left for all users. Of disks without a limit, a total is 0.
+DiskRoom temporaryRoom() {
+    DiskRoom room;
+    struct statvfs disk {};
+    if (::statvfs(parentFolder().c_str(), &disk) != 0) return room;
+    if (disk.f_blocks > 0) room.bytes = std::uint64_t{disk.f_bavail} * disk.f_frsize;
+    if (disk.f_files > 0) room.files = disk.f_favail;
+    return room;
 }
 
 }  // namespace raytracer
