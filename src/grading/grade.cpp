@@ -75,18 +75,23 @@ std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c)
 }
 
 // Any Error here is the fault of the program's picture.
-ByteImage comparePicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
+// Throws Error for a picture that is to be marked as none.
+ByteImage readOurs(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
     const FileBytes file(picture, FileKind::Regular);
-    if (const auto size = sizeInHeader(file))
-        requireSameSize(*size, {reference.image.width, reference.image.height});
+    const ImageSize expected{reference.image.width, reference.image.height};
+    if (const auto size = sizeInHeader(file)) requireSameSize(*size, expected);
     ByteImage ours = readImage(file);
+    requireSameSize({ours.width, ours.height}, expected);
     result.ourPng = file.text();
+    return ours;
+}
+
+void compare(GradeResult& result, const ReferencePicture& reference, const ByteImage& ours) {
     result.comparison = compareImages(ours, reference.image);
     result.ourWorst = pixelOf(ours, *result.comparison);
     result.referenceWorst = pixelOf(reference.image, *result.comparison);
     const std::vector<char> difference = encodePng(amplifiedDifference(ours, reference.image));
     result.differencePng.assign(difference.begin(), difference.end());
-    return ours;
 }
 
 // Throws Error if there is too little room for the program's
@@ -170,12 +175,13 @@ void gradePicture(GradeResult& result, const ReferencePicture& reference, const 
                   NamedCase* named) {
     ByteImage ours;
     try {
-        ours = comparePicture(result, reference, picture);
+        ours = readOurs(result, reference, picture);
     } catch (const Error& error) {
         result.message = error.inFile();
         result.isUnreadable = true;
         return;
     }
+    compare(result, reference, ours);
     if (named && result.comparison->pixelsOver(0) > 0) named->name(result, ours);
 }
 

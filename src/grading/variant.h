@@ -57,6 +57,8 @@ class Variant {
     std::vector<Variant>& otherRoundings();
 
   private:
+    class Sink;
+
     const std::shared_ptr<RenderedScene>& madeScene();
     std::vector<glm::dvec3> colorsOf(const Pixels& pixels);  // empty if the rays are too many
     std::span<const glm::dvec2> samples() const;
