@@ -11,8 +11,10 @@
 
 #include "depth.h"
 #include "picture_points.h"
+#include "raytracer/pictures/image.h"
 #include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/pixel_estimate.h"
+#include "raytracer/util/memory.h"
 
 namespace raytracer {
 
@@ -100,6 +102,10 @@ class Search {
     }
 
     void sortPixels() {
+        const ImageSize& size = options_.size;
+        requireMemory(
+            {}, "the contrasts of " + pixelsInWords(size.width, size.height),
+            (sizeof(double) + sizeof(pixels_[0])) * static_cast<double>(choice_.first.colors.size()));
         const std::vector<double> contrast =
             contrasts(choice_.first.colors, options_.size, leastContrast(options_.size));
         pixels_.reserve(contrast.size());
