@@ -85,6 +85,11 @@ class Search {
 
   private:
     void takeFirst() {
+        // Of each pixel: its first colour, the contrast, and its place in the order of contrast.
+        constexpr std::size_t bytesOfPixel = sizeof(glm::dvec3) + sizeof(double) + sizeof(pixels_[0]);
+        const ImageSize& size = options_.size;
+        requireMemory({}, "the first samples of " + pixelsInWords(size.width, size.height),
+                      static_cast<double>(bytesOfPixel) * size.width * size.height);
         options_.max_recursion = depth_.max_recursion;
         options_.cutoff = depth_.cutoff;
         choice_.counts += renderer_.renderFirst(options_, choice_.first);
@@ -102,10 +107,6 @@ class Search {
     }
 
     void sortPixels() {
-        const ImageSize& size = options_.size;
-        requireMemory(
-            {}, "the contrasts of " + pixelsInWords(size.width, size.height),
-            (sizeof(double) + sizeof(pixels_[0])) * static_cast<double>(choice_.first.colors.size()));
         const std::vector<double> contrast =
             contrasts(choice_.first.colors, options_.size, leastContrast(options_.size));
         pixels_.reserve(contrast.size());
