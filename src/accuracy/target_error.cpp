@@ -11,8 +11,10 @@
 
 #include "depth.h"
 #include "picture_points.h"
+#include "raytracer/pictures/image.h"
 #include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/pixel_estimate.h"
+#include "raytracer/util/memory.h"
 
 namespace raytracer {
 
@@ -83,6 +85,11 @@ class Search {
 
   private:
     void takeFirst() {
+        // Of each pixel: its first colour, the contrast, and its place in the order of contrast.
+        constexpr std::size_t bytesOfPixel = sizeof(glm::dvec3) + sizeof(double) + sizeof(pixels_[0]);
+        const ImageSize& size = options_.size;
+        requireMemory({}, "the first samples of " + pixelsInWords(size.width, size.height),
+                      static_cast<double>(bytesOfPixel) * size.width * size.height);
         options_.max_recursion = depth_.max_recursion;
         options_.cutoff = depth_.cutoff;
         choice_.counts += renderer_.renderFirst(options_, choice_.first);

@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "bvh_kernel.h"
+#include "bvh_split.h"
+#include "raytracer/util/memory.h"
+#include "raytracer/util/parallel.h"
 
 namespace raytracer {
 
@@ -26,7 +29,19 @@ const BvhKernel& kernelOf(InstructionSet set) {
 
 }  // namespace
 
-Bvh::Bvh(std::size_t count, InstructionSet set) : kernel_(&kernelOf(set)) { frame_.count = count; }
+Bvh::Bvh(std::size_t count, bool triangles, const BuildOptions& options)
+    : kernel_(&kernelOf(options.instructionSet)) {
+    frame_.count = count;
+    frame_.triangles = triangles;
+    // As trees are: a node for 4 boxes or 16 triangles, and a block for 8 of these. What several threads have
+    // built is in memory twice, while it is joined.
+    constexpr double ofBox = sizeof(BvhNode) / 4.0,
+                     ofTriangle = sizeof(BvhNode) / 16.0 + 6 * sizeof(words_[0]);
+    const int copies = count >= parallelSize && threadCount(options.threads) > 1 ? 2 : 1;
+    requireMemory({}, "the tree of " + std::to_string(count) + (triangles ? " triangles" : " shapes"),
+                  static_cast<double>(count) *
+                      (sizeof(PrimitiveReference) + copies * (triangles ? ofTriangle : ofBox)));
+}
 
 float floatBelow(double x) {
     const float nearest = static_cast<float>(x);

@@ -92,7 +92,6 @@ void BvhBuilder::build(std::span<const FloatBox> boxes, std::span<const std::uin
 void BvhBuilder::build(const MeshData& mesh) {
     positions_ = mesh.positions;
     indices_ = mesh.positionIndex;
-    bvh_.frame_.triangles = true;
     bvh_.frame_.center = mesh.low + (mesh.high - mesh.low) / 2.0;
     const glm::dvec3 half = glm::max(mesh.high - bvh_.frame_.center, bvh_.frame_.center - mesh.low);
     const double extent = std::max(half.x, std::max(half.y, half.z));
@@ -282,7 +281,7 @@ std::uint32_t BvhBuilder::leaf(Part& part, const Range& range) const {
 
 Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names,
                  const BuildOptions& options) {
-    Bvh bvh(boxes.size(), options.instructionSet);
+    Bvh bvh(boxes.size(), false, options);
     BvhBuilder(bvh, options.threads, 1).build(boxes, names);
     for (const FloatBox& box : boxes)
         for (int axis = 0; axis < 3; ++axis)
@@ -292,7 +291,7 @@ Bvh Bvh::ofBoxes(std::span<const FloatBox> boxes, std::span<const std::uint32_t>
 }
 
 Bvh Bvh::ofTriangles(const MeshData& mesh, const BuildOptions& options) {
-    Bvh bvh(mesh.triangleCount(), options.instructionSet);
+    Bvh bvh(mesh.triangleCount(), true, options);
     BvhBuilder(bvh, options.threads, blockSize).build(mesh);
     return bvh;
 }

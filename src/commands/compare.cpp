@@ -151,7 +151,10 @@ int comparePictures(const CompareArguments& arguments) {
                     "expected " + expected + " pixels, as in " + arguments.a + ", found " + size);
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
-    if (diff) writePng(std::move(*diff), amplifiedDifference(toBytes(a, b), toBytes(b, a)));
+    if (diff) {
+        const ByteImage difference = amplifiedDifference(toBytes(a, b), toBytes(b, a));
+        writePng(std::move(*diff), difference);
+    }
     if (arguments.json) printJson(comparison, same);
     else if (!arguments.quiet) {
         printText(comparison);

@@ -196,8 +196,14 @@ int explain(int argc, char** argv) {
     line.lacks({"--pass", "--samples", "--adaptive", "--crop"},
                "explain follows the one ray through the pixel's centre");
     if (line.parse(argc, argv)) return 0;
-    arguments.render.check(line);
-    return arguments.picture.empty() ? explainPixel(arguments) : explainSuspect(arguments);
+    RenderArguments& render = arguments.render;
+    render.check(line);
+    int status = 0;
+    onTracingThreads(1, 1, render.options.max_recursion, [&](JobQueue& queue) {
+        for (std::uint32_t job; queue.next(job);)
+            status = arguments.picture.empty() ? explainPixel(arguments) : explainSuspect(arguments);
+    });
+    return status;
 }
 
 }  // namespace raytracer::commands

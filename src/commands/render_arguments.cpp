@@ -11,6 +11,7 @@
 #include "raytracer/json/json_edit.h"
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/tracer/term_names.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/standard_streams.h"
@@ -199,7 +200,8 @@ Precision RenderArguments::chosenPrecision() const {
 std::unique_ptr<Renderer> RenderArguments::makeRenderer(const SceneDescription& description) const {
     const Precision chosen = chosenPrecision();
     const BuildOptions build{accelerator == "none" ? Accelerator::None : Accelerator::Bvh, options.threads};
-    auto renderer = raytracer::makeRenderer(description, chosen, build);
+    auto renderer = withMemoryFor(scene, "its shapes and trees",
+                                  [&] { return raytracer::makeRenderer(description, chosen, build); });
     if (warns() && renderer->precision() != chosen)
         warn("the scene's numbers lie too far apart for --precision " + precision + ": computed in " +
              precisionName(renderer->precision()));

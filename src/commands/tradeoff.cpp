@@ -8,6 +8,7 @@
 #include "raytracer/commands/commands.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/output_file.h"
 #include "raytracer/util/standard_streams.h"
@@ -105,12 +106,21 @@ void makeFolder(const std::string& out) {
     if (error) throw Error({out}, "cannot make the folder: " + error.message());
 }
 
+void requirePicturesFit(const std::string& scene, const ImageSize& size) {
+    // Three pictures of doubles, and some of bytes that the page shows, as such and as base64.
+    constexpr double bytesOfPixel = 110;
+    requireMemory(scene, "pictures of " + pixelsInWords(size.width, size.height),
+                  bytesOfPixel * size.width * size.height);
+}
+
 int measure(TradeoffArguments& arguments) {
     const std::vector<std::string> names = namesOf(arguments.scenes);
     if (!arguments.quiet) arguments.options.report = [](const std::string& what) { tell(what + " ..."); };
     std::vector<LoadedScene> loaded;  // all are loaded first, since the work may take an hour
-    for (const std::string& scene : arguments.scenes)
+    for (const std::string& scene : arguments.scenes) {
         loaded.push_back(loadScene(scene, {}, nullptr, FileKind::Any, arguments.options.threads));
+        requirePicturesFit(scene, imageSize(loaded.back().description.camera, arguments.options.size));
+    }
     print("");
     makeFolder(arguments.out);
     const auto inFolder = [out = std::filesystem::path(arguments.out)](const char* name) {

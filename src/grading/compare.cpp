@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "raytracer/util/error.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
@@ -59,10 +60,15 @@ void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImag
     }
 }
 
+void requireMemoryToCompare(int width, int height, double bytesOfPixel) {
+    requireMemory({}, "the comparison of " + pixelsInWords(width, height), bytesOfPixel * width * height);
+}
+
 // Compares two pictures. samplesA and samplesB are their samples; a and b are the same pictures as bytes.
 template <class Image>
 Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteImage& a, const ByteImage& b,
                      double peak) {
+    requireMemoryToCompare(a.width, a.height, 6);  // both once more, in planes
     const Totals totals = totalsOf(samplesA, samplesB);
     const double samples = static_cast<double>(samplesA.pixels.size());
     Comparison result;
@@ -136,6 +142,7 @@ Comparison compareImages(const ByteImage& a, const ByteImage& b) {
 
 Comparison compareImages(const Picture& a, const Picture& b) {
     requireSameSize(sizeOf(a), sizeOf(b));
+    requireMemoryToCompare(sizeOf(a).width, sizeOf(a).height, 12);  // the bytes of both, and compareAs
     const ByteImage bytesA = toBytes(a, b), bytesB = toBytes(b, a);
     const auto* floatsA = std::get_if<FloatImage>(&a);
     const auto* floatsB = std::get_if<FloatImage>(&b);

@@ -8,6 +8,7 @@
 
 #include "mistake_search.h"
 #include "raytracer/grading/compare.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/text.h"
 
 namespace raytracer {
@@ -197,9 +198,13 @@ const ByteImage& MistakeNamer::right() const { return known_->right; }
 
 Diagnosis MistakeNamer::diagnose(const ByteImage& picture) const {
     requireSameSize({picture.width, picture.height}, {known_->right.width, known_->right.height});
-    const SplitPixels split(picture, known_->right);
     Diagnosis diagnosis;
     diagnosis.pixels = picture.pixels.size() / 3;
+    constexpr double bytesOfPixel =
+        sizeof(std::size_t) + 3 * 3;  // its number, and a mistake's three pictures
+    requireMemory({}, "the diagnosis of " + pixelsInWords(picture.width, picture.height),
+                  bytesOfPixel * static_cast<double>(diagnosis.pixels));
+    const SplitPixels split(picture, known_->right);
     diagnosis.wrong = split.differing;
     diagnosis.isRounding = split.differing > 0 && split.wrongPixels.empty();
     if (split.wrongPixels.empty()) return diagnosis;

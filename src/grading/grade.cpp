@@ -105,10 +105,12 @@ void requireFileFits(const std::string& picture, const ByteImage& reference) {
 ByteImage readPicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
     requireFileFits(picture, reference.image);
     const FileBytes file(picture, FileKind::Regular);
-    if (const auto size = sizeInHeader(file))
-        requireSameSize(*size, {reference.image.width, reference.image.height});
+    const ImageSize expected{reference.image.width, reference.image.height};
+    if (const auto size = sizeInHeader(file)) requireSameSize(*size, expected);
+    ByteImage ours = readImage(file);
+    requireSameSize({ours.width, ours.height}, expected);
     result.ourPng = file.text();
-    return readImage(file);
+    return ours;
 }
 
 void comparePicture(GradeResult& result, const ReferencePicture& reference, const ByteImage& ours) {
@@ -197,7 +199,6 @@ void gradePicture(GradeResult& result, const ReferencePicture& reference, const 
         throw;
     } catch (const Error& error) {
         result.message = error.inFile();
-        result.ourPng.clear();
         result.isUnreadable = true;
         return;
     }

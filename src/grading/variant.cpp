@@ -7,7 +7,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "raytracer/pictures/color_sink.h"
 #include "raytracer/util/memory.h"
 
 namespace raytracer {
@@ -160,15 +159,28 @@ std::vector<std::optional<Rgb>> Variant::madeBytes(const Pixels& pixels, Trees& 
     return result;
 }
 
+// Makes bytes of each run of pixels at once: the colours of a whole picture are eight times as large.
+class Variant::Sink final : public PixelSink {
+  public:
+    Sink(const Variant& variant, const ImageSize& size)
+        : image{size.width, size.height, {}}, variant_(variant) {
+        image.pixels.resize(3 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    }
+    void write(int x, int y, std::span<const glm::dvec3> colors) override {
+        std::uint8_t* out = image.at(x, y);
+        for (const glm::dvec3& color : colors) out = std::ranges::copy(variant_.toBytes(color), out).out;
+    }
+    ByteImage image;
+
+  private:
+    const Variant& variant_;
+};
+
 ByteImage Variant::picture() {
     const RenderedScene& scene = *madeScene();
-    ColorSink sink(scene.options().crop);
+    Sink sink(*this, scene.options().size);
     scene.renderer().render(scene.options(), sink);
-    ByteImage image{scene.options().size.width, scene.options().size.height, {}};
-    image.pixels.reserve(3 * sink.colors().size());
-    for (const glm::dvec3& color : sink.colors())
-        for (const std::uint8_t byte : toBytes(color)) image.pixels.push_back(byte);
-    return image;
+    return std::move(sink.image);
 }
 
 std::optional<ByteImage> Variant::pictureIfAny() {

@@ -60,6 +60,8 @@ class Variant {
     std::vector<Variant>& otherRoundings();
 
   private:
+    class Sink;
+
     const std::shared_ptr<RenderedScene>& madeScene();
     std::vector<std::optional<Rgb>> madeBytes(const Pixels& pixels, Trees& rightTrees);
     std::vector<glm::dvec3> colorsOf(const Pixels& pixels);

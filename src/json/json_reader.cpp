@@ -8,6 +8,7 @@
 #include "json_scan.h"
 #include "number_mistake.h"
 #include "raytracer/json/json_document.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"
 #include "syntax_mistake.h"
@@ -52,8 +53,10 @@ class JsonReader {
     }
 
     void read() {
-        constexpr std::size_t bytesForNode = 8;  // an estimate; reserved memory costs nothing until written
-        nodes_.reserve(text_.size() / bytesForNode);
+        const std::size_t most = mostNodes();
+        requireMemory(document_.path_, std::to_string(most) + " values and keys",
+                      sizeof(Node) * static_cast<double>(most));
+        nodes_.reserve(most);
         const char* end = text_.data() + text_.size();
         nlohmann::json::sax_parse(CountingIterator(read_), CountingIterator(end), this);
         requireNoNul();
@@ -86,6 +89,11 @@ class JsonReader {
 
   private:
     std::uint32_t count() const { return static_cast<std::uint32_t>(nodes_.size()); }
+    // Each but the first is behind one of these characters, which texts may have, too.
+    std::size_t mostNodes() const {
+        return 1 + static_cast<std::size_t>(std::ranges::count_if(
+                       text_, [](char c) { return c == '[' || c == '{' || c == ',' || c == ':'; }));
+    }
     // nlohmann's parser takes a NUL for the end of the text.
     void requireNoNul() const {
         if (read_ != text_.data() && read_[-1] == '\0')

@@ -2,11 +2,18 @@
 
 #include <algorithm>
 
+#include "raytracer/pictures/image.h"
+#include "raytracer/util/memory.h"
+
 namespace raytracer {
 
-ColorSink::ColorSink(const PixelRectangle& crop)
-    : crop_(crop),
-      colors_(static_cast<std::size_t>(crop.width()) * static_cast<std::size_t>(crop.height())) {}
+ColorSink::ColorSink(const PixelRectangle& crop) : crop_(crop) {
+    const auto width = static_cast<std::size_t>(crop.width()),
+               height = static_cast<std::size_t>(crop.height());
+    requireMemory({}, "the colours of " + pixelsInWords(crop.width(), crop.height()),
+                  static_cast<double>(sizeof(glm::dvec3) * width * height));
+    colors_.resize(width * height);
+}
 
 void ColorSink::write(int x, int y, std::span<const glm::dvec3> colors) {
     const auto place = static_cast<std::ptrdiff_t>(y - crop_.y0) * crop_.width() + (x - crop_.x0);

@@ -114,6 +114,8 @@ ImageSize sizeOfWholePfm(const FileBytes& file) {
 
 FloatImage readPfm(const FileBytes& file) {
     const PfmHeader header = readWholePfm(file);
+    requireMemory(file.path(), pixelsInWords(header.width, header.height),
+                  static_cast<double>(pixelBytes(header)));
     FloatImage image{header.width, header.height, LargeVector<float>(pixelBytes(header) / sizeof(float))};
     const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
     const char* row = header.rows.data() + pixelBytes(header);

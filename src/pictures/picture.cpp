@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "raytracer/util/memory.h"
+
 namespace raytracer {
 
 namespace {
@@ -12,8 +14,11 @@ Image blank(const PixelRectangle& crop) {
     Image image;
     image.width = crop.width();
     image.height = crop.height();
-    image.pixels.assign(3 * static_cast<std::size_t>(crop.width()) * static_cast<std::size_t>(crop.height()),
-                        0);
+    const std::size_t channels =
+        3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    requireMemory({}, pixelsInWords(image.width, image.height),
+                  static_cast<double>(channels * sizeof(image.pixels[0])));
+    image.pixels.assign(channels, 0);
     return image;
 }
 

@@ -62,6 +62,12 @@ int clearSideOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
     return (area > roundings) - (area < -roundings);
 }
 
+bool turnsBack(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+    return clearSideOf(a, b, c) == 0 && static_cast<WideInteger>(a.x - b.x) * (c.x - b.x) +
+                                                static_cast<WideInteger>(a.y - b.y) * (c.y - b.y) >=
+                                            0;
+}
+
 // Compares the rotations at two candidates. The candidate with the greater one moves on, behind all that was
 // compared (Shiloach, Fast Canonization of Circular Strings, 1981).
 std::size_t leastCorner(std::span<const glm::dvec3> corners) {

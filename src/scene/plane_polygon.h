@@ -24,6 +24,9 @@ inline bool isBefore(const PlanePoint& a, const PlanePoint& b) { return a.x != b
 int sideOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 int clearSideOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
+// Whether the way from a to b goes back along itself to c, up to the same roundings.
+bool turnsBack(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
+
 // The index of the corner with which the least of all rotations of this sequence begins. This corner does not
 // depend on the one that comes first.
 std::size_t leastCorner(std::span<const glm::dvec3> corners);

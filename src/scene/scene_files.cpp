@@ -3,6 +3,7 @@
 #include "raytracer/pictures/image.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/nearby_file.h"
 
 namespace raytracer {
@@ -42,7 +43,7 @@ auto SceneFiles::readNamed(JsonView path, const std::string& file, Read read) co
     if (std::filesystem::status(file, unknown).type() == std::filesystem::file_type::not_found)
         failMissing(path, folder_.string(), isPipe_, file);
     try {
-        return read(file);
+        return withMemoryFor(file, "what is in it", [&] { return read(file); });
     } catch (const Error& error) {
         path.fail("in " + inQuotes(file, file.size()) + ": " + error.inFile());
     }

@@ -10,6 +10,7 @@
 #include "raytracer/json/json_pointer.h"
 #include "raytracer/json/json_view.h"
 #include "raytracer/util/file_bytes.h"
+#include "raytracer/util/memory.h"
 #include "scene_files.h"
 #include "scene_parts.h"
 
@@ -39,6 +40,9 @@ class SceneReader {
     }
 
   private:
+    // Makes room for what is read from a list.
+    template <class List>
+    void reserve(List& list, JsonView view, const char* what) const;
     void readTextures(JsonView textures);
     void readMaterials(JsonView materials);
     void readTransforms(JsonView transforms);
@@ -61,10 +65,20 @@ void SceneReader::read(JsonView view) {
     description_.camera = readCamera(scene["camera"], keys_);
     if (const auto textures = scene.find("textures")) readTextures(*textures);
     readMaterials(scene["materials"]);
+    reserve(description_.lights, scene["lights"], "lights");
     for (const JsonView light : scene["lights"].elements())
         description_.lights.push_back(readLight(light, keys_));
     readTransforms(scene["transforms"]);
     readShapes(scene["shapes"]);
+}
+
+template <class List>
+void SceneReader::reserve(List& list, JsonView view, const char* what) const {
+    constexpr std::size_t inTable = 100;  // bytes of a name in a NameTable
+    const std::size_t count = view.size(),
+                      each = sizeof(list[0]) + (requires { list[0].name; } ? inTable : 0);
+    requireMemory(path_, std::to_string(count) + " " + what, static_cast<double>(each * count));
+    list.reserve(count);
 }
 
 void SceneReader::readTextures(JsonView textures) {
@@ -77,6 +91,7 @@ void SceneReader::readTextures(JsonView textures) {
 }
 
 void SceneReader::readMaterials(JsonView materials) {
+    reserve(description_.materials, materials, "materials");
     for (const JsonView json : materials.elements()) {
         MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
@@ -88,6 +103,7 @@ void SceneReader::readMaterials(JsonView materials) {
 }
 
 void SceneReader::readTransforms(JsonView transforms) {
+    reserve(description_.transforms, transforms, "transforms");
     for (const JsonView json : transforms.elements()) {
         description_.transforms.push_back(readTransform(json, keys_));
         const JsonView name = *json.find("name");
@@ -96,6 +112,7 @@ void SceneReader::readTransforms(JsonView transforms) {
 }
 
 void SceneReader::readShapes(JsonView shapes) {
+    reserve(description_.shapes, shapes, "shapes");
     for (const JsonView json : shapes.elements()) {
         const ShapeDescription& shape = description_.shapes.emplace_back(readShape(json));
         loadTextureOf(description_.materials[shape.material]);
@@ -192,6 +209,8 @@ LoadedScene loadScene(const std::string& path, std::span<const std::string> edit
     } catch (const Error&) {
         if (named) *named = reader.files();
         throw;
+    } catch (const std::bad_alloc&) {
+        failForMemory(path, "this scene");
     }
     if (named) *named = reader.files();
     return {std::move(reader.description()), reader.warnings(), reader.files()};

@@ -20,13 +20,13 @@ class EarClipping {
         : polygon_(polygon),
           corners_(polygon.size()),
           left_(static_cast<std::uint32_t>(polygon.size())),
-          blocking_(linkCorners()) {
+          blocking_(withoutSpikes()) {
         for (const Corner& corner : corners_)
             if (corner.blocker != 0) addSpokes(corner);
     }
 
     std::vector<Triangle> clipAll() {
-        for (strictness_ = Strictness::Clear; left_ > 3; weaken()) clipEars();
+        for (weaken(); left_ > 3; weaken()) clipEars();
         const std::uint32_t last = corners_[0].isClipped ? anyLeft() : 0;
         triangles_.push_back(earAt(last));
         return std::move(triangles_);
@@ -35,6 +35,7 @@ class EarClipping {
   private:
     // What an ear must be. Each is used once no corner is an ear by the one before it.
     enum class Strictness {
+        Spike,     // no area
         Clear,     // no other corner lies in it or on its sides, up to roundings
         Touching,  // the polygon does not go into it
         Any        // any corner: the polygon crosses itself
@@ -46,12 +47,15 @@ class EarClipping {
         bool isClipped = false;
     };
 
-    // Returns the points of the corners that may block an ear, each point once.
-    std::vector<PlanePoint> linkCorners() {
-        for (std::uint32_t i = 0; i < left_; ++i) corners_[i] = {(i + left_ - 1) % left_, (i + 1) % left_};
+    // Returns the points of the corners that may block an ear, each point once. The spikes are clipped first:
+    // only they can make a convex corner reflex.
+    std::vector<PlanePoint> withoutSpikes() {
+        const std::uint32_t count = left_;
+        for (std::uint32_t i = 0; i < count; ++i) corners_[i] = {(i + count - 1) % count, (i + 1) % count};
+        clipEars();
         std::vector<std::uint32_t> reflex;
-        for (std::uint32_t i = 0; i < left_; ++i)
-            if (!isLeftTurn(i)) reflex.push_back(i);
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (!corners_[i].isClipped && !isLeftTurn(i)) reflex.push_back(i);
         std::ranges::sort(reflex, isBefore, [&](std::uint32_t corner) { return polygon_[corner]; });
         std::vector<PlanePoint> blocking;
         for (const std::uint32_t corner : reflex) {
@@ -79,11 +83,7 @@ class EarClipping {
     // Whether the polygon turns back on itself here. Such a corner has no area, and blocks later ears.
     bool isSpike(std::uint32_t corner) const {
         const auto [previous, tip, next] = earAt(corner);
-        const PlanePoint &a = polygon_[previous], &b = polygon_[tip], &c = polygon_[next];
-        const auto isBack = [](std::int64_t from, std::int64_t to) {
-            return from == 0 || to == 0 || (from < 0) == (to < 0);
-        };
-        return sideOf(a, b, c) == 0 && isBack(a.x - b.x, c.x - b.x) && isBack(a.y - b.y, c.y - b.y);
+        return turnsBack(polygon_[previous], polygon_[tip], polygon_[next]);
     }
 
     // Tries every corner once, and again when a neighbour is clipped: no other corner can have become an ear.
@@ -130,6 +130,7 @@ class EarClipping {
 
     bool isEar(std::uint32_t corner) const {
         if (strictness_ == Strictness::Any || isSpike(corner)) return true;
+        if (strictness_ == Strictness::Spike) return false;
         const Triangle ear = earAt(corner);
         if (strictness_ == Strictness::Touching && side(ear, 0, polygon_[ear[2]]) == 0) return true;
         return isLeftTurn(corner) &&
@@ -175,7 +176,10 @@ class EarClipping {
         return strictness_ == Strictness::Clear || blocker.any(goesIn);
     }
 
-    void weaken() { strictness_ = strictness_ == Strictness::Clear ? Strictness::Touching : Strictness::Any; }
+    void weaken() {
+        if (strictness_ != Strictness::Any)
+            strictness_ = static_cast<Strictness>(static_cast<int>(strictness_) + 1);
+    }
 
     std::uint32_t anyLeft() const {
         const auto left = std::ranges::find(corners_, false, &Corner::isClipped);
@@ -185,11 +189,11 @@ class EarClipping {
     std::span<const PlanePoint> polygon_;
     std::vector<Corner> corners_;
     std::uint32_t left_;
+    Strictness strictness_ = Strictness::Spike;
+    std::vector<Triangle> triangles_;
     // For each point, the sides at its corners that do not turn left: only such corners can block an ear.
     std::vector<Spokes> blockers_;
     PointTree blocking_;  // their points
-    Strictness strictness_ = Strictness::Clear;
-    std::vector<Triangle> triangles_;
 };
 
 // For a polygon without a normal, and so without area: any triangles will do, if always the same ones.

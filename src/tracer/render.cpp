@@ -19,19 +19,6 @@ constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
 // the same for any number of threads, and n threads cast at most n times as many.
 std::uint64_t mostRaysOf(std::span<const glm::dvec2> points) { return mostRaysOfSample * points.size(); }
 
-// As onThreads, with the stack that options.max_recursion needs. Throws Error where no thread can have it.
-void onTracingThreads(std::uint32_t jobs, const RenderOptions& options,
-                      const std::function<void(JobQueue&)>& work) {
-    const std::size_t stack = usualStack + static_cast<std::size_t>(options.max_recursion) * recursionStack;
-    if (onThreads(jobs, options.threads, work, stack)) return;
-    std::string lower;
-    if (const std::size_t there = mainStack(); there >= usualStack)
-        lower = "lower it to " + std::to_string((there - usualStack) / recursionStack) + ", or ";
-    throw Error("--max-recursion " + std::to_string(options.max_recursion) +
-                " needs a thread, and none can be made: " + lower + "set ulimit -s " +
-                std::to_string((limitForMainStack(stack) + 1023) / 1024));
-}
-
 constexpr std::size_t batchSize = 64;  // points that a thread takes at once
 
 std::size_t batchCount(std::size_t points) { return (points + batchSize - 1) / batchSize; }
@@ -112,7 +99,8 @@ RenderCounts SceneRenderer::shareOut(const RenderOptions& options, std::size_t j
         }
     };
     try {
-        onTracingThreads(static_cast<std::uint32_t>(jobs), options, workOnJobs);
+        onTracingThreads(static_cast<std::uint32_t>(jobs), options.threads, options.max_recursion,
+                         workOnJobs);
     } catch (const TooManyRays&) {  // with the counts of one thread
         throw TooManyRays(all());
     }

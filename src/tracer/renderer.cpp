@@ -38,6 +38,18 @@ std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision 
     return renderer;
 }
 
+void onTracingThreads(std::uint32_t jobs, int threads, int max_recursion,
+                      const std::function<void(JobQueue&)>& work) {
+    const std::size_t stack = usualStack + static_cast<std::size_t>(max_recursion) * recursionStack;
+    if (onThreads(jobs, threads, work, stack)) return;
+    std::string lower;
+    if (const std::size_t there = mainStack(); there >= usualStack)
+        lower = "lower it to " + std::to_string((there - usualStack) / recursionStack) + ", or ";
+    throw Error("--max-recursion " + std::to_string(max_recursion) +
+                " needs a thread, and none can be made: " + lower + "set ulimit -s " +
+                std::to_string((limitForMainStack(stack) + 1023) / 1024));
+}
+
 ImageSize imageSize(const CameraDescription& camera, int longEdge) {
     const double largest = std::max({std::abs(camera.film_left), std::abs(camera.film_right),
                                      std::abs(camera.film_bottom), std::abs(camera.film_top)});

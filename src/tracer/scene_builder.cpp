@@ -8,6 +8,7 @@
 
 #include "raytracer/bvh/spatial_order.h"
 #include "raytracer/tracer/packet_tracer.h"
+#include "raytracer/util/memory.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -59,6 +60,8 @@ std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
 LargeVector<Shape> buildShapes(const SceneDescription& description, const SceneFrame& frame,
                                const std::vector<Material>& materials, const BuildOptions& options) {
     LargeVector<Shape> shapes;
+    requireMemory({}, std::to_string(description.shapes.size()) + " shapes",
+                  static_cast<double>(sizeof(Shape) * description.shapes.size()));
     shapes.reserve(description.shapes.size());
     MeshCache meshes;
     const std::vector<std::uint32_t> order = orderOfMaking(description);

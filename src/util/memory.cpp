@@ -31,9 +31,11 @@ bool hasMemory(double bytes) {
 }
 
 void requireMemory(const std::string& file, const std::string& what, double bytes) {
-    if (hasMemory(bytes)) return;
-    throw OutOfMemory({file},
-                      "not enough memory for " + what + " (" + inBytes(bytes) + "): " + memoryLeft().inWords);
+    if (!hasMemory(bytes)) failForMemory(file, what + " (" + inBytes(bytes) + ")");
+}
+
+void failForMemory(const std::string& file, const std::string& what) {
+    throw OutOfMemory({file}, "not enough memory for " + what + ": " + memoryLeft().inWords);
 }
 
 }  // namespace raytracer

@@ -181,8 +181,31 @@ def check_json(folder):
           re.escape(f"{deep}:1:264: expected at most 256 lists and objects inside of each other\n") +
           " {4}[^\n]*\n *\\^\n", deep, folder / "out.png", 8, "--quiet")
     (folder / "large.json").write_text('{"note": [' + "0," * 10000000 + "0]}")
-    check("a large scene", r"raytracer: not enough memory: ulimit -v leaves [\d.]+ [kM]B\n",
+    check("a large scene",
+          re.escape(f"{folder}/large.json: not enough memory for 10000004 values and keys (160 MB): ") + LEFT,
           folder / "large.json", folder / "out.png", 8, script=addresses(120000))
+
+
+def check_many(folder):
+    """What a scene of many things takes, and what the pictures take that a command holds at once."""
+    out = folder / "out.png"
+    many = scene_of(folder, "many.json", transforms=[{"name": str(i)} for i in range(300000)])
+    check("many transforms", re.escape(f"{many}: not enough memory for 300000 transforms (63.6 MB): ") + LEFT,
+          many, out, 8, script=addresses(80000))
+    long = scene_of(folder, "long.json", materials=[{"name": "m" * 20000000}])
+    check("a long name", re.escape(f"{long}: not enough memory for this scene: ") + LEFT, long, out, 8,
+          script=addresses(70000))
+    pfm, png = folder / "black.pfm", folder / "black.png"
+    pfm.write_bytes(b"PF 2000 2000 -1\n" + bytes(48000000))
+    png.write_bytes(png_of_size(3000, 3000))
+    check("a PFM to read", re.escape(f"{pfm}: not enough memory for 2000 × 2000 pixels (48 MB): ") + LEFT,
+          "compare", pfm, pfm, script=addresses(150000))
+    check("a diagnosis",
+          re.escape("not enough memory for the diagnosis of 3000 × 3000 pixels (153 MB): ") + LEFT, "explain",
+          LEAST, "--picture", png, "--threads", 1, script=addresses(200000))
+    text = "not enough memory for pictures of 4096 × 4096 pixels (1.85 GB): "
+    check("a trade-off", re.escape(f"{LEAST}: {text}") + LEFT, "tradeoff", LEAST, "--size", 4096,
+          script=addresses(400000))
 
 
 def check_mounted(folder):
@@ -204,7 +227,7 @@ def check_mounted(folder):
 
 
 def main():
-    checks = [check_pictures, check_bands, check_files, check_class, check_json]
+    checks = [check_pictures, check_bands, check_files, check_class, check_json, check_many]
     if sys.argv[2:] == ["root"]:
         if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "none", "/mnt"],
                           capture_output=True).returncode:

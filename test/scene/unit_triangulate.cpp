@@ -231,6 +231,13 @@ TEST_CASE("a polygon that is not convex is covered exactly") {
         checkEverywhere({{0, 0}, {2, 1}, {4, 0}, {4, 2}, {2, 1}, {0, 2}});   // a corner on a corner
         checkEverywhere(withHole(aSquare, {{0, 4}, {1, 1}, {3, 1}}, 0, 1));  // a hole on a corner
     }
+    SECTION("with a spike, whose end is farther than its beginning or nearer, or that has corners") {
+        checkEverywhere({{-4, -4}, {4, -4}, {4, 4}, {0, 4}, {0, 0}, {0, 1}, {-4, 1}});
+        checkEverywhere({{-4, -4}, {4, -4}, {4, 1}, {0, 1}, {0, 0}, {0, 4}, {-4, 4}});
+        checkEverywhere({{-4, -4}, {4, -4}, {4, 4}, {0, 4}, {0, 0}, {0, 4}, {-4, 4}});
+        checkEverywhere(
+            {{-4, -4}, {4, -4}, {4, 4}, {0, 4}, {0, 2}, {0, 0}, {0, -1}, {0, 0}, {0, 1}, {-4, 1}});
+    }
     SECTION("not flat: seen along its normal") {
         const Outline outline{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
         std::vector<dvec3> corners = Placement{}(outline);

@@ -1,9 +1,10 @@
-// What a reflection takes of a thread's stack: render.cpp makes threads that have it.
+// What a reflection takes of a thread's stack: onTracingThreads makes threads that have it.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
 
 #include "raytracer/tracer/packet_tracer.h"
+#include "raytracer/tracer/renderer.h"
 #include "raytracer/tracer/scene_builder.h"
 
 using namespace raytracer;

@@ -57,9 +57,10 @@ def check_stack(folder):
         for threads in (1, 2):
             assert picture(folder, 1000, threads, stack) == plain, (stack, threads)
     for stack in (resource.RLIM_INFINITY, MEBIBYTE // 2):
-        done = run(folder, 1000, 2, stack, command=("explain", "s.json", "3", "4", "8", "--json"))
-        assert done.returncode == 0 and done.stdout.count('"reflection"') > 900, (stack, done.returncode,
-                                                                                  done.stderr)
+        for form, word in ((["--json"], '"reflection"'), ([], "reflected ray")):
+            done = run(folder, 1000, 2, stack, command=("explain", "s.json", "3", "4", "8", *form))
+            assert done.returncode == 0 and done.stdout.count(word) > 900, (stack, form, done.returncode,
+                                                                            done.stderr)
 
 
 def check_search(folder):

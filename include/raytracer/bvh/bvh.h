@@ -105,7 +105,8 @@ class Bvh {
     friend class BvhBuilder;
     friend class BvhCursor;
 
-    Bvh(std::size_t count, InstructionSet set);
+    // Throws Error if there is too little memory to build the tree.
+    Bvh(std::size_t count, bool triangles, const BuildOptions& options);
 
     const BvhKernel* kernel_ = nullptr;
     LargeVector<BvhNode> nodes_;

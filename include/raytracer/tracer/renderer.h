@@ -12,6 +12,7 @@
 #include "raytracer/tracer/ray_tree.h"
 #include "raytracer/tracer/render_options.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/parallel.h"
 #include "raytracer/util/progress.h"
 
 namespace raytracer {
@@ -77,6 +78,16 @@ class Renderer {
 // next wider one that they fit (at most extended). The description may be dropped afterwards.
 std::unique_ptr<Renderer> makeRenderer(const SceneDescription& scene, Precision precision,
                                        const BuildOptions& options = {});
+
+// Bytes of a thread's stack for one reflection or refraction, more than it takes (test/tracer/core_stack.cpp
+// measures it): 6 KB for a packet, 2 KB for a ray alone; several times as much where nothing is inlined, or
+// with a sanitizer.
+inline constexpr std::size_t recursionStack = std::size_t{64} << 10;
+
+// As onThreads, with the stack that max_recursion needs: to trace rays, or to visit the tree that they make.
+// Throws Error where no thread can have it.
+void onTracingThreads(std::uint32_t jobs, int threads, int max_recursion,
+                      const std::function<void(JobQueue&)>& work);
 
 // The longer side of the film gets longEdge pixels, the other lround(longEdge * short / long), at least 1.
 ImageSize imageSize(const CameraDescription& camera, int longEdge);

@@ -26,11 +26,6 @@ struct RayPath {
     }
 };
 
-// Bytes of a thread's stack for one reflection or refraction, more than it takes (test/tracer/core_stack.cpp
-// measures it): 6 KB for a packet, 2 KB for a ray alone; several times as much where nothing is inlined, or
-// with a sanitizer.
-inline constexpr std::size_t recursionStack = std::size_t{64} << 10;
-
 // What is kept for a camera ray besides its colour.
 struct SampleTrace {
     double truncationBound = 0;  // an upper bound on what rays terminated by the cutoff change it by

@@ -2,6 +2,7 @@
 // little memory, and kill the process when it uses the memory.
 #pragma once
 
+#include <new>
 #include <string>
 
 #include "raytracer/util/error.h"
@@ -24,8 +25,19 @@ class OutOfMemory : public Error {
     using Error::Error;
 };
 
-// Throws OutOfMemory, about `file`, if there is not enough: "not enough memory for 18000 × 18000 pixels (972
-// MB): ulimit -v leaves 12.3 MB".
+// Throws OutOfMemory, about `file` (empty: none), if there is not enough: "not enough memory for 18000 ×
+// 18000 pixels (972 MB): ulimit -v leaves 12.3 MB".
 void requireMemory(const std::string& file, const std::string& what, double bytes);
+
+// Calls work(), for what cannot be counted before. A std::bad_alloc becomes such an Error, without a number.
+[[noreturn]] void failForMemory(const std::string& file, const std::string& what);
+template <class Work>
+auto withMemoryFor(const std::string& file, const std::string& what, Work work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        failForMemory(file, what);
+    }
+}
 
 }  // namespace raytracer
