@@ -84,7 +84,7 @@ class Maker:
     def light(self):
         """One to three lamps, near the eye or far above."""
         for _ in range(self.dice.choice([1, 1, 2, 3])):
-            strength = self.dice.choice([0.5, 0.8, 1.2])
+            strength = self.dice.choice([0.5, 0.8, 1.2, 4])  # 4: much is brighter than white
             self.lights.append(
                 {"position": [self.dice.uniform(-6, 6), self.dice.uniform(2, 9), self.dice.uniform(0, 9)],
                  "color": [round(strength * c, 3) for c in self.color(0.6, 1)],

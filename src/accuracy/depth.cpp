@@ -184,17 +184,21 @@ DepthChoice DepthSearch::confirmed(std::span<const float> leftOut) {
     const auto pixels = static_cast<double>(leftOut.size());
     if (std::sqrt(total / pixels) * errorMargin <= target_) return choice_;
 
-    // Systematic sampling, as in target_error.cpp.
+    // Systematic sampling, as in target_error.cpp. A pixel has one tree, however often it is drawn.
     const double step = total / std::max(fewestPilots, total / pixels / (target_ * target_));
     const auto width = static_cast<std::size_t>(options_.size.width);
     std::vector<glm::dvec2> points;
     std::vector<double> weights;
     double sum = 0, next = step / 2;
-    for (std::size_t i = 0; i < leftOut.size(); ++i)
-        for (sum += most(i); next < sum; next += step) {
-            points.push_back(glm::dvec2(i % width, i / width) + SampleSequence(options_.sequence)[0]);
-            weights.push_back(total / (pixels * most(i)));
-        }
+    for (std::size_t i = 0; i < leftOut.size(); ++i) {
+        sum += most(i);
+        if (sum <= next) continue;
+        const double draws = std::ceil((sum - next) / step);
+        next += draws * step;
+        points.push_back(glm::dvec2(i % width, i / width) + SampleSequence(options_.sequence)[0]);
+        weights.push_back(draws * step / (pixels * most(i)));
+    }
+    for (double& weight : weights) weight *= static_cast<double>(weights.size());  // Depths takes the mean
     const Depths here =
         depthsAt(renderer_, options_, points, depths_.deepest(), cutoffsFor(target_), spent_, weights);
     // Another depth takes another first sample of each pixel.
@@ -209,7 +213,9 @@ DepthChoice DepthSearch::confirmed(std::span<const float> leftOut) {
         if (choice.isSameAs(choice_) && choice.leftOf(target_) >= enough) return choice;
         choices.push_back(choice);
     }
-    return choices.empty() ? choice_ : cheapest(choices, target_);
+    if (!choices.empty()) return cheapest(choices, target_);
+    choice_.isLimited = true;  // here fewer bounces can be followed than it has
+    return choice_;
 }
 
 }  // namespace raytracer

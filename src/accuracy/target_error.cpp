@@ -76,6 +76,7 @@ class Search {
         choice_.reached = choice_.reached && !choice_.isLimited;
         if (areaOf(options_.size) < area_) choice_.first = {};
         else if (needsOneSample()) choice_.setting.samples = 1;
+        if (choice_.setting.adaptive >= 1) choice_.setting.samples = 1;  // no error is larger
         if (choice_.setting.samples == 1) choice_.setting.adaptive = 0;
         return std::move(choice_);
     }
@@ -85,11 +86,13 @@ class Search {
 
   private:
     void takeFirst() {
-        // Of each pixel: its first colour, the contrast, and its place in the order of contrast.
-        constexpr std::size_t bytesOfPixel = sizeof(glm::dvec3) + sizeof(double) + sizeof(pixels_[0]);
+        // Of each pixel: its first colour, what is left out, the contrast, and its place in their order.
+        constexpr std::size_t bytesOfPixel =
+            sizeof(glm::dvec3) + sizeof(float) + sizeof(double) + sizeof(pixels_[0]);
         const ImageSize& size = options_.size;
-        requireMemory({}, "the first samples of " + pixelsInWords(size.width, size.height),
-                      static_cast<double>(bytesOfPixel) * size.width * size.height);
+        if (choice_.first.colors.empty())
+            requireMemory({}, "the first samples of " + pixelsInWords(size.width, size.height),
+                          static_cast<double>(bytesOfPixel) * size.width * size.height);
         options_.max_recursion = depth_.max_recursion;
         options_.cutoff = depth_.cutoff;
         choice_.counts += renderer_.renderFirst(options_, choice_.first);
@@ -158,9 +161,9 @@ class Search {
             const double left = depth_.leftOf(target_) - error.mean;
             // The search tends to stop where the mean is too small
             // by chance: one standard error makes up for that.
-            choice_.sampleError = std::sqrt(error.mean + error.margin / standardErrors);
+            choice_.sampleError = std::min(1.0, std::sqrt(error.mean + error.margin / standardErrors));
             const bool isEnd = isSpent();
-            choice_.reached = left >= (isEnd ? error.margin / standardErrors : error.margin);
+            choice_.reached = target_ >= 1 || left >= (isEnd ? error.margin / standardErrors : error.margin);
             if (isEnd) endHere();
             if (choice_.reached || isEnd) return;
             if (left >= 0 && mayDrawMore(error)) drawPixels(count_);
@@ -168,13 +171,13 @@ class Search {
         }
     }
 
-    // Whether more samples cannot help: the rays are spent, the depth's error is too large, or each pilot
-    // pixel has taken the most samples.
+    // Whether more samples cannot help: the rays are spent, the depth's error is too large, or no pilot pixel
+    // takes any more.
     bool isSpent() const {
         const double most = std::min<double>(mostSamples, raysOfRandom / (target_ * target_));
         return static_cast<double>(choice_.counts.all() - before_) > most * area_ ||
                depth_.leftOf(target_) <= 0 || std::ranges::all_of(pilots_, [](const PilotPixel& p) {
-                   return p.own.samples() == mostSamples;
+                   return p.own.samples() == mostSamples || p.own.error(p.contrast) == 0;
                });
     }
 
@@ -255,7 +258,8 @@ class Search {
         const double skewness = variance > 0 ? thirdCentral / variance / std::sqrt(variance) : 0;
         const double deviations =
             standardErrors + skewness / std::sqrt(count_) / 6 * (1 + 2 * standardErrors * standardErrors);
-        return {std::max(0.0, first), deviations * std::sqrt(variance / count_)};  // negative by chance
+        // The estimate may be negative by chance, or above the largest error that a picture can have.
+        return {std::clamp(first, 0.0, 1.0), deviations * std::sqrt(variance / count_)};
     }
 
     const Renderer& renderer_;

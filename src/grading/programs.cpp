@@ -148,7 +148,8 @@ bool isReadable(const ProgramRun& run) {
 // Whether the disk may be why there is no picture that can be read.
 bool hasDiskFailed(const ProgramRun& run, const ActiveRun& active, const Rendered& rendered) {
     const DiskRoom room = temporaryRoom();
-    const bool lacksRoom = active.lacksRoom || room.files == 0 || room.bytes < promisedRoom(run);
+    const bool lacksRoom = active.lacksRoom || (active.roomBefore.files > 0 && room.files == 0) ||
+                           room.bytes < promisedRoom(run);
     return (lacksRoom || active.isDisturbed) && (rendered.failed || !isReadable(run));
 }
 
@@ -209,7 +210,10 @@ class ProgramRuns {
     }
 
     void runAgain(std::size_t i, const std::string& folder) {
-        if (isAlone_) throw Error({folder}, "no room for a picture: others have filled the disk meanwhile");
+        if (isAlone_)
+            throw Error({folder},
+                        "no room for a picture: the disk has been filled meanwhile, by others or by " +
+                            runs_[i].command);
         again_.push_back(i);
     }
 

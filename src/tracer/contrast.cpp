@@ -11,6 +11,10 @@ namespace raytracer {
 
 namespace {
 
+// A colour that is brighter counts as this bright. Else the pixels around a light of 1e300 would take the
+// most samples.
+constexpr double brightest = 16;
+
 struct ColorRange {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-low};
 
@@ -24,8 +28,9 @@ struct ColorRange {
 void measureRow(std::span<const glm::dvec3> colors, std::span<ColorRange> ranges) {
     std::ranges::fill(ranges, ColorRange());
     for (std::size_t x = 0; x < colors.size(); ++x) {
+        const glm::dvec3 bounded = glm::clamp(colors[x], -brightest, brightest);
         const std::size_t end = std::min(x + 2, colors.size());
-        for (std::size_t i = x == 0 ? 0 : x - 1; i < end; ++i) ranges[i].add({colors[x], colors[x]});
+        for (std::size_t i = x == 0 ? 0 : x - 1; i < end; ++i) ranges[i].add({bounded, bounded});
     }
 }
 

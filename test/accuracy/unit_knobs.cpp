@@ -245,11 +245,12 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
     const auto of = [&](int column, int row) -> const auto& {
         return samples[static_cast<std::size_t>(row * size.width + column)];
     };
-    glm::dvec3 low = of(x, y)[0], high = low;
+    glm::dvec3 low(16), high(-16);
     for (int row = std::max(0, y - 1); row <= std::min(size.height - 1, y + 1); ++row)
         for (int column = std::max(0, x - 1); column <= std::min(size.width - 1, x + 1); ++column) {
-            low = glm::min(low, of(column, row)[0]);
-            high = glm::max(high, of(column, row)[0]);
+            const glm::dvec3 color = glm::clamp(of(column, row)[0], -16.0, 16.0);
+            low = glm::min(low, color);
+            high = glm::max(high, color);
         }
     const double contrast = std::max({high.x - low.x, high.y - low.y, high.z - low.z,
                                       8 / std::sqrt(static_cast<double>(size.width) * size.height)});
@@ -412,6 +413,37 @@ TEST_CASE("target-error: a small window of three clear panes is seen, wherever i
         CHECK(choice.setting.max_recursion == 6);
         CHECK(choice.reached);
     }
+}
+
+TEST_CASE("target-error: a search ends where no pilot pixel takes more samples, and soon in bright scenes") {
+    // A bright spot at the only pixel's centre: its first sample is white, and no other one meets the spot.
+    SceneDescription scene;
+    scene.camera.type = CameraDescription::Type::Orthographic;
+    scene.camera.film_left = scene.camera.film_bottom = -1;
+    scene.camera.film_right = scene.camera.film_top = 1;
+    scene.materials.resize(1);
+    scene.lights.resize(1);
+    scene.transforms.resize(1);
+    scene.transforms[0].translate = glm::dvec3(0, 0, -5);
+    scene.shapes.push_back({ShapeType::Sphere, 0, 0, nullptr});
+    const auto choose = [&](double ambient, double radius, int size, double target) {
+        scene.materials[0].color_ambient = glm::dvec3(ambient);
+        scene.transforms[0].scale = glm::dvec3(radius);
+        return chooseSetting(*makeRenderer(scene, Precision::Double), wholePicture(scene, size), target);
+    };
+    CHECK(!choose(100, 0.01, 1, 0.3).reached);
+    CHECK(choose(1e300, 0.6, 7, 1).reached);
+    CHECK(choose(1e300, 0.6, 40, 0.1).counts.primary < 1'000'000);
+    CHECK(choose(1, 0.01, 2100, 0.5).setting.samples == 1);
+}
+
+TEST_CASE("target-error: trees confirm the depth at most once in each pixel") {
+    SceneDescription scene = facingMirrors(1, 0.1);  // the second mirror is out of view, and shows nothing
+    scene.shapes.pop_back();
+    scene.shapes[0].type = ShapeType::Sphere;
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    const RenderOptions options = wholePicture(scene, 32);
+    CHECK(chooseSetting(*renderer, options, 1e-5).counts.primary < 1'000'000);
 }
 
 TEST_CASE("target-time: where no time is enough, the fastest setting is chosen") {

@@ -201,7 +201,8 @@ def check_filled_disk(program, folder, failing, mount):
         shutil.copy(folder / "exam" / file, folder / "single")
     write_program(folder / "neighbour", f"{fill} {folder}/one/other; {copy}")
     failing("a neighbour on the disk", f"{folder}/one/raytracer-\\w+: no room for a picture: "
-            "others have filled the disk meanwhile\n", "single", "--program", "./neighbour",
+            "the disk has been filled meanwhile, by others or by ./neighbour\n",
+            "single", "--program", "./neighbour",
             before=mount, TMPDIR="one")
     for name, body in {"bytes": f"{fill} x; sleep 0.4",
                        "files": f"{copy}; i=0; while : > $i; do i=$((i + 1)); done; sleep 0.4",

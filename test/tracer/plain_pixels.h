@@ -72,10 +72,11 @@ class Pixels {
     }
 
     double contrast(int x, int y) const {
-        glm::dvec3 least = centres_[static_cast<std::size_t>(y * size_.width + x)], most = least;
+        glm::dvec3 least(16), most(-16);
         for (int v = std::max(0, y - 1); v <= std::min(size_.height - 1, y + 1); ++v)
             for (int u = std::max(0, x - 1); u <= std::min(size_.width - 1, x + 1); ++u) {
-                const glm::dvec3 color = centres_[static_cast<std::size_t>(v * size_.width + u)];
+                const glm::dvec3 color =
+                    clamp(centres_[static_cast<std::size_t>(v * size_.width + u)], -16.0, 16.0);
                 least = min(least, color);
                 most = max(most, color);
             }

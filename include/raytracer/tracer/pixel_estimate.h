@@ -63,8 +63,8 @@ class PixelEstimate {
     }
 
     glm::dvec3 sum_{0};
-    glm::dvec3 first_{0}, difference_{0},
-        squares_{0};  // differences from the first sample, and their squares
+    // The first sample, bounded; the differences from it, and their squares, added up.
+    glm::dvec3 first_{0}, difference_{0}, squares_{0};
     int count_ = 0;
 };
 
