@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include "raytracer/pictures/color_sink.h"
 #include "raytracer/pictures/picture.h"
 #include "raytracer/util/stopwatch.h"
 

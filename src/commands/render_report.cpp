@@ -34,7 +34,7 @@ std::string errorInWords(double estimate, double least) {
 std::string resultInWords(const TargetChoice& choice, double target) {
     const double estimate = std::hypot(choice.sampleError, choice.depthError);
     // The search stops near the target: a far smaller estimate is in doubt.
-    const std::string error = "reached: " + errorInWords(estimate, target / 10);
+    std::string error = "reached: " + errorInWords(estimate, target / 10);
     if (choice.reached) return error;
     if (estimate > target)
         return "not " + error + formatted(" at --samples %d", choice.setting.samples) +
