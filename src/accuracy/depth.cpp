@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "picture_points.h"
+#include "systematic_sampling.h"
 
 namespace raytracer {
 
@@ -49,12 +50,11 @@ Depths depthsFor(const Renderer& renderer, const RenderOptions& options, double 
 }
 
 // The choice that makes the picture cheapest. The samples may have the error that the depth leaves of the
-// target, and a picture's sampling error falls about as 1 / its rays. If no depth leaves any: the best depth.
+// target, and a picture's sampling error falls about as 1 / its rays. The deepest leaves all of it.
 DepthChoice cheapest(const std::vector<DepthChoice>& depths, double target) {
     return *std::ranges::min_element(depths, {}, [&](const DepthChoice& depth) {
         const double left = depth.leftOf(target);
-        const double cost = left > 0 ? depth.rays / std::sqrt(left) : std::numeric_limits<double>::infinity();
-        return std::pair(cost, depth.squaredError);
+        return left > 0 ? depth.rays / std::sqrt(left) : std::numeric_limits<double>::infinity();
     });
 }
 
@@ -184,20 +184,15 @@ DepthChoice DepthSearch::confirmed(std::span<const float> leftOut) {
     const auto pixels = static_cast<double>(leftOut.size());
     if (std::sqrt(total / pixels) * errorMargin <= target_) return choice_;
 
-    // Systematic sampling, as in target_error.cpp. A pixel has one tree, however often it is drawn.
+    // A pixel has one tree, however often it is drawn.
     const double step = total / std::max(fewestPilots, total / pixels / (target_ * target_));
     const auto width = static_cast<std::size_t>(options_.size.width);
     std::vector<glm::dvec2> points;
     std::vector<double> weights;
-    double sum = 0, next = step / 2;
-    for (std::size_t i = 0; i < leftOut.size(); ++i) {
-        sum += most(i);
-        if (sum <= next) continue;
-        const double draws = std::ceil((sum - next) / step);
-        next += draws * step;
+    drawSystematically(leftOut.size(), step, step / 2, most, [&](std::size_t i, double weight, double draws) {
         points.push_back(glm::dvec2(i % width, i / width) + SampleSequence(options_.sequence)[0]);
-        weights.push_back(draws * step / (pixels * most(i)));
-    }
+        weights.push_back(draws * step / (pixels * weight));
+    });
     for (double& weight : weights) weight *= static_cast<double>(weights.size());  // Depths takes the mean
     const Depths here =
         depthsAt(renderer_, options_, points, depths_.deepest(), cutoffsFor(target_), spent_, weights);

@@ -1,5 +1,6 @@
-// Chooses how deep the recursion goes. Ray trees are traced once, at points all over the picture: they give
-// the cost and the truncation error of every max_recursion and cutoff.
+// Chooses how deep the recursion goes. Ray trees of points all over the picture give the cost and the
+// truncation error of every max_recursion and cutoff. More of them, in the pixels where the choice has left
+// rays out, confirm it.
 #pragma once
 
 #include <vector>

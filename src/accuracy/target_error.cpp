@@ -1,8 +1,7 @@
 // Each pixel stops by its own error estimate (pixel_estimate.h), so that the picture's error is a slowly
 // changing fraction of one number, --adaptive. The search samples pilot pixels, more of them where the
 // contrast is large, until they stop at that number. Two more estimates of each pilot pixel, from other
-// samples, give its squared error without bias. The depth is chosen before that, from ray trees of points all
-// over the picture.
+// samples, give its squared error without bias. The depth is chosen before that (depth.h).
 #include "raytracer/accuracy/target_error.h"
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/util/memory.h"
+#include "systematic_sampling.h"
 
 namespace raytracer {
 
@@ -24,7 +24,7 @@ namespace {
 // coarser one, single pixels have errors that pilot samples may miss.
 constexpr double coarsest = 8;
 constexpr double finer = 1 / 1.09;     // from one `adaptive` to the next: on average 4 % below the target
-constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 170 MB
+constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 185 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
 // Pilot samples may cast about raysOfRandom / target^2 rays for each pixel of the picture. Random samples of
 // 0 and 1 would reach the target with 1 / (4 target^2) samples. A pilot pixel takes three times as many (its
@@ -74,10 +74,9 @@ class Search {
         choice_.setting = {mostSamples, 0, depth_.max_recursion, depth_.cutoff, options_.bilinear};
         chooseAdaptive();
         choice_.reached = choice_.reached && !choice_.isLimited;
-        if (areaOf(options_.size) < area_) choice_.first = {};
-        else if (needsOneSample()) choice_.setting.samples = 1;
-        if (choice_.setting.adaptive >= 1) choice_.setting.samples = 1;  // no error is larger
+        if (needsOneSample()) choice_.setting.samples = 1;
         if (choice_.setting.samples == 1) choice_.setting.adaptive = 0;
+        if (isHalved()) choice_.first = {};
         return std::move(choice_);
     }
 
@@ -120,29 +119,30 @@ class Search {
         std::ranges::sort(pixels_);
     }
 
-    // Systematic sampling (Cochran, Sampling Techniques, chapter 8): walks through all pixels in the order of
-    // their contrast, and draws one at equal steps of the summed weight.
+    // Draws pixels in the order of their contrast.
     void drawPixels(double count) {
         const double step = totalWeight_ / count;
-        double sum = 0, next = SampleSequence()[draws_++].x * step;
-        for (const auto& [contrast, i] : pixels_) {
-            const double weight = weightOf(static_cast<double>(contrast));
-            sum += weight;
-            if (sum <= next) continue;
-            const double draws = std::ceil((sum - next) / step);
-            next += draws * step;
-            const double part = totalWeight_ / (weight * static_cast<double>(pixels_.size()));
-            const auto others = options_.sequence + 1 + 2 * static_cast<std::uint32_t>(pilots_.size());
-            pilots_.push_back({placeOf(i), static_cast<double>(contrast), draws, part, others});
-            pilots_.back().own.add(choice_.first.colors[i]);
-        }
+        const auto contrastOf = [&](std::size_t i) { return static_cast<double>(pixels_[i].first); };
+        drawSystematically(
+            pixels_.size(), step, SampleSequence()[draws_++].x * step,
+            [&](std::size_t i) { return weightOf(contrastOf(i)); },
+            [&](std::size_t i, double weight, double draws) {
+                const std::uint32_t pixel = pixels_[i].second;
+                const double part = totalWeight_ / (weight * static_cast<double>(pixels_.size()));
+                const auto others = options_.sequence + 1 + 2 * static_cast<std::uint32_t>(pilots_.size());
+                pilots_.push_back({placeOf(pixel), contrastOf(i), draws, part, others});
+                pilots_.back().own.add(choice_.first.colors[pixel]);
+            });
         count_ += count;
     }
 
-    // Whether no pixel of the picture takes a second sample.
+    bool isHalved() const { return areaOf(options_.size) < area_; }
+
+    // Whether no pixel of the picture takes a second sample. No error is above 1.
     bool needsOneSample() const {
-        const auto most = static_cast<double>(pixels_.back().first);
-        return std::min(1.0, most * PixelEstimate::errorOfOneSample) <= choice_.setting.adaptive;
+        const auto contrast = static_cast<double>(pixels_.back().first);  // the largest
+        const double most = isHalved() ? 1 : std::min(1.0, contrast * PixelEstimate::errorOfOneSample);
+        return most <= choice_.setting.adaptive;
     }
 
     struct SquaredError {
@@ -171,12 +171,11 @@ class Search {
         }
     }
 
-    // Whether more samples cannot help: the rays are spent, the depth's error is too large, or no pilot pixel
-    // takes any more.
+    // Whether no more samples come: the rays are spent, or no pilot pixel takes any more.
     bool isSpent() const {
         const double most = std::min<double>(mostSamples, raysOfRandom / (target_ * target_));
         return static_cast<double>(choice_.counts.all() - before_) > most * area_ ||
-               depth_.leftOf(target_) <= 0 || std::ranges::all_of(pilots_, [](const PilotPixel& p) {
+               std::ranges::all_of(pilots_, [](const PilotPixel& p) {
                    return p.own.samples() == mostSamples || p.own.error(p.contrast) == 0;
                });
     }
