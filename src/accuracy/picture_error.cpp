@@ -22,13 +22,12 @@ double squaredError(const glm::dvec3& color, const glm::dvec3& truth) {
 }
 
 double squaredError(const glm::dvec3& color, const glm::dvec3& one, const glm::dvec3& other) {
+    constexpr double most = mostSamples;  // so that powers of the result are finite
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
-        const auto [low, high] = std::minmax({color[i], one[i], other[i]});
-        if (low >= 1 || high <= 0) continue;
-        const auto off = [shown = std::clamp(color[i], 0.0, 1.0)](double truth) {
-            constexpr double most = mostSamples;  // so that powers of the result are finite
-            return shown - std::clamp(truth, -most, most);
+        const double shown = std::clamp(color[i], 0.0, 1.0);
+        const auto off = [&, low = color[i] <= 0 ? 0 : -most, high = color[i] >= 1 ? 1 : most](double truth) {
+            return shown - std::clamp(truth, low, high);
         };
         sum += off(one[i]) * off(other[i]);
     }

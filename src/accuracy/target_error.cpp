@@ -10,6 +10,7 @@
 
 #include "depth.h"
 #include "picture_points.h"
+#include "pilots.h"
 #include "raytracer/pictures/image.h"
 #include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/pixel_estimate.h"
@@ -23,6 +24,9 @@ namespace {
 // The first `adaptive`, as a multiple of the target. A picture's error is 0.1 to 1.3 times `adaptive`. With a
 // coarser one, single pixels have errors that pilot samples may miss.
 constexpr double coarsest = 8;
+// Pilot pixels take at least this part of the picture's samples. Else something small that none of them meets
+// would be missed in large pictures, where it costs least to look.
+constexpr double pilotShare = 0.1;
 constexpr double finer = 1 / 1.09;     // from one `adaptive` to the next: on average 4 % below the target
 constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 185 MB
 constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at once
@@ -30,16 +34,6 @@ constexpr std::size_t mostRequested = 1 << 14;  // samples that are taken at onc
 // 0 and 1 would reach the target with 1 / (4 target^2) samples. A pilot pixel takes three times as many (its
 // own and two truths), at some 10 rays each.
 constexpr double raysOfRandom = 8;
-
-// A pilot pixel: its own samples, and two estimates of the truth from other samples.
-struct PilotPixel {
-    PixelPlace place;
-    double contrast = 0;
-    double draws = 0;          // how often it was drawn
-    double weight = 0;         // a draw's squared error times this estimates the picture's
-    std::uint32_t others = 0;  // the sequence of truth[0]; no two pixels share one: independent errors
-    PixelEstimate own{}, truth[2]{};
-};
 
 double areaOf(const ImageSize& size) { return static_cast<double>(size.width) * size.height; }
 
@@ -110,7 +104,7 @@ class Search {
 
     void sortPixels() {
         const std::vector<double> contrast =
-            contrasts(choice_.first.colors, options_.size, leastContrast(options_.size));
+            contrasts(options_.crop, choice_.first.colors, choice_.first.extra, leastContrast(options_.size));
         pixels_.reserve(contrast.size());
         for (std::uint32_t i = 0; i < contrast.size(); ++i) {
             pixels_.emplace_back(static_cast<float>(contrast[i]), i);
@@ -145,11 +139,6 @@ class Search {
         return most <= choice_.setting.adaptive;
     }
 
-    struct SquaredError {
-        double mean = 0;
-        double margin = 0;
-    };
-
     // Lowers `adaptive` from the coarsest until the target is reached with the margin.
     void chooseAdaptive() {
         double& adaptive = choice_.setting.adaptive;
@@ -157,16 +146,19 @@ class Search {
         before_ = choice_.counts.all();
         for (;;) {
             takeSamples(adaptive);
-            const SquaredError error = squaredErrorOfPicture();
+            const SquaredError error = squaredErrorOf(pilots_, count_);
             const double left = depth_.leftOf(target_) - error.mean;
             // The search tends to stop where the mean is too small
             // by chance: one standard error makes up for that.
             choice_.sampleError = std::min(1.0, std::sqrt(error.mean + error.margin / standardErrors));
             const bool isEnd = isSpent();
-            choice_.reached = target_ >= 1 || left >= (isEnd ? error.margin / standardErrors : error.margin);
+            const Samples samples = samplesOf(pilots_, count_, static_cast<double>(pixels_.size()));
+            const bool areFew = !isEnd && samples.ofPilots < pilotShare * samples.ofPicture;
+            choice_.reached =
+                target_ >= 1 || (!areFew && left >= (isEnd ? error.margin / standardErrors : error.margin));
             if (isEnd) endHere();
             if (choice_.reached || isEnd) return;
-            if (left >= 0 && mayDrawMore(error)) drawPixels(count_);
+            if (left >= 0 && (areFew || isBetterToDraw(error, samples))) drawPixels(count_);
             else adaptive = rounded(adaptive * finer);
         }
     }
@@ -185,20 +177,6 @@ class Search {
         choice_.setting.samples = 1;
         for (const PilotPixel& pixel : pilots_)
             choice_.setting.samples = std::max(choice_.setting.samples, pixel.own.samples());
-    }
-
-    // Whether more pilot pixels are a better use of rays than more samples
-    // in the picture. Twice as many pilot pixels shrink the margin by a
-    // factor of sqrt(2). The picture's squared error falls as samples^-3/2.
-    bool mayDrawMore(const SquaredError& error) const {
-        double taken = 0, perPixel = 0;  // perPixel: without the first sample
-        for (const PilotPixel& pixel : pilots_) {
-            const int own = pixel.own.samples();
-            perPixel += pixel.draws / count_ * pixel.weight * (own - 1);
-            taken += own + 2 * pixel.truth[0].samples();
-        }
-        const double samples = perPixel * static_cast<double>(pixels_.size());
-        return error.margin * (1 - std::sqrt(0.5)) * samples > 1.5 * error.mean * taken;
     }
 
     // Samples each pilot pixel until it stops by its own estimate,
@@ -237,28 +215,6 @@ class Search {
         points_.clear();
         takers_.clear();
         if (listener_) listener_(choice_.counts.primary);
-    }
-
-    // Estimates the picture's mean squared error without bias. The margin, how much larger it may be, is
-    // `standardErrors` standard errors, and more if the draws are few and their distribution is skewed
-    // (Johnson, Modified t tests and confidence intervals for asymmetrical populations, JASA 73, 1978).
-    SquaredError squaredErrorOfPicture() const {
-        double first = 0, second = 0, third = 0;  // moments of a draw
-        for (const PilotPixel& pixel : pilots_) {
-            const double value = pixel.weight * squaredError(pixel.own.color(), pixel.truth[0].color(),
-                                                             pixel.truth[1].color());
-            const double part = pixel.draws / count_;
-            first += part * value;
-            second += part * value * value;
-            third += part * value * value * value;
-        }
-        const double variance = std::max(0.0, second - first * first);
-        const double thirdCentral = std::max(0.0, third - first * (3 * variance + first * first));
-        const double skewness = variance > 0 ? thirdCentral / variance / std::sqrt(variance) : 0;
-        const double deviations =
-            standardErrors + skewness / std::sqrt(count_) / 6 * (1 + 2 * standardErrors * standardErrors);
-        // The estimate may be negative by chance, or above the largest error that a picture can have.
-        return {std::clamp(first, 0.0, 1.0), deviations * std::sqrt(variance / count_)};
     }
 
     const Renderer& renderer_;

@@ -42,19 +42,20 @@ Camera::Camera(const CameraDescription& camera, const SceneFrame& frame)
     v_ = Vec3(scaled(filmV, filmScale));
     forward_ = Vec3(scaled(forward, -directionExponent_));
     eye_ = Vec3(frame.pointToFrame(camera.eye));
+    filmFromFrame_ = glm::inverse(Mat3(u_, v_, forward_));
 }
 
-// Solves point - eye = k (x u + y v + forward) or, orthographic, point - eye = x u + y v + k forward, by
-// Cramer's rule. Where numbers are too large or too small for that, the comparisons are false.
+Vec3 Camera::onFilm(const Vec3& point) const {
+    const Vec3 seen = filmFromFrame_ * (point - eye_);
+    return perspective_ ? Vec3(seen.x / seen.z, seen.y / seen.z, seen.z) : seen;
+}
+
 std::optional<Vec2> Camera::uvOf(const Vec3& point) const {
-    const Vec3 offset = point - eye_, across = glm::cross(u_, v_);
-    const Real volume = glm::dot(across, forward_), k = glm::dot(offset, across) / volume;
-    const Real divisor = perspective_ ? k * volume : volume;
-    const Vec2 uv(glm::dot(offset, glm::cross(v_, forward_)) / divisor,
-                  glm::dot(offset, glm::cross(forward_, u_)) / divisor);
+    const Vec3 seen = onFilm(point);
     const auto isBetween = [](Real x, Real a, Real b) { return min(a, b) <= x && x <= max(a, b); };
-    if (!(k > 0 && isBetween(uv.x, left_, right_) && isBetween(uv.y, bottom_, top_))) return std::nullopt;
-    return uv;
+    if (!(seen.z > 0 && isBetween(seen.x, left_, right_) && isBetween(seen.y, bottom_, top_)))
+        return std::nullopt;
+    return Vec2(seen);
 }
 
 Real Camera::farthest() const { return maxComponent(perspective_ ? abs(eye_) : abs(eye_) + film()); }

@@ -11,10 +11,6 @@ namespace raytracer {
 
 namespace {
 
-// A colour that is brighter counts as this bright. Else the pixels around a light of 1e300 would take the
-// most samples.
-constexpr double brightest = 16;
-
 struct ColorRange {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-low};
 
@@ -24,27 +20,38 @@ struct ColorRange {
     }
 };
 
-// Finds, for each pixel of a row, the range of its own colour and its neighbours' in the row.
-void measureRow(std::span<const glm::dvec3> colors, std::span<ColorRange> ranges) {
-    std::ranges::fill(ranges, ColorRange());
-    for (std::size_t x = 0; x < colors.size(); ++x) {
-        const glm::dvec3 bounded = glm::clamp(colors[x], -brightest, brightest);
-        const std::size_t end = std::min(x + 2, colors.size());
-        for (std::size_t i = x == 0 ? 0 : x - 1; i < end; ++i) ranges[i].add({bounded, bounded});
-    }
+using ColorRanges = std::vector<ColorRange>;
+
+// Adds a colour to the ranges of its pixel and of the neighbours in the row.
+void add(const glm::dvec3& color, std::size_t x, ColorRanges& row) {
+    const glm::dvec3 bounded = glm::clamp(color, -brightestInContrast, brightestInContrast);
+    const std::size_t end = std::min(x + 2, row.size());
+    for (std::size_t i = x == 0 ? 0 : x - 1; i < end; ++i) row[i].add({bounded, bounded});
 }
 
 }  // namespace
 
-std::vector<double> contrasts(std::span<const glm::dvec3> colors, const ImageSize& size, double least) {
-    const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
-    std::array<std::vector<ColorRange>, 3> rows;  // row y is in rows[y % 3]
-    for (auto& row : rows) row.resize(width);
+std::vector<double> contrasts(const PixelRectangle& place, std::span<const glm::dvec3> colors,
+                              std::span<const ExtraSample> extra, double least) {
+    const auto width = static_cast<std::size_t>(place.width()),
+               height = static_cast<std::size_t>(place.height());
+    std::array<ColorRanges, 3> rows;  // row y is in rows[y % 3]
+    const auto measureRow = [&](std::size_t y) {
+        ColorRanges& row = rows[y % 3];
+        row.assign(width, {});
+        for (std::size_t x = 0; x < width; ++x) add(colors[y * width + x], x, row);
+        const auto end = std::ranges::find_if(extra, [&](const ExtraSample& sample) {
+            return sample.pixel().y > place.y0 + static_cast<int>(y);
+        });
+        for (const ExtraSample& sample : std::span(extra.begin(), end))
+            add(sample.color, static_cast<std::size_t>(sample.pixel().x - place.x0), row);
+        extra = {end, extra.end()};
+    };
     std::vector<double> result;
     result.reserve(width * height);
-    measureRow(colors.first(width), rows[0]);
+    measureRow(0);
     for (std::size_t y = 0; y < height; ++y) {
-        if (y + 1 < height) measureRow(colors.subspan((y + 1) * width, width), rows[(y + 1) % 3]);
+        if (y + 1 < height) measureRow(y + 1);
         for (std::size_t x = 0; x < width; ++x) {
             ColorRange range = rows[y % 3][x];
             if (y > 0) range.add(rows[(y - 1) % 3][x]);

@@ -7,6 +7,7 @@
 #include "raytracer/tracer/scene_builder.h"
 #include "raytracer/util/parallel.h"
 #include "scene_renderer.h"
+#include "small_parts.h"
 #include "tile.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
@@ -108,11 +109,21 @@ RenderCounts SceneRenderer::shareOut(const RenderOptions& options, std::size_t j
     return all();
 }
 
+std::shared_ptr<const std::vector<ExtraSample>> SceneRenderer::smallPartsOf(const ImageSize& size) const {
+    const std::lock_guard lock(mutex_);
+    if (size.width != sizeOfParts_.width || size.height != sizeOfParts_.height)
+        smallParts_ = std::make_shared<const std::vector<ExtraSample>>(smallParts(*scene_, size));
+    sizeOfParts_ = size;
+    return smallParts_;
+}
+
 RenderCounts SceneRenderer::render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress,
                                    const FirstSamples* first) const {
     const std::vector<PixelRectangle> tiles = tilesOf(options.crop, options.part);
+    auto extra = std::make_shared<const std::vector<ExtraSample>>();
+    if (options.adaptive > 0 && options.samples > 1 && !first) extra = smallPartsOf(options.size);
     return shareOut(options, tiles.size(), progress, unlimited, [&](const RenderContext& context) {
-        return [&, render = tileRenderer(*scene_, context, first, sink)](std::uint32_t job) {
+        return [&, render = tileRenderer(*scene_, context, first, *extra, sink)](std::uint32_t job) {
             render(tiles[job]);
         };
     });
@@ -126,11 +137,17 @@ RenderCounts SceneRenderer::renderFirst(RenderOptions options, FirstSamples& fir
     const auto pixels = static_cast<std::size_t>(options.crop.area());
     first.colors.resize(pixels);
     first.leftOut.resize(pixels);
-    const RenderCounts counts =
+    RenderCounts counts =
         shareOut(options, tiles.size(), nullptr, unlimited, [&](const RenderContext& context) {
             return [&](std::uint32_t job) { raytracer::renderFirst(*scene_, tiles[job], context, first); };
         });
     first.cutoffBound = counts.cutoffBound;
+    first.extra = *smallPartsOf(options.size);
+    std::vector<glm::dvec2> points;
+    for (const ExtraSample& sample : first.extra) points.push_back(sample.point);
+    std::vector<glm::dvec3> colors(points.size());
+    counts += renderPoints(options, points, colors);
+    for (std::size_t i = 0; i < colors.size(); ++i) first.extra[i].color = colors[i];
     return counts;
 }
 

@@ -17,11 +17,13 @@ namespace {
 // system.
 class Tile {
   public:
-    Tile(const Scene& scene, const RenderContext& context, const FirstSamples* first, PixelSink& sink)
+    Tile(const Scene& scene, const RenderContext& context, const FirstSamples* first,
+         std::span<const ExtraSample> extra, PixelSink& sink)
         : scene_(scene),
           context_(context),
           options_(*context.options),
           first_(first),
+          extra_(first ? first->extra : extra),
           sink_(sink),
           sequence_(options_.sequence) {}
 
@@ -61,7 +63,27 @@ class Tile {
     void findContrasts() {
         colors_.clear();
         for (const Pixel& pixel : pixels_) colors_.push_back(pixel.estimate.color());
-        contrasts_ = contrasts(colors_, {sampled_.width(), sampled_.height()}, leastContrast(options_.size));
+        contrasts_ = contrasts(sampled_, colors_, extraHere(), leastContrast(options_.size));
+    }
+
+    // The extra samples in sampled_.
+    std::vector<ExtraSample> extraHere() const {
+        std::vector<ExtraSample> here;
+        const auto order = [](const ExtraSample& sample) {
+            return std::pair(sample.pixel().y, sample.pixel().x);
+        };
+        for (int y = sampled_.y0; y < sampled_.y1; ++y) {
+            const auto begin = std::ranges::lower_bound(extra_, std::pair(y, sampled_.x0), {}, order);
+            const auto end = std::ranges::lower_bound(extra_, std::pair(y, sampled_.x1), {}, order);
+            here.insert(here.end(), begin, end);
+        }
+        if (first_) return here;
+        PointStream stream(scene_, context_, [&](std::size_t i, const glm::dvec3& color, const SampleTrace&) {
+            here[i].color = color;
+        });
+        for (std::size_t i = 0; i < here.size(); ++i) stream.add(i, here[i].point);
+        stream.finish();
+        return here;
     }
 
     // Drops the pixels that are done. Returns whether any others take more samples.
@@ -119,6 +141,7 @@ class Tile {
     const RenderContext& context_;
     const RenderOptions& options_;
     const FirstSamples* first_;
+    std::span<const ExtraSample> extra_;  // of the picture
     PixelSink& sink_;
     SampleSequence sequence_;
     PixelRectangle tile_{}, sampled_{};
@@ -164,11 +187,12 @@ void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderC
 }  // namespace
 
 std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, const RenderContext& context,
-                                                        const FirstSamples* first, PixelSink& sink) {
+                                                        const FirstSamples* first,
+                                                        std::span<const ExtraSample> extra, PixelSink& sink) {
     const RenderOptions& options = *context.options;
     if (options.samples == 1 && options.adaptive == 0 && !first)
         return [&](const PixelRectangle& tile) { renderCentres(scene, tile, context, sink); };
-    return [tile = Tile(scene, context, first, sink)](const PixelRectangle& place) mutable {
+    return [tile = Tile(scene, context, first, extra, sink)](const PixelRectangle& place) mutable {
         tile.render(place);
     };
 }

@@ -9,9 +9,11 @@
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // Makes a function that renders one tile after another, on one thread. A pixel's colour does not depend on
-// the tile that it is in. `first` may be null.
+// the tile that it is in. `first` may be null; then the colours of the picture's `extra` samples are still to
+// be found.
 std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, const RenderContext& context,
-                                                        const FirstSamples* first, PixelSink& sink);
+                                                        const FirstSamples* first,
+                                                        std::span<const ExtraSample> extra, PixelSink& sink);
 
 // Takes the first samples of a tile.
 void renderFirst(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,

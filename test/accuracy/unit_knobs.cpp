@@ -193,8 +193,8 @@ TEST_CASE("a crop is what the whole picture has there, whatever the knobs and th
 
 TEST_CASE("first samples that are there already are not cast again, and change nothing") {
     withEveryRenderer(smallEdge, [](const Renderer& renderer, RenderOptions options) {
-        const Shot first = shoot(renderer, options, {});
-        const FirstSamples known{first.colors, first.counts.cutoffBound, {}};
+        FirstSamples known;
+        renderer.renderFirst(options, known);
         const Setting setting{.samples = 32, .adaptive = 0.05};
         options.crop = {3, 2, options.size.width - 1, options.size.height};
         const Shot all = shoot(renderer, options, setting);
@@ -240,8 +240,9 @@ TEST_CASE("a pixel is the mean of the colours at the points of the sequence") {
 }
 
 // The rule of `adaptive`, plainly: the samples that pixel (x, y) takes, and whether the limit stops it.
-std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& samples, const ImageSize& size,
-                                  int x, int y, int limit, double adaptive) {
+std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& samples,
+                                  const std::vector<ExtraSample>& extra, const ImageSize& size, int x, int y,
+                                  int limit, double adaptive) {
     const auto of = [&](int column, int row) -> const auto& {
         return samples[static_cast<std::size_t>(row * size.width + column)];
     };
@@ -252,23 +253,29 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
             low = glm::min(low, color);
             high = glm::max(high, color);
         }
+    for (const ExtraSample& sample : extra)
+        if (std::abs(sample.pixel().x - x) <= 1 && std::abs(sample.pixel().y - y) <= 1) {
+            const glm::dvec3 color = glm::clamp(sample.color, -16.0, 16.0);
+            low = glm::min(low, color);
+            high = glm::max(high, color);
+        }
     const double contrast = std::max({high.x - low.x, high.y - low.y, high.z - low.z,
                                       8 / std::sqrt(static_cast<double>(size.width) * size.height)});
     for (int n = 1;; n = std::min(limit, n == 1 ? 4 : 2 * n)) {
         const double weight = n == 1 ? 1 : std::pow(16.0 / n, 0.25);
         double bySamples = 0, byContrast = 0;  // mean squares over the channels
         for (int channel = 0; channel < 3; ++channel) {
-            double mean = 0, variance = 0;
+            double mean = 0, moment = 0;  // the fourth
             for (int i = 0; i < n; ++i) mean += of(x, y)[i][channel] / n;
             for (int i = 0; i < n; ++i)
-                variance += std::pow(of(x, y)[i][channel] - mean, 2) / std::max(1, n - 1);
+                moment += std::pow(of(x, y)[i][channel] - mean, 4) / std::max(1, n - 1);
             const auto shown = [mean](double error) {
                 const auto clamped = [](double value) { return std::clamp(value, 0.0, 1.0); };
                 const double below = clamped(mean) - clamped(mean - 4 * error);
                 return std::min(error, std::max(below, clamped(mean + 4 * error) - clamped(mean)));
             };
-            bySamples += std::pow(shown(weight * std::sqrt(variance) / std::pow(n, 0.75)), 2) / 3;
-            byContrast += std::pow(shown(weight * contrast / (4 * n)), 2) / 3;
+            bySamples += std::pow(weight * shown(std::pow(moment, 0.25) / std::pow(n, 0.75)), 2) / 3;
+            byContrast += std::pow(weight * shown(contrast / (4 * n)), 2) / 3;
         }
         const double error = std::sqrt(std::max(bySamples, byContrast));
         if (error <= adaptive || n == limit) return {n, error > adaptive};
@@ -278,13 +285,16 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
 TEST_CASE("an adaptive pixel stops by the rule, and it is counted where the limit stops it") {
     withEveryRenderer(smallEdge, [](const Renderer& renderer, const RenderOptions& options) {
         const auto samples = samplesOf(renderer, options, 20);
+        FirstSamples first;
+        renderer.renderFirst(options, first);
         for (const double adaptive : {0.1, 0.02}) {
             const Shot shot = shoot(renderer, options, {.samples = 20, .adaptive = adaptive});
             std::vector<glm::dvec3> means;
             std::size_t limited = 0;
             for (int y = 0; y < options.size.height; ++y)
                 for (int x = 0; x < options.size.width; ++x) {
-                    const auto [n, isLimited] = samplesTaken(samples, options.size, x, y, 20, adaptive);
+                    const auto [n, isLimited] =
+                        samplesTaken(samples, first.extra, options.size, x, y, 20, adaptive);
                     means.push_back(meanOf(samples[means.size()], static_cast<std::size_t>(n)));
                     limited += isLimited;
                 }
@@ -307,6 +317,28 @@ TEST_CASE("the error against two estimates of the truth has no bias where sample
                    squaredError(glm::dvec3(0), glm::dvec3(7.5 * one), glm::dvec3(7.5 * other));
     CHECK(std::sqrt(sum) == Approx(30 / 64.0).epsilon(0.02));
     CHECK(squaredError(glm::dvec3(3), glm::dvec3(2), glm::dvec3(5)) == 0);
+}
+
+TEST_CASE("the error against two estimates of the truth is not too small on average in bright pixels") {
+    // A part of the samples is 30; n of them are taken three times, independently.
+    for (const double part : {0.01, 0.03, 0.1, 0.3})
+        for (const int n : {4, 16}) {
+            const auto chance = [&](int hits) {
+                const double ways = std::tgamma(n + 1) / std::tgamma(hits + 1) / std::tgamma(n - hits + 1);
+                return ways * std::pow(part, hits) * std::pow(1 - part, n - hits);
+            };
+            double estimated = 0, real = 0;
+            const auto mean = [&](int hits) { return glm::dvec3(30.0 * hits / n); };
+            for (int own = 0; own <= n; ++own) {
+                real += chance(own) * squaredError(mean(own), glm::dvec3(30 * part));
+                for (int one = 0; one <= n; ++one)
+                    for (int other = 0; other <= n; ++other)
+                        estimated += chance(own) * chance(one) * chance(other) *
+                                     squaredError(mean(own), mean(one), mean(other));
+            }
+            INFO(part << " " << n);
+            CHECK(estimated >= real * (1 - 1e-9));
+        }
 }
 
 TEST_CASE("the error of a picture is at most what its pixels' errors are estimated to be") {

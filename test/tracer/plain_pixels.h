@@ -23,10 +23,12 @@ class Pixels {
         return bytes([&](int x, int y) { return mean(colorsOf(x, y, samples)); });
     }
 
-    ByteImage renderAdaptive(int samples, double adaptive) const {
+    // `extra`: points where something small may be.
+    ByteImage renderAdaptive(int samples, double adaptive, const std::vector<glm::dvec2>& extra) const {
         return bytes([&](int x, int y) {
             int n = 1;
-            while (n < samples && error(colorsOf(x, y, n), contrast(x, y)) > adaptive)
+            const double around = contrast(x, y, extra);
+            while (n < samples && error(colorsOf(x, y, n), around) > adaptive)
                 n = std::min(samples, n == 1 ? 4 : 2 * n);
             return mean(colorsOf(x, y, n));
         });
@@ -39,9 +41,13 @@ class Pixels {
         Colors colors;
         for (int i = 0; i < samples; ++i) {
             const glm::dvec2 point = glm::dvec2(x, y) + SampleSequence()[static_cast<std::uint32_t>(i)];
-            colors.push_back(tracer_.colorAt(point / glm::dvec2(size_.width, size_.height)));
+            colors.push_back(colorAt(point));
         }
         return colors;
+    }
+
+    glm::dvec3 colorAt(const glm::dvec2& point) const {
+        return tracer_.colorAt(point / glm::dvec2(size_.width, size_.height));
     }
 
     static glm::dvec3 mean(const Colors& colors) {
@@ -54,11 +60,12 @@ class Pixels {
         double ofSamples = 0, ofContrast = 0;
         for (int c = 0; c < 3; ++c) {
             const double middle = mean(colors)[c];
-            double squares = 0;
-            for (const glm::dvec3& color : colors) squares += std::pow(color[c] - middle, 2);
-            const double deviation = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
-            ofSamples += std::pow(shown(middle, weight * deviation / std::pow(n, 0.75)), 2) / 3;
-            ofContrast += std::pow(shown(middle, weight * contrast / (4 * n)), 2) / 3;
+            double powers = 0;
+            for (const glm::dvec3& color : colors) powers += std::pow(color[c] - middle, 4);
+            const double deviation = n > 1 ? std::pow(powers / (n - 1), 0.25) : 0;
+            ofSamples += std::pow(weight * shown(middle, deviation / std::pow(n, 0.75)), 2) / 3;
+            ofContrast +=
+                std::pow(weight * shown(std::clamp(middle, -16.0, 16.0), contrast / (4 * n)), 2) / 3;
         }
         return std::sqrt(std::max(ofSamples, ofContrast));
     }
@@ -71,15 +78,18 @@ class Pixels {
         return std::min(error, std::max(below, above));
     }
 
-    double contrast(int x, int y) const {
+    double contrast(int x, int y, const std::vector<glm::dvec2>& extra) const {
         glm::dvec3 least(16), most(-16);
+        const auto see = [&](const glm::dvec3& color) {
+            least = min(least, clamp(color, -16.0, 16.0));
+            most = max(most, clamp(color, -16.0, 16.0));
+        };
         for (int v = std::max(0, y - 1); v <= std::min(size_.height - 1, y + 1); ++v)
-            for (int u = std::max(0, x - 1); u <= std::min(size_.width - 1, x + 1); ++u) {
-                const glm::dvec3 color =
-                    clamp(centres_[static_cast<std::size_t>(v * size_.width + u)], -16.0, 16.0);
-                least = min(least, color);
-                most = max(most, color);
-            }
+            for (int u = std::max(0, x - 1); u <= std::min(size_.width - 1, x + 1); ++u)
+                see(centres_[static_cast<std::size_t>(v * size_.width + u)]);
+        for (const glm::dvec2& point : extra)
+            if (std::abs(std::floor(point.x) - x) <= 1 && std::abs(std::floor(point.y) - y) <= 1)
+                see(colorAt(point));
         const glm::dvec3 range = most - least;
         const double hidden = 8 / std::sqrt(static_cast<double>(centres_.size()));
         return std::max({hidden, range.r, range.g, range.b});

@@ -213,7 +213,11 @@ TEST_CASE("several samples of a pixel look as a plain tracer has their mean") {
             });
         };
         fixed.add(name, ours(samples, 0), plain.render(samples));
-        adapted.add(name, ours(most, adaptive), plain.renderAdaptive(most, adaptive));
+        FirstSamples first;
+        makeRenderer(scene, Precision::Double)->renderFirst(wholePicture(scene, edge), first);
+        std::vector<glm::dvec2> extra;
+        for (const ExtraSample& sample : first.extra) extra.push_back(sample.point);
+        adapted.add(name, ours(most, adaptive), plain.renderAdaptive(most, adaptive, extra));
     }
     fixed.check("samples");
     adapted.check("adaptive samples");

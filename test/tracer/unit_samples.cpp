@@ -75,8 +75,8 @@ TEST_CASE("a pixel's error: by the contrast around it, and by what its samples s
     PixelEstimate mixed;
     for (const double red : {0.1, 0.1, 0.3, 0.3}) mixed.add({red, 0, 0});
     CHECK(mixed.color() == glm::dvec3(0.2, 0, 0));
-    const double deviation = std::sqrt(4 * 0.01 / 3);  // of four samples
-    CHECK(mixed.error(0) == Approx(weight * deviation / std::pow(4, 0.75) / std::sqrt(3)));  // in one channel
+    const double moment = 4 * 0.0001 / 3;  // the fourth, of four samples
+    CHECK(mixed.error(0) == Approx(weight * std::pow(moment, 0.25) / std::pow(4, 0.75) / std::sqrt(3)));
     CHECK(mixed.error(1) == Approx(weight / 16));
 }
 
@@ -86,8 +86,9 @@ TEST_CASE("a pixel's error is what it shows: of samples brighter than white") {
         rare.add(glm::dvec3(i == 9 ? 30 : 0));
         white.add(glm::dvec3(i % 2 == 0 ? 5 : 7));
     }
-    // The standard deviation of `rare` is 30 / 8, its mean 0.47.
-    CHECK(rare.error(0) == Approx(std::sqrt(0.5) * 30 / 8 / std::pow(64, 0.75)).epsilon(0.01));
+    // The fourth moment of `rare` is 30^4 / 64, so its estimated error is about that of one sample more or
+    // less; the weight is sqrt(0.5).
+    CHECK(rare.error(0) == Approx(std::sqrt(0.5) * 30 / 64).epsilon(0.02));
     CHECK(white.error(0) == 0);
     CHECK(white.error(2) == 0);
     PixelEstimate single;  // white, but its neighbours are not
@@ -103,12 +104,21 @@ TEST_CASE("a pixel's error is what it shows: of samples brighter than white") {
 TEST_CASE("contrast is that of the 3 x 3 colours around a pixel, in the worst channel") {
     std::vector<glm::dvec3> colors(4 * 3, glm::dvec3(0.25, 0, 1));
     colors[0] = {0.5, 0.75, 1};
-    CHECK(contrasts(colors, {4, 3}, 0) ==
+    CHECK(contrasts({0, 0, 4, 3}, colors, {}, 0) ==
           std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 0, 0, 0, 0, 0, 0});
     colors[11] = {0.25, 0.25, 0};
-    CHECK(contrasts(colors, {4, 3}, 0) ==
+    CHECK(contrasts({0, 0, 4, 3}, colors, {}, 0) ==
           std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 1, 1, 0, 0, 1, 1});
-    CHECK(contrasts(colors, {12, 1}, 0) == std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
-    CHECK(contrasts(colors, {1, 12}, 0.5) ==
+    CHECK(contrasts({0, 0, 12, 1}, colors, {}, 0) ==
+          std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
+    CHECK(contrasts({0, 0, 1, 12}, colors, {}, 0.5) ==
           std::vector<double>{0.75, 0.75, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1, 1});
+}
+
+TEST_CASE("contrast: extra samples count where they lie in the picture, and at most as 16") {
+    const std::vector<glm::dvec3> colors(4 * 3, glm::dvec3(0.5));
+    const std::vector<ExtraSample> extra = {{{10.9, 20.1}, glm::dvec3(0.25, 0.5, 0.5)},
+                                            {{13.5, 22.9}, glm::dvec3(0.5, 30, 0.5)}};
+    CHECK(contrasts({10, 20, 14, 23}, colors, extra, 0) ==
+          std::vector<double>{0.25, 0.25, 0, 0, 0.25, 0.25, 15.5, 15.5, 0, 0, 15.5, 15.5});
 }

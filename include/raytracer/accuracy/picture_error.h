@@ -22,9 +22,11 @@ PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const gl
 double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
 
 // The same where the truth is known only by two independent estimates, each from samples of its own. Their
-// errors are independent, so the product of the two differences is an unbiased estimate. It may be negative.
-// An estimate of few samples must not be clamped: of samples of 0 and 30, most means are too dark, a few far
-// too bright. Where all three are white (or black), there is no error.
+// errors are independent, so the product of the two differences has the expected value of a square: it is
+// never too small on average, though it may be negative by chance. Where the pixel is not white, the truth's
+// estimates are not clamped: of samples of 0 and 30, most means are too dark, a few far too bright. Where it
+// is white they are, for more light changes nothing. (Where all three were left out if all were white, the
+// rest was negative on average.) So it is with black.
 double squaredError(const glm::dvec3& color, const glm::dvec3& one, const glm::dvec3& other);
 
 }  // namespace raytracer

@@ -31,7 +31,17 @@ class Camera {
         return perspective_ ? RayT<T>{eye, onFilm + forward, {}} : RayT<T>{eye + onFilm, forward, {}};
     }
 
-    // The approximate film coordinates at which a point is seen; nothing where it is not in the picture.
+    // The inverse of getPixelUV.
+    Vec2 pixelOf(const Vec2& uv, Real width, Real height) const {
+        return {(uv.x - left_) / (right_ - left_) * width,
+                (Real(1) - (uv.y - bottom_) / (top_ - bottom_)) * height};
+    }
+
+    // The approximate film coordinates at which a point is seen, and its distance from the eye, along the
+    // camera's axis, in units that depend on the camera. Behind the eye the distance is 0 or less. Where
+    // numbers are too large or too small, they are infinite or NaN.
+    Vec3 onFilm(const Vec3& point) const;
+    // The first two; nothing where the point is not in the picture.
     std::optional<Vec2> uvOf(const Vec3& point) const;
 
     // The largest coordinate, along any axis, of the points where rays start.
@@ -54,6 +64,7 @@ class Camera {
     bool perspective_ = true;
     Vec3 eye_{0}, u_{1, 0, 0}, v_{0, 1, 0};
     Vec3 forward_{0, 0, -1};  // perspective: -d w; orthographic: -w
+    Mat3 filmFromFrame_{1};   // the inverse of (u, v, forward)
     Real left_ = -1, right_ = 1, bottom_ = -1, top_ = 1;
     Real longEdge_ = 2;  // in |u|
     int directionExponent_ = 0;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/render_options.h"
 
 namespace raytracer {
@@ -26,45 +27,56 @@ class PixelEstimate {
         constexpr double enough = mostSamples;  // one such sample makes any pixel white
         const glm::dvec3 bounded = glm::clamp(color, -enough, enough);
         if (count_++ == 0) first_ = bounded;
-        const glm::dvec3 difference = bounded - first_;
         sum_ += color;
-        difference_ += difference;
-        squares_ += difference * difference;
+        const glm::dvec3 difference = bounded - first_;
+        glm::dvec3 power(1);
+        for (glm::dvec3& sum : powers_) sum += power *= difference;
     }
 
     glm::dvec3 color() const { return sum_ / static_cast<double>(count_); }
     int samples() const { return count_; }
 
     // A weighted estimate of the error of the colour, as it is shown: clamped to [0, 1]. While it is too
-    // large, the pixel takes more samples. With n samples of standard deviation s, the error is about s /
-    // n^3/4, since they are spread evenly (for edges; Mitchell 1996). But n samples that agree may still miss
-    // about 1/n of the pixel, and that part may differ by as much as the neighbourhood does: `contrast` is
-    // that of the 3 x 3 centres around the pixel. The weight is (16 / n)^1/4 from the second sample on. It
-    // lets a pixel of many samples keep more error, since there a further sample lowers the picture's squared
-    // error, e^2, by only 1.5 e^2 / n.
+    // large, the pixel takes more samples. n samples are spread evenly, so they miscount a part that k of
+    // them meet by about k^1/4: a few of those next to its edge (Mitchell 1996). With m the fourth root of
+    // the samples' fourth central moment, that is m / n^3/4. But n samples that agree may still miss about
+    // 1/n of the pixel, and that part may differ by as much as the neighbourhood does: `contrast` is that of
+    // the 3 x 3 centres around the pixel. The weight is (16 / n)^1/4 from the second sample on. It lets a
+    // pixel of many samples keep more error, since there a further sample lowers the picture's squared error,
+    // e^2, by only 1.5 e^2 / n.
     double error(double contrast) const {
         const auto n = static_cast<double>(count_);
-        if (count_ == 1) return shown(glm::dvec3(contrast * errorOfOneSample));
-        const glm::dvec3 variance = glm::max(squares_ - difference_ * difference_ / n, 0.0) / (n - 1);
-        return std::max(shown(2 / n * glm::sqrt(variance)),
-                        shown(glm::dvec3(contrast / (2 * n * std::sqrt(std::sqrt(n))))));
+        // As bright as contrasts count: so one bright sample beside black ones is not sure to be white.
+        const glm::dvec3 bounded = glm::clamp(color(), -brightestInContrast, brightestInContrast);
+        const double missed = shown(bounded, glm::dvec3(contrast * errorOfOneSample / n));
+        if (count_ == 1) return missed;
+        const double root = std::sqrt(std::sqrt(n));
+        return 2 / root * std::max(missed, shown(color(), glm::sqrt(glm::sqrt(fourthMoment())) * root / n));
     }
 
   private:
+    glm::dvec3 fourthMoment() const {
+        const auto n = static_cast<double>(count_);
+        const glm::dvec3 mean = powers_[0] / n, square = mean * mean;
+        const glm::dvec3 sum =
+            powers_[3] - 4.0 * mean * powers_[2] + 6.0 * square * powers_[1] - 3 * n * square * square;
+        return glm::max(sum, 0.0) / (n - 1);
+    }
+
     // The root mean square, over the channels, of an estimated error of the unclamped colour, as far as it
     // shows. The true error may be several times the estimate, so only where four times the estimate shows
     // nothing, since all is white, there is no error.
-    double shown(const glm::dvec3& error) const {
+    static double shown(const glm::dvec3& mean, const glm::dvec3& error) {
         const auto clamped = [](const glm::dvec3& unclamped) { return glm::clamp(unclamped, 0.0, 1.0); };
-        const glm::dvec3 mean = color(), here = clamped(mean), most = error / errorOfOneSample;
+        const glm::dvec3 here = clamped(mean), most = error / errorOfOneSample;
         const glm::dvec3 visible = glm::max(here - clamped(mean - most), clamped(mean + most) - here);
         const glm::dvec3 off = glm::min(error, visible);
         return std::sqrt(glm::dot(off, off) / 3);
     }
 
     glm::dvec3 sum_{0};
-    // The first sample, bounded; the differences from it, and their squares, added up.
-    glm::dvec3 first_{0}, difference_{0}, squares_{0};
+    glm::dvec3 first_{0};     // the first sample, bounded
+    glm::dvec3 powers_[4]{};  // the sums of the differences from it, of their squares, cubes, fourth powers
     int count_ = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include "raytracer/bvh/build_options.h"
 #include "raytracer/scene/scene_description.h"
+#include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/explanation.h"
 #include "raytracer/tracer/ray_tree.h"
 #include "raytracer/tracer/render_options.h"
@@ -24,6 +25,7 @@ struct FirstSamples {
     // For each pixel, the weights of the rays that max_recursion and the cutoff left out, added up: how much
     // it may change by them, where a ray's colour is at most 1.
     std::vector<float> leftOut;
+    std::vector<ExtraSample> extra;  // row by row
 };
 
 // A call for some pilot samples may cast this many reflected and refracted rays for each of them, on average;
@@ -40,7 +42,7 @@ class TooManyRays : public Error {
     RenderCounts cast_;
 };
 
-// Thread-safe: a Renderer does not change once it is made.
+// Thread-safe: what a Renderer makes does not depend on what it made before.
 class Renderer {
   public:
     virtual ~Renderer() = default;
@@ -56,7 +58,7 @@ class Renderer {
                                 ProgressListener* progress = nullptr,
                                 const FirstSamples* first = nullptr) const = 0;
 
-    // The first sample of every pixel.
+    // The first sample of every pixel, and the extra samples. May throw TooManyRays for these.
     virtual RenderCounts renderFirst(RenderOptions options, FirstSamples& first) const = 0;
 
     // The colours of samples at some points of the picture, in pixels, (0, 0) at its top left: colors[i] is

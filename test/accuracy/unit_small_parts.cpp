@@ -1,0 +1,165 @@
+// The extra samples of what is small in a picture (FirstSamples::extra).
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "../support/scene_files.h"
+#include "raytracer/accuracy/picture_error.h"
+#include "raytracer/pictures/color_sink.h"
+#include "raytracer/scene/mesh_file.h"
+
+using namespace raytracer;
+using namespace raytracer::test;
+
+namespace {
+
+constexpr int edge = 40;  // pixels; the film is 40 units wide, so that a unit is a pixel
+
+// Seen from (0, 0, 40) along -z: at z = 0 a unit is a pixel. Every shape shines by itself.
+SceneDescription emptyScene(CameraDescription::Type type) {
+    SceneDescription scene;
+    scene.camera.type = type;
+    scene.camera.eye = {0, 0, edge};
+    scene.camera.focal_length = edge;
+    scene.camera.film_left = scene.camera.film_bottom = -edge / 2;
+    scene.camera.film_right = scene.camera.film_top = edge / 2;
+    scene.lights.resize(1);
+    scene.lights[0].color_ambient = glm::dvec3(1);
+    return scene;
+}
+
+void add(SceneDescription& scene, ShapeType type, const glm::dvec3& place, const glm::dvec3& scale,
+         double shine = 1) {
+    MaterialDescription material;
+    material.color_ambient = glm::dvec3(shine);
+    material.color_diffuse = material.color_specular = glm::dvec3(0);
+    TransformDescription transform;
+    transform.translate = place;
+    transform.scale = scale;
+    scene.shapes.push_back({type, scene.transforms.size(), scene.materials.size(), nullptr});
+    scene.transforms.push_back(transform);
+    scene.materials.push_back(material);
+}
+
+std::vector<ExtraSample> extraOf(const SceneDescription& scene, Precision precision = Precision::Double) {
+    FirstSamples first;
+    makeRenderer(scene, precision)->renderFirst(wholePicture(scene, edge), first);
+    return first.extra;
+}
+
+std::set<std::pair<int, int>> columnsAndRows(const std::vector<ExtraSample>& extra) {
+    std::set<std::pair<int, int>> places;
+    for (const ExtraSample& sample : extra) places.insert({sample.pixel().x, sample.pixel().y});
+    return places;
+}
+
+const auto cameras = {CameraDescription::Type::Perspective, CameraDescription::Type::Orthographic};
+
+}  // namespace
+
+TEST_CASE("small parts: a dot between the centres is seen, at its pixel") {
+    for (const auto camera : cameras)
+        for (const auto type : {ShapeType::Sphere, ShapeType::Cube, ShapeType::Cylinder, ShapeType::Cone})
+            for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended}) {
+                SceneDescription scene = emptyScene(camera);
+                add(scene, type, {-3.1, 7.2, 0}, glm::dvec3(0.01), 0.25);
+                const auto extra = extraOf(scene, precision);
+                REQUIRE(extra.size() == 1);
+                CHECK(extra[0].point.x == Approx(16.9).margin(0.02));
+                CHECK(extra[0].point.y == Approx(12.8).margin(0.02));
+                CHECK(extra[0].color.x == Approx(0.25));
+            }
+}
+
+TEST_CASE("small parts: a wire has one in each of its pixels, to a cone's tip") {
+    for (const auto camera : cameras)
+        for (const auto type : {ShapeType::Cylinder, ShapeType::Cone, ShapeType::Cube, ShapeType::Sphere}) {
+            SceneDescription scene = emptyScene(camera);
+            const bool isCentred = type == ShapeType::Cube || type == ShapeType::Sphere;
+            add(scene, type, {isCentred ? 0 : -15, 4.8, 0}, {0.02, 0.02, isCentred ? 15 : 30});
+            scene.transforms[0].rotate = TransformDescription::Rotation{90, {0, 1, 0}};  // z becomes x
+            const auto extra = extraOf(scene);
+            std::set<std::pair<int, int>> expected;
+            for (int x = 5; x < 35; ++x) expected.insert({x, 15});
+            CHECK(columnsAndRows(extra) == expected);
+            CHECK(std::ranges::all_of(extra, [](const ExtraSample& e) { return e.color == glm::dvec3(1); }));
+        }
+}
+
+TEST_CASE("small parts: a wire that comes from behind the eye, and one along the view") {
+    SceneDescription scene = emptyScene(CameraDescription::Type::Perspective);
+    add(scene, ShapeType::Cylinder, {13, 3, -1000}, {0.001, 0.001, 2000});
+    const auto extra = extraOf(scene);
+    CHECK(extra.size() >= 12);
+    for (const ExtraSample& sample : extra) {
+        CHECK(sample.color == glm::dvec3(1));
+        CHECK((20 - sample.point.y) / (sample.point.x - 20) == Approx(3.0 / 13));
+    }
+}
+
+TEST_CASE("small parts: none of what is wide, infinite, beside the picture or behind the eye") {
+    for (const auto camera : cameras) {
+        SceneDescription scene = emptyScene(camera);
+        for (const auto type : {ShapeType::Sphere, ShapeType::Cube, ShapeType::Cylinder, ShapeType::Cone})
+            add(scene, type, {0, 0, 0}, glm::dvec3(3));
+        add(scene, ShapeType::Plane, {0, -5, 0}, glm::dvec3(1));
+        add(scene, ShapeType::Sphere, {30, 0, 0}, glm::dvec3(0.1));
+        add(scene, ShapeType::Sphere, {0, -20.2, 0}, glm::dvec3(0.1));
+        add(scene, ShapeType::Sphere, {0, 0, 60}, glm::dvec3(0.1));
+        CHECK(extraOf(scene).empty());
+    }
+}
+
+TEST_CASE("small parts: the nearest of those in a pixel, with the colour that is seen there") {
+    SceneDescription scene = emptyScene(CameraDescription::Type::Orthographic);
+    for (const double z : {1.0, 3.0, 2.0})
+        add(scene, ShapeType::Sphere, {2.1, 2.2 + z / 10, z}, glm::dvec3(0.01), z);
+    add(scene, ShapeType::Sphere, {-6.1, 2.2, 1}, glm::dvec3(0.01), 7);
+    add(scene, ShapeType::Cube, {-6.1, 2.2, 9}, {4, 4, 1}, 0.5);  // before the dot
+    const auto extra = extraOf(scene);
+    REQUIRE(extra.size() == 2);
+    CHECK(extra[0].color == glm::dvec3(0.5));
+    CHECK(extra[1].color == glm::dvec3(3));
+}
+
+TEST_CASE("small parts: thin triangles of a mesh, and small ones") {
+    SceneDescription scene = emptyScene(CameraDescription::Type::Orthographic);
+    add(scene, ShapeType::Mesh, {0, 0, 0}, glm::dvec3(1));
+    const auto meshOf = [&](const std::string& text) {
+        scene.shapes[0].mesh = std::make_shared<MeshData>(parseObj(text));
+        return columnsAndRows(extraOf(scene));
+    };
+    std::set<std::pair<int, int>> blade;
+    for (int x = 10; x < 20; ++x) blade.insert({x, 14});
+    for (const std::string face : {"1 2 3", "2 3 1", "3 1 2", "2 1 3"})
+        CHECK(meshOf("v -10 5.1 0\nv 0 5.2 0\nv -2 5.3 0\nf " + face + "\n") == blade);
+    CHECK(meshOf("v -10 5.1 0\nv -9.8 5.1 0\nv -10 5.3 0\nf 3 1 2\n") == std::set{std::pair(10, 14)});
+    CHECK(meshOf("v -10 5 0\nv 0 5 0\nv -2 9 0\nf 1 2 3\n").empty());
+}
+
+TEST_CASE("adaptive: wires and dots that no centre meets are drawn") {
+    SceneDescription scene = emptyScene(CameraDescription::Type::Perspective);
+    for (int i = 0; i < 8; ++i) {
+        add(scene, ShapeType::Cube, {0, 2 * i - 8.0, 0}, {15, 0.06, 0.06}, 0.9);
+        for (int k = 0; k < 9; ++k)
+            add(scene, ShapeType::Sphere, {k - 4.0, 2 * i - 9.0, 0}, glm::dvec3(0.2), 3);
+    }
+    const auto renderer = makeRenderer(scene, Precision::Double);
+    const auto picture = [&](int samples, double adaptive) {
+        RenderOptions options = wholePicture(scene, edge);
+        options.samples = samples;
+        options.adaptive = adaptive;
+        ColorSink sink(options.crop);
+        renderer->render(options, sink);
+        return sink.colors();
+    };
+    const auto truth = picture(4096, 0), centres = picture(1, 0);
+    CHECK(std::ranges::all_of(centres, [](const glm::dvec3& color) { return color == glm::dvec3(0); }));
+    for (const double adaptive : {0.05, 0.02, 0.01}) {
+        CHECK(pictureError(centres, truth).rmse > adaptive);
+        CHECK(pictureError(picture(4096, adaptive), truth).rmse < adaptive);
+    }
+}
