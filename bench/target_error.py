@@ -8,12 +8,14 @@ The eight kinds of bench/random_scenes.py take turns. Each cycle of the eight is
 E, such that 24 cycles have each pair of SIZES and ERRORS once; the seed decides which cycle has which pair.
 The scenes of --scenes are rendered at each size and each E.
 
-The truth is a picture of three times the size, with another depth, whose pixels' own errors are estimated to
-be at most E / 3; the mean of 3 x 3 of its pixels is the truth of one pixel. In every fourth case the truth's
-error is measured, too: it is at most the difference from a second truth, of four times the size. If a truth
-takes more than --seconds of CPU time, its case is left out, and counted. (This happens with glass that is
-both reflective and refractive, where the rays double with each bounce.) Prints each case that is above E,
-then the shares. --part 0/2 takes every second scene.
+There are two truths: pictures of two and three times the size, with another depth; the means of 2 x 2 and
+3 x 3 of their pixels. Their --adaptive is E / 3, or that which the program chose if it is less: so each takes
+about four or nine times as many samples as the picture, or more. All three pictures have other sample points,
+so their errors are independent, and the mean of (picture - truth) (picture - other truth) is the squared
+error without the truths' own errors: in a noisy texture one truth alone would be off by up to E. The larger
+truth's own error is measured in the same way. If a truth takes more than --seconds of CPU time, its case is
+left out, and counted. (This happens with glass that is both reflective and refractive, where the rays double
+with each bounce.) Prints each case that is above E, then the shares. --part 0/2 takes every second scene.
 """
 import argparse
 import collections
@@ -55,7 +57,7 @@ class Program:
 
     def render(self, scene, size, *options):
         """The colours, and how the program ended."""
-        done = subprocess.run([self.path, scene, self.out, str(size), "--quiet", *map(str, options)],
+        done = subprocess.run([self.path, scene, self.out, str(size), *map(str, options)],
                               capture_output=True, text=True, preexec_fn=self.limit)
         if done.returncode in (-signal.SIGKILL, -signal.SIGXCPU):
             raise TooSlow()
@@ -76,8 +78,10 @@ class Program:
         return means.clip(0, 1)
 
 
-def rmse(a, b):
-    return float(numpy.sqrt(((a.clip(0, 1) - b.clip(0, 1)) ** 2).mean()))
+def rmse(picture, truth, other=None):
+    """With another truth, whose errors are independent of the first one's: without the truths' errors."""
+    a, b, c = (colors.clip(0, 1) for colors in (picture, truth, truth if other is None else other))
+    return float(numpy.sqrt(max(0, ((a - b) * (a - c)).mean())))
 
 
 def cases(arguments, folder):
@@ -111,7 +115,7 @@ class Results:
         for group in (error, f"{size} px", "all"):
             self.ratios[group].append(ratio)
         if ratio > 1:
-            print(f"{text}; {done.stderr.strip()}".replace("\n", "; "), flush=True)
+            print(text, *re.findall(r"(--target-error .*)", done.stderr), sep="; ", flush=True)
 
     def print(self):
         for name, ratios in self.ratios.items():
@@ -123,13 +127,14 @@ class Results:
               flush=True)
 
 
-def measure(program, case, results, with_own_error):
+def measure(program, case, results):
     scene, size, error = case
-    truth = program.truth(scene, size, error / 3, 3)
     picture, done = program.render(scene, size, "--target-error", error)
-    if with_own_error:
-        results.own.append(rmse(truth, program.truth(scene, size, error / 3, 4)) / error)
-    results.add(case, rmse(picture, truth) / error, done)
+    chosen = re.search(r"--adaptive (\S+)", done.stderr)
+    adaptive = min([error / 3] + ([float(chosen[1])] if chosen else []))
+    one, other = (program.truth(scene, size, adaptive, times) for times in (3, 2))
+    results.own.append(rmse(one, picture, other) / error)
+    results.add(case, rmse(picture, one, other) / error, done)
 
 
 def main():
@@ -148,7 +153,7 @@ def main():
         program, results = Program(arguments.raytracer, folder, arguments.seconds), Results()
         for number, case in enumerate(cases(arguments, folder), 1):
             try:
-                measure(program, case, results, number % 4 == 1)
+                measure(program, case, results)
             except TooSlow:
                 results.leave_out(case)
             if number % 24 == 0:
