@@ -99,7 +99,7 @@ class Search {
     // A segment inside a shape that is as wide as from -across to across around each of its points.
     void add(const Point& from, const Point& to, const Vec3& across, int halvings) {
         const auto [nearest, farthest] = std::minmax(from.distance, to.distance);
-        if (!(farthest > 0)) return;
+        if (!(farthest > 0) || taken_ == mostParts) return;
         const bool isInFront = nearest > 0;
         if (isInFront && isBeside(from.pixel, to.pixel)) return;
         const Point middle = seen((from.place + to.place) / Real(2));
@@ -123,8 +123,8 @@ class Search {
 
     void take(const Point& point) {
         const glm::dvec2 pixel(point.pixel);
-        const bool isInside = pixel.x >= 0 && pixel.x < static_cast<double>(width_) && pixel.y >= 0 &&
-                              pixel.y < static_cast<double>(height_);
+        const bool isInside = point.distance > 0 && pixel.x >= 0 && pixel.x < static_cast<double>(width_) &&
+                              pixel.y >= 0 && pixel.y < static_cast<double>(height_);
         if (!isInside || taken_ == mostParts) return;
         if (parts_.size() == parts_.capacity()) makeRoom();
         parts_.push_back({static_cast<int>(pixel.y), static_cast<int>(pixel.x), point.distance, pixel});
