@@ -34,7 +34,7 @@ class Search {
           height_(static_cast<Real>(size.height)) {
         for (const Shape& shape : scene.shapes)
             if (shape.type() == ShapeType::Mesh) addMesh(shape);
-            else if (shape.type() != ShapeType::Plane) addSolid(shape);
+            else addSolid(shape);
     }
 
     std::vector<ExtraSample> samples() {
@@ -80,7 +80,7 @@ class Search {
         }
     }
 
-    // The axis of the solid's box that looks longest.
+    // The axis of the solid's box that looks longest. A plane has none: its numbers are infinite or NaN.
     void addSolid(const Shape& shape) {
         Vec3 middle, half[3];
         for (int axis = 0; axis < 3; ++axis) {
