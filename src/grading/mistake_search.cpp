@@ -160,7 +160,7 @@ KnownVariants::KnownVariants(const SceneDescription& whole, RenderOptions option
                              Precision precision) {
     options.samples = 1;
     options.adaptive = 0;
-    SceneDescription shown = whole;
+    SceneDescription shown = copyOf(whole);
     if (options.pass == Pass::Color) keepTerms(shown, terms);
     scene = std::make_shared<RenderedScene>(std::move(shown), options, precision);
     mistakes = knownMistakes(whole, options, terms);

@@ -58,7 +58,7 @@ RayExplanation RenderedScene::explain(const PixelPlace& pixel) const {
 }
 
 RayExplanation RenderedScene::cast(const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion) {
-    if (!castScene_) castScene_ = scene_;
+    if (!castScene_) castScene_ = copyOf(scene_);
     const glm::dvec3 apart = std::abs(direction.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     castScene_->camera = {
         .eye = origin, .look = direction, .up = glm::normalize(glm::cross(direction, apart))};
@@ -99,7 +99,7 @@ bool Variant::isPicture() const { return !isOfTrees() && samples().size() == 1; 
 const std::shared_ptr<RenderedScene>& Variant::madeScene() {
     if (made_) return made_;
     if (!edits()) return made_ = right_;
-    SceneDescription scene = right_->scene();
+    SceneDescription scene = copyOf(right_->scene());
     RenderOptions options = right_->options();
     for (const Mistake* mistake : mistakes_)
         if (mistake->edit) mistake->edit(scene, options);
