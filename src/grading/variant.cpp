@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "raytracer/pictures/picture.h"
 #include "raytracer/util/memory.h"
 
 namespace raytracer {
@@ -163,9 +164,7 @@ std::vector<std::optional<Rgb>> Variant::madeBytes(const Pixels& pixels, Trees& 
 class Variant::Sink final : public PixelSink {
   public:
     Sink(const Variant& variant, const ImageSize& size)
-        : image{size.width, size.height, {}}, variant_(variant) {
-        image.pixels.resize(3 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    }
+        : image(unsetImage<ByteImage>(size.width, size.height)), variant_(variant) {}
     void write(int x, int y, std::span<const glm::dvec3> colors) override {
         std::uint8_t* out = image.at(x, y);
         for (const glm::dvec3& color : colors) out = std::ranges::copy(variant_.toBytes(color), out).out;
