@@ -44,16 +44,19 @@ std::size_t decodedChannels(const std::vector<std::string_view>& chunks) {
     return std::max<std::size_t>(rgb, channelsOf(chunks.front()) + hasAlpha);
 }
 
-// Of each pixel, stb holds the channels twice while it decodes a PNG. Of a JPEG, it holds up to 12 bytes: 4
-// channels, and 2 bytes of coefficients for each. The result has 3 channels.
+// Of each pixel, stb holds the channels twice while it decodes a PNG; withWholePalette holds the file once
+// more. Of a JPEG, stb holds up to 12 bytes: 4 channels, and 2 bytes of coefficients for each. The result has
+// 3 channels.
 void requireMemoryToDecode(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     const auto size = sizeInHeader(file);
     if (!size) return;
     const bool isPng = !chunks.front().empty();
     const std::size_t channelBytes = hasDeepTexels(chunks.front()) ? 2 : 1,
-                      held = isPng ? 2 * decodedChannels(chunks) : 12;
+                      held = isPng ? 2 * decodedChannels(chunks) : 12,
+                      copied = isPng && isPaletted(chunks.front()) ? file.text().size() : 0;
+    const double pixels = static_cast<double>(size->width) * size->height;
     requireMemory(file.path(), pixelsInWords(size->width, size->height),
-                  static_cast<double>((rgb + held) * channelBytes) * size->width * size->height);
+                  static_cast<double>((rgb + held) * channelBytes) * pixels + static_cast<double>(copied));
 }
 
 constexpr const char* moreData = "broken PNG picture: it has more data than pixels";
