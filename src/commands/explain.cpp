@@ -156,7 +156,7 @@ int explainSuspect(ExplainArguments& arguments) {
     const ImageSize size = sizeOf(picture);
     SceneDescription scene = render.load();
     render.longEdge = arguments.longEdge.value_or(std::max(size.width, size.height));
-    SceneDescription whole = scene;
+    SceneDescription whole = copyOf(scene);
     if (render.opaque) makeOpaque(whole);
     const RenderOptions options = render.prepare(scene);
     const Suspect suspect = examine(picture, name, whole, options, render);

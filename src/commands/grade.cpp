@@ -49,7 +49,7 @@ Rendered renderHere(const GradeCase& test, int longEdge, const std::string& out)
 std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& size) {
     try {
         SceneDescription scene = loadScene(test.scene).description;
-        const SceneDescription whole = scene;
+        const SceneDescription whole = copyOf(scene);
         const RenderArguments arguments = argumentsOf(test, std::max(size.width, size.height));
         const RenderOptions options = arguments.prepare(scene);
         if (options.size.width != size.width || options.size.height != size.height) return nullptr;

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "raytracer/pictures/picture.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/memory.h"
 #include "raytracer/util/text.h"
@@ -88,11 +89,12 @@ Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteIma
 }
 
 ByteImage quantised(const Picture& picture) {
+    const ImageSize size = sizeOf(picture);
+    auto bytes = unsetImage<ByteImage>(size.width, size.height);
     const auto* const floats = std::get_if<FloatImage>(&picture);
-    if (!floats) return std::get<ByteImage>(picture);
-    ByteImage bytes{floats->width, floats->height, {}};
-    bytes.pixels.reserve(floats->pixels.size());
-    for (const float channel : floats->pixels) bytes.pixels.push_back(toByte(static_cast<double>(channel)));
+    const auto quantise = [](float channel) { return toByte(static_cast<double>(channel)); };
+    if (floats) std::ranges::transform(floats->pixels, bytes.pixels.begin(), quantise);
+    else std::ranges::copy(std::get<ByteImage>(picture).pixels, bytes.pixels.begin());
     return bytes;
 }
 
@@ -154,13 +156,12 @@ ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
     requireSameSize({a.width, a.height}, {b.width, b.height});
     // 64 can be told from black on any screen. With 8 per level, 255 is reached at a difference of 24.
     constexpr int base = 64, gain = 8;
-    ByteImage result{a.width, a.height, {}};
-    result.pixels.reserve(a.pixels.size());
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const int difference = std::abs(a.pixels[i] - b.pixels[i]);
-        result.pixels.push_back(
-            static_cast<std::uint8_t>(difference ? std::min(255, base + gain * difference) : 0));
-    }
+    const auto amplified = [](int channelA, int channelB) {
+        const int difference = std::abs(channelA - channelB);
+        return static_cast<std::uint8_t>(difference ? std::min(255, base + gain * difference) : 0);
+    };
+    auto result = unsetImage<ByteImage>(a.width, a.height);
+    std::ranges::transform(a.pixels, b.pixels, result.pixels.begin(), amplified);
     return result;
 }
 

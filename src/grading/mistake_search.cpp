@@ -64,8 +64,8 @@ class Search {
         Candidates candidates;
         for (const Candidate& base : hopeful_) {
             if (netOf(base) < least) continue;
-            Sample sample(unexplainedBy(*base.variant, picture_, known_.right, split_), 24, 12,
-                          picture_.width);
+            Sample sample(unexplainedBy(*base.variant, picture_, known_.right, split_), split_.rightPixels,
+                          24, 12, picture_.width);
             for (std::size_t other = 0; other < known_.singles.size(); ++other) {
                 const std::size_t index =
                     static_cast<std::size_t>(base.variant->mistakes()[0] - known_.mistakes.data());
@@ -160,7 +160,7 @@ KnownVariants::KnownVariants(const SceneDescription& whole, RenderOptions option
                              Precision precision) {
     options.samples = 1;
     options.adaptive = 0;
-    SceneDescription shown = whole;
+    SceneDescription shown = copyOf(whole);
     if (options.pass == Pass::Color) keepTerms(shown, terms);
     scene = std::make_shared<RenderedScene>(std::move(shown), options, precision);
     mistakes = knownMistakes(whole, options, terms);

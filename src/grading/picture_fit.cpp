@@ -1,6 +1,7 @@
 #include "picture_fit.h"
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <utility>
 
@@ -10,14 +11,23 @@ namespace {
 
 const std::uint8_t* at(const ByteImage& image, std::size_t pixel) { return &image.pixels[3 * pixel]; }
 
-// A random choice of `count` elements, the same on every machine.
-std::vector<std::size_t> someOf(std::vector<std::size_t> all, std::size_t count) {
+// A random choice of `count` elements, the same on every machine: the first ones of a shuffle, of which only
+// the moved elements are kept.
+std::vector<std::size_t> someOf(std::span<const std::size_t> all, std::size_t count) {
     std::mt19937 bits(1);
-    count = std::min(count, all.size());
-    for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + bits() % (all.size() - i)]);
-    all.resize(count);
-    std::ranges::sort(all);  // neighbouring pixels are faster
-    return all;
+    std::map<std::size_t, std::size_t> moved;  // by their new places
+    const auto elementAt = [&](std::size_t place) {
+        const auto found = moved.find(place);
+        return found == moved.end() ? all[place] : found->second;
+    };
+    std::vector<std::size_t> some;
+    for (std::size_t i = 0; i < std::min(count, all.size()); ++i) {
+        const std::size_t place = i + bits() % (all.size() - i);
+        some.push_back(elementAt(place));
+        moved[place] = elementAt(i);
+    }
+    std::ranges::sort(some);  // neighbouring pixels are faster
+    return some;
 }
 
 // A pixel of a picture, and its difference from the most similar of several colours.
@@ -45,29 +55,43 @@ class Likest {
 
 }  // namespace
 
+// Counts first: lists that grow would hold twice as much.
 SplitPixels::SplitPixels(const ByteImage& picture, const ByteImage& right) {
-    std::vector<std::size_t> offByOne;
     const std::size_t count = picture.pixels.size() / 3;
+    const auto offAt = [&](std::size_t i) { return largestDifference(at(picture, i), at(right, i)); };
+    std::size_t offByOne = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const int off = largestDifference(at(picture, i), at(right, i));
+        const int off = offAt(i);
         differing += off != 0;
-        (off == 0 ? rightPixels : off == 1 ? offByOne : wrongPixels).push_back(i);
+        offByOne += off == 1;
     }
     constexpr double rounding = 0.05;  // share of the pixels: more than float arithmetic causes
-    if (static_cast<double>(offByOne.size()) < rounding * static_cast<double>(count)) return;
-    wrongPixels.insert(wrongPixels.end(), offByOne.begin(), offByOne.end());
+    const bool isRounded = static_cast<double>(offByOne) < rounding * static_cast<double>(count);
+    rightPixels.reserve(count - differing);
+    wrongPixels.reserve(isRounded ? differing - offByOne : differing);
+    for (std::size_t i = 0; i < count; ++i) {
+        const int off = offAt(i);
+        if (off == 0) rightPixels.push_back(i);
+        if (off > 1) wrongPixels.push_back(i);
+    }
+    for (std::size_t i = 0; i < count && !isRounded; ++i)
+        if (offAt(i) == 1) wrongPixels.push_back(i);
 }
 
 Sample::Sample(const SplitPixels& split, std::size_t wrong, std::size_t right, int width)
-    : numbers(someOf(split.wrongPixels, wrong)), wrongCount(numbers.size()) {
-    const auto rights = someOf(split.rightPixels, right);
+    : Sample(split.wrongPixels, split.rightPixels, wrong, right, width) {}
+
+Sample::Sample(std::span<const std::size_t> wrongPixels, std::span<const std::size_t> rightPixels,
+               std::size_t wrong, std::size_t right, int width)
+    : numbers(someOf(wrongPixels, wrong)), wrongCount(numbers.size()) {
+    const auto rights = someOf(rightPixels, right);
     numbers.insert(numbers.end(), rights.begin(), rights.end());
     for (const std::size_t i : numbers) {
         const int number = static_cast<int>(i);
         pixels.push_back({number % width, number / width});
     }
-    rightsOfWrong = static_cast<double>(split.rightPixels.size()) /
-                    static_cast<double>(std::max<std::size_t>(1, split.wrongPixels.size()));
+    rightsOfWrong = static_cast<double>(rightPixels.size()) /
+                    static_cast<double>(std::max<std::size_t>(1, wrongPixels.size()));
 }
 
 Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, Variant& variant,
@@ -121,17 +145,16 @@ Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels
     return {explained / wrong, contradicted / wrong, pixels, 0, off, differing - off};
 }
 
-SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
-                          const SplitPixels& split) {
+std::vector<std::size_t> unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
+                                       const SplitPixels& split) {
     Sample dense(split, 4000, 0, picture.width);
     const auto bytes = variant.bytes(dense.pixels, dense.trees);
-    SplitPixels left = split;
-    left.wrongPixels.clear();
+    std::vector<std::size_t> left;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const std::size_t pixel = dense.numbers[i];
         Likest likest(at(picture, pixel), at(right, pixel));
         if (bytes[i]) likest.add(bytes[i]->data());
-        if (likest.likeness() < 1) left.wrongPixels.push_back(pixel);
+        if (likest.likeness() < 1) left.push_back(pixel);
     }
     return left;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "raytracer/grading/diagnosis.h"
@@ -24,6 +25,8 @@ struct Sample {
     // Chooses at most `wrong` wrong pixels and `right` right
     // ones, the same on every machine. `width` is the picture's.
     Sample(const SplitPixels& split, std::size_t wrong, std::size_t right, int width);
+    Sample(std::span<const std::size_t> wrongPixels, std::span<const std::size_t> rightPixels,
+           std::size_t wrong, std::size_t right, int width);
 
     std::vector<std::size_t> numbers;
     std::size_t wrongCount;  // the first ones are wrong
@@ -40,8 +43,8 @@ Fit fitOfSome(const ByteImage& picture, const ByteImage& right, Sample& sample, 
 // The fit measured on all pixels, with any rounding.
 Fit fitOfAll(const ByteImage& picture, const ByteImage& right, const SplitPixels& split, Variant& variant);
 
-// Reduces the wrong pixels to some that the variant does not explain, or for which its bytes are not known.
-SplitPixels unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
-                          const SplitPixels& split);
+// Some of the wrong pixels that the variant does not explain, or for which its bytes are not known.
+std::vector<std::size_t> unexplainedBy(Variant& variant, const ByteImage& picture, const ByteImage& right,
+                                       const SplitPixels& split);
 
 }  // namespace raytracer

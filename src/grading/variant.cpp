@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "raytracer/pictures/picture.h"
 #include "raytracer/util/memory.h"
 
 namespace raytracer {
@@ -58,7 +59,7 @@ RayExplanation RenderedScene::explain(const PixelPlace& pixel) const {
 }
 
 RayExplanation RenderedScene::cast(const glm::dvec3& origin, const glm::dvec3& direction, int max_recursion) {
-    if (!castScene_) castScene_ = scene_;
+    if (!castScene_) castScene_ = copyOf(scene_);
     const glm::dvec3 apart = std::abs(direction.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     castScene_->camera = {
         .eye = origin, .look = direction, .up = glm::normalize(glm::cross(direction, apart))};
@@ -99,7 +100,7 @@ bool Variant::isPicture() const { return !isOfTrees() && samples().size() == 1; 
 const std::shared_ptr<RenderedScene>& Variant::madeScene() {
     if (made_) return made_;
     if (!edits()) return made_ = right_;
-    SceneDescription scene = right_->scene();
+    SceneDescription scene = copyOf(right_->scene());
     RenderOptions options = right_->options();
     for (const Mistake* mistake : mistakes_)
         if (mistake->edit) mistake->edit(scene, options);
@@ -163,9 +164,7 @@ std::vector<std::optional<Rgb>> Variant::madeBytes(const Pixels& pixels, Trees& 
 class Variant::Sink final : public PixelSink {
   public:
     Sink(const Variant& variant, const ImageSize& size)
-        : image{size.width, size.height, {}}, variant_(variant) {
-        image.pixels.resize(3 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    }
+        : image(unsetImage<ByteImage>(size.width, size.height)), variant_(variant) {}
     void write(int x, int y, std::span<const glm::dvec3> colors) override {
         std::uint8_t* out = image.at(x, y);
         for (const glm::dvec3& color : colors) out = std::ranges::copy(variant_.toBytes(color), out).out;

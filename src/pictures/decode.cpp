@@ -37,6 +37,28 @@ std::string withWholePalette(const std::vector<std::string_view>& chunks) {
     return png;
 }
 
+// The channels that stb decodes of a PNG; paletted pictures are decoded as RGBA.
+std::size_t decodedChannels(const std::vector<std::string_view>& chunks) {
+    if (isPaletted(chunks.front())) return 4;
+    const bool hasAlpha = std::ranges::find(chunks, "tRNS", typeOf) != chunks.end();
+    return std::max<std::size_t>(rgb, channelsOf(chunks.front()) + hasAlpha);
+}
+
+// Of each pixel, stb holds the channels twice while it decodes a PNG; withWholePalette holds the file once
+// more. Of a JPEG, stb holds up to 12 bytes: 4 channels, and 2 bytes of coefficients for each. The result has
+// 3 channels.
+void requireMemoryToDecode(const FileBytes& file, const std::vector<std::string_view>& chunks) {
+    const auto size = sizeInHeader(file);
+    if (!size) return;
+    const bool isPng = !chunks.front().empty();
+    const std::size_t channelBytes = hasDeepTexels(chunks.front()) ? 2 : 1,
+                      held = isPng ? 2 * decodedChannels(chunks) : 12,
+                      copied = isPng && isPaletted(chunks.front()) ? file.text().size() : 0;
+    const double pixels = static_cast<double>(size->width) * size->height;
+    requireMemory(file.path(), pixelsInWords(size->width, size->height),
+                  static_cast<double>((rgb + held) * channelBytes) * pixels + static_cast<double>(copied));
+}
+
 constexpr const char* moreData = "broken PNG picture: it has more data than pixels";
 
 // stb checks no checksum of the data. It inflates all of them, however small the picture is, and they may be
@@ -71,11 +93,9 @@ void requirePixelsFit(const FileBytes& file, const ImageSize& size, std::uint64_
 // most 2^30 values.
 void requirePixelsFit(const FileBytes& file, const std::vector<std::string_view>& chunks) {
     constexpr std::uint64_t mostValues = 1 << 30, mostBytes = std::numeric_limits<int>::max() - (1 << 24);
-    constexpr std::uint64_t ofPalette = 4;  // channels: paletted pictures are decoded as RGBA
     const std::string_view header = chunks.front();
-    const std::uint64_t inFile = isPaletted(header) ? ofPalette : channelsOf(header);
-    const bool hasAlpha = !isPaletted(header) && std::ranges::find(chunks, "tRNS", typeOf) != chunks.end();
-    const std::uint64_t channels = std::max<std::uint64_t>(rgb, inFile + hasAlpha);
+    const std::uint64_t channels = decodedChannels(chunks);
+    const std::uint64_t inFile = isPaletted(header) ? channels : channelsOf(header);
     const std::uint64_t most =
         std::min(mostValues / inFile, mostBytes / (channels * (hasDeepTexels(header) ? 2 : 1)));
     requirePixelsFit(file, sizeOf(header), most, " of " + std::to_string(channels) + " channels");
@@ -173,7 +193,7 @@ Texture decodeSound(const FileBytes& file) {
         chunks = readChunks(file);
         requirePixelsFit(file, chunks);
     }
-    requireMemoryToDecode(file, hasDeepTexels(chunks.front()) ? 2 : 1);
+    requireMemoryToDecode(file, chunks);
     const bool isLonger = isPng && requireSoundData(file, chunks);
     Texture image;
     try {

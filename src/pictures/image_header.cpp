@@ -4,7 +4,6 @@
 #include "png_chunks.h"
 #include "png_format.h"
 #include "raytracer/pictures/image.h"
-#include "raytracer/util/memory.h"
 
 namespace raytracer {
 
@@ -17,14 +16,6 @@ std::optional<ImageSize> sizeInHeader(const FileBytes& file) {
     if (header.size() < untilSize || typeOf(header) != "IHDR") return std::nullopt;
     const ImageSize size = sizeOf(header);
     return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
-}
-
-// While it decodes, stb holds up to three copies of the picture, of up to 4 channels each. The result has 3.
-void requireMemoryToDecode(const FileBytes& file, std::size_t channelBytes) {
-    const auto size = sizeInHeader(file);
-    if (!size) return;
-    const double channel = static_cast<double>(channelBytes) * size->width * size->height;
-    requireMemory(file.path(), pixelsInWords(size->width, size->height), (3 + 12) * channel);
 }
 
 std::string pixelsInWords(int width, int height) {

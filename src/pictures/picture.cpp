@@ -7,18 +7,23 @@
 
 namespace raytracer {
 
+template <class Image>
+Image unsetImage(int width, int height) {
+    Image image{width, height, {}};
+    const std::size_t channels = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    requireMemory({}, pixelsInWords(width, height), static_cast<double>(channels * sizeof(image.pixels[0])));
+    image.pixels.resize(channels);
+    return image;
+}
+template ByteImage unsetImage(int width, int height);
+template FloatImage unsetImage(int width, int height);
+
 namespace {
 
 template <class Image>
 Image blank(const PixelRectangle& crop) {
-    Image image;
-    image.width = crop.width();
-    image.height = crop.height();
-    const std::size_t channels =
-        3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    requireMemory({}, pixelsInWords(image.width, image.height),
-                  static_cast<double>(channels * sizeof(image.pixels[0])));
-    image.pixels.assign(channels, 0);
+    auto image = unsetImage<Image>(crop.width(), crop.height());
+    std::ranges::fill(image.pixels, 0);
     return image;
 }
 

@@ -4,6 +4,11 @@
 
 namespace raytracer {
 
+void NameTable::reserve(std::size_t count) {
+    entries_.reserve(count);
+    indices_.reserve(count);
+}
+
 void NameTable::add(std::string_view name, JsonView owner) {
     const auto [known, isNew] = indices_.emplace(name, static_cast<std::uint32_t>(entries_.size()));
     if (!isNew)

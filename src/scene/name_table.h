@@ -17,6 +17,10 @@ class NameTable {
     // `kind` is a word for messages, as in "no material named ...".
     explicit NameTable(const char* kind) : kind_(kind) {}
 
+    // Makes room for so many names, which take at most bytesOfName each.
+    void reserve(std::size_t count);
+    static constexpr std::size_t bytesOfName = 100;
+
     // Gives `name` the next index, from 0. `name` must outlive the table. Throws Error at `owner` if the name
     // is in use.
     void add(std::string_view name, JsonView owner);

@@ -40,9 +40,9 @@ class SceneReader {
     }
 
   private:
-    // Makes room for what is read from a list.
+    // Makes room for what is read from a list, and for its names.
     template <class List>
-    void reserve(List& list, JsonView view, const char* what) const;
+    void reserve(List& list, JsonView view, const char* what, NameTable* names = nullptr) const;
     void readTextures(JsonView textures);
     void readMaterials(JsonView materials);
     void readTransforms(JsonView transforms);
@@ -73,12 +73,11 @@ void SceneReader::read(JsonView view) {
 }
 
 template <class List>
-void SceneReader::reserve(List& list, JsonView view, const char* what) const {
-    constexpr std::size_t inTable = 100;  // bytes of a name in a NameTable
-    const std::size_t count = view.size(),
-                      each = sizeof(list[0]) + (requires { list[0].name; } ? inTable : 0);
+void SceneReader::reserve(List& list, JsonView view, const char* what, NameTable* names) const {
+    const std::size_t count = view.size(), each = sizeof(list[0]) + (names ? NameTable::bytesOfName : 0);
     requireMemory(path_, std::to_string(count) + " " + what, static_cast<double>(each * count));
     list.reserve(count);
+    if (names) names->reserve(count);
 }
 
 void SceneReader::readTextures(JsonView textures) {
@@ -91,7 +90,7 @@ void SceneReader::readTextures(JsonView textures) {
 }
 
 void SceneReader::readMaterials(JsonView materials) {
-    reserve(description_.materials, materials, "materials");
+    reserve(description_.materials, materials, "materials", &materials_);
     for (const JsonView json : materials.elements()) {
         MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
@@ -103,7 +102,7 @@ void SceneReader::readMaterials(JsonView materials) {
 }
 
 void SceneReader::readTransforms(JsonView transforms) {
-    reserve(description_.transforms, transforms, "transforms");
+    reserve(description_.transforms, transforms, "transforms", &transforms_);
     for (const JsonView json : transforms.elements()) {
         description_.transforms.push_back(readTransform(json, keys_));
         const JsonView name = *json.find("name");

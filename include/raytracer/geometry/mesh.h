@@ -115,18 +115,21 @@ struct Mesh {
         ObjectRayT<T> object = shape.transform().toObject(ray);
         if (ray.departure.shape != &shape) return object;
         const auto corner = shape.triangles().corners<T>(ray.departure.primitive);
-        const Vec3T<T> error = shape.transform().objectError(ray.origin, ray.departure.positionError) +
-                               T(gamma(4)) * (abs(corner[0]) + abs(corner[1]) + abs(corner[2]));
-        const T margin = error.x + error.y + error.z;
         const Vec3T<T> normal = normalOf(corner), up = normalized(normal);
         const T area = glm::dot(normal, up);  // twice
-        Vec3T<T> weight, edge;
+        Vec3T<T> weight, edge, terms(T(0));
         for (int i = 0; i < 3; ++i) {
             const Vec3T<T>&next = corner[static_cast<std::size_t>(i + 1) % 3],
                   &last = corner[static_cast<std::size_t>(i + 2) % 3];
             weight[i] = glm::dot(glm::cross(next - object.origin, last - object.origin), up);
             edge[i] = sqrt(glm::dot(next - last, next - last));
+            terms += min(abs(weight[i]) / area, T(1)) * abs(corner[static_cast<std::size_t>(i)]);
         }
+        // Of the point, and of the sum of corners below. Corners are as far off as they have a share in it:
+        // far ones of a long triangle are next to nothing where it is small.
+        const Vec3T<T> error =
+            shape.transform().objectError(ray.origin, ray.departure.positionError) + T(gamma(4)) * terms;
+        const T margin = error.x + error.y + error.z;
         // The distance from an edge is the edge's weight over its length. The origin is moved to at least
         // eight margins from each edge, since dihedral angles may be sharp; but not beyond the centroid,
         // whose weights are a third of the area: a triangle may be smaller than its error.

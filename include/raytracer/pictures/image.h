@@ -61,9 +61,6 @@ inline bool isPfm(const FileBytes& file) {  // also true for grey ones, which re
 // The size in a PNG's or JPEG's header; empty if there is no such header.
 std::optional<ImageSize> sizeInHeader(const FileBytes& file);
 
-// Throws OutOfMemory if there is too little to decode the picture to channels of this many bytes.
-void requireMemoryToDecode(const FileBytes& file, std::size_t channelBytes);
-
 // Whether `path` is a complete picture, PNG or PFM, of the crop's size, and newer than all of the others.
 bool isNewPicture(const std::string& path, const PixelRectangle& crop, std::span<const std::string> others);
 

@@ -1,10 +1,14 @@
-// Sinks that keep the picture in memory.
+// Pictures in memory, and sinks that keep them.
 #pragma once
 
 #include "raytracer/pictures/image.h"
 #include "raytracer/pictures/pixels.h"
 
 namespace raytracer {
+
+// A picture whose pixels are not set yet. Throws OutOfMemory (memory.h) if there is too little for it.
+template <class Image>
+Image unsetImage(int width, int height);
 
 // Clamps and quantises, for PNG.
 class ByteSink final : public PixelSink {

@@ -92,6 +92,9 @@ struct SceneDescription {
     std::vector<TextureDescription> textures;
 };
 
+// A copy. Throws OutOfMemory (memory.h) if there is too little for it.
+SceneDescription copyOf(const SceneDescription& scene);
+
 inline const MaterialDescription& materialOf(const SceneDescription& scene, std::size_t shape) {
     return scene.materials[scene.shapes[shape].material];
 }

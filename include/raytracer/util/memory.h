@@ -11,13 +11,13 @@ namespace raytracer {
 
 // How much memory the process can still take, and which limit that is: the least of ulimit -v (RLIMIT_AS),
 // ulimit -d (RLIMIT_DATA), the limits of its control groups (versions 1 and 2), and the machine's available
-// memory. Other platforms than Linux know the machine's memory only.
+// memory. Less a MiB for what is not counted. Other platforms than Linux know the machine's memory only.
 struct MemoryLeft {
     double bytes = 0;
     std::string inWords;  // "ulimit -v leaves 12.3 MB"
 };
 MemoryLeft memoryLeft();
-bool hasMemory(double bytes);
+bool hasMemory(double bytes);  // looks at the limits only once in a MiB
 
 // There is too little memory: no fault of the file that the Error is about.
 class OutOfMemory : public Error {
