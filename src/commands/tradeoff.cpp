@@ -1,6 +1,5 @@
 // raytracer tradeoff SCENE...: measures what speed costs in accuracy.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "arguments.h"

@@ -10,7 +10,6 @@
 #include "raytracer/pictures/picture.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/memory.h"
-#include "raytracer/util/text.h"
 
 namespace raytracer {
 

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <mutex>
-#include <optional>
 
 #include "programs.h"
 #include "raytracer/util/error.h"

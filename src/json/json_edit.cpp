@@ -6,7 +6,6 @@
 
 #include "json_scan.h"
 #include "pointer_mistake.h"
-#include "raytracer/json/json_document.h"
 #include "raytracer/json/json_pointer.h"
 #include "raytracer/util/text.h"
 

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "json_scan.h"
 #include "number_mistake.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/util/memory.h"

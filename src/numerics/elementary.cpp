@@ -1,7 +1,5 @@
 #include "raytracer/numerics/elementary.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "deflate.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdlib>
 #include <memory>
 #include <new>

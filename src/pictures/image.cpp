@@ -1,13 +1,11 @@
 #include "raytracer/pictures/image.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <limits>
-#include <optional>
 #include <string_view>
 
 #include <stb_image_write.h>
@@ -15,7 +13,6 @@
 #include "deflate.h"
 #include "png_format.h"
 #include "raytracer/util/error.h"
-#include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
 #include "raytracer/util/number.h"
 #include "raytracer/util/text.h"

@@ -2,7 +2,6 @@
 // is exact.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -9,7 +9,6 @@
 #include "raytracer/json/json_edit.h"
 #include "raytracer/json/json_pointer.h"
 #include "raytracer/json/json_view.h"
-#include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
 #include "scene_files.h"
 #include "scene_parts.h"

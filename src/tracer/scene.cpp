@@ -1,7 +1,5 @@
 #include "raytracer/tracer/scene.h"
 
-#include <algorithm>
-
 #include "ray_color.h"
 #include "raytracer/tracer/cutoff.h"
 #include "raytracer/tracer/renderer.h"

@@ -1,7 +1,6 @@
 #include "raytracer/tracer/scene_builder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>

@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <filesystem>
-#include <system_error>
-#include <vector>
 
-#include "raytracer/util/error.h"
 #include "raytracer/util/nearest_name.h"
 #include "raytracer/util/text.h"
 

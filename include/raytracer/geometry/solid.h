@@ -15,8 +15,6 @@
 // All in object space.
 #pragma once
 
-#include <array>
-
 #include "raytracer/geometry/chord.h"
 #include "raytracer/geometry/culling.h"
 

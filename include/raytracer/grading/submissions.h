@@ -1,12 +1,9 @@
 // Grades a class. Each submission is a folder with pictures, or with a program that makes them.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "raytracer/grading/diagnosis.h"
 #include "raytracer/grading/grade.h"
 #include "raytracer/grading/picture_shelf.h"
 #include "raytracer/util/progress.h"

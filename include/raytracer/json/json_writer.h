@@ -8,12 +8,9 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "raytracer/util/text.h"
 
 namespace raytracer {
 

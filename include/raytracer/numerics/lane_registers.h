@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
 
 #include "raytracer/numerics/packet_size.h"
 #include "raytracer/numerics/types.h"

@@ -1,12 +1,10 @@
 // Waits until files change.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "raytracer/util/progress.h"
 

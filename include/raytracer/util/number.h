@@ -4,7 +4,6 @@
 #include <charconv>
 #include <concepts>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace raytracer {

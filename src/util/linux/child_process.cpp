@@ -16,7 +16,6 @@
 #include <list>
 #include <optional>
 #include <thread>
-#include <vector>
 
 #include "../descriptor.h"
 #include "../leftover.h"

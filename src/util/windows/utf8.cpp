@@ -3,7 +3,6 @@
 // The linker puts this function in its place (--wrap).
 #include <cerrno>
 #include <cwchar>
-#include <string_view>
 #include <utility>
 
 #include "raytracer/util/text.h"
