@@ -94,9 +94,8 @@ PlacedShape placed(const SceneDescription& scene, const ShapeDescription& shape)
 
 const char* whereBeyond(const PlacedShape& placed, const View& view) {
     for (const Bound& bound : view.bounds) {
-        const Vec &n = bound.normal, *const rows = placed.affine.linear;
-        const Real radius = support(placed.shape->type, placed.shape->mesh.get(),
-                                    n.x * rows[0] + n.y * rows[1] + n.z * rows[2]);
+        const Vec& n = bound.normal;
+        const Real radius = support(placed.shape->type, placed.shape->mesh.get(), placed.affine.linear * n);
         const Real error =
             margin * (glm::length(n) * placed.magnitude + std::abs(radius) + std::abs(bound.least));
         if (glm::dot(n, placed.center) + radius < bound.least - error) return bound.beyond;
@@ -106,7 +105,7 @@ const char* whereBeyond(const PlacedShape& placed, const View& view) {
 
 // Whether all rays of the view start on one side of the plane and none approaches it.
 bool isBehind(const PlacedShape& plane, const View& view) {
-    const Vec normal = inverseLinear(plane.affine)->entry[2];
+    const Vec normal = (*inverseLinear(plane.affine))[2];
     Real away = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         const Real height = glm::dot(normal, view.starts[i] - plane.center),
@@ -150,10 +149,7 @@ bool isInside(const PlacedShape& solid, const Vec& point) {
         const Vec row = glm::abs(solid.affine.linear[i]);
         if (std::abs(from[i]) >= row.x + row.y + row.z) return false;
     }
-    const auto inverse = inverseLinear(solid.affine);
-    Vec object;
-    for (int i = 0; i < 3; ++i) object[i] = glm::dot(inverse->entry[i], from);
-    return isDeepInside(solid.shape->type, object);
+    return isDeepInside(solid.shape->type, from * *inverseLinear(solid.affine));
 }
 
 void adviseOnCamera(const CameraDescription& camera, AdviceLines& lines) {

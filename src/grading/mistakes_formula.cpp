@@ -105,8 +105,7 @@ glm::dvec3 lightAnew(const SceneDescription& scene, const RayExplanation& ray, c
 // The normal that the hit has if it is transformed by the matrix. The recorded one was transformed by the
 // inverse transpose, which the transpose undoes.
 glm::dvec3 normalByMatrix(const SceneDescription& scene, const RayExplanation& ray) {
-    const Affine affine = worldFromObject(scene, scene.shapes[ray.shape]);
-    const glm::dmat3 transpose(affine.linear[0], affine.linear[1], affine.linear[2]);
+    const glm::dmat3 transpose(worldFromObject(scene, scene.shapes[ray.shape]).linear);
     return glm::normalize(glm::transpose(transpose) * (transpose * ray.normal));
 }
 

@@ -16,7 +16,7 @@ namespace raytracer {
 namespace {
 
 using Extended = long double;
-using Rows = ExtendedVec[3];
+using Rows = ExtendedRows;
 
 struct SineCosine {
     Extended sine, cosine;
@@ -56,11 +56,12 @@ void rotationMatrix(const TransformDescription::Rotation& rotation, Rows& matrix
 }
 
 void appendMatrix(Affine& affine, const glm::dmat4& matrix) {
-    for (int row = 0; row < 3; ++row)
-        for (int i = 0; i < 3; ++i) affine.translation[row] += affine.linear[row][i] * matrix[3][i];
     const glm::dmat4 rows = glm::transpose(matrix);
-    for (ExtendedVec& row : affine.linear)
+    for (int i = 0; i < 3; ++i) {
+        ExtendedVec& row = affine.linear[i];
+        for (int j = 0; j < 3; ++j) affine.translation[i] += row[j] * matrix[3][j];
         row = row.x * ExtendedVec(rows[0]) + row.y * ExtendedVec(rows[1]) + row.z * ExtendedVec(rows[2]);
+    }
 }
 
 // The power of two that brings the largest of the three into [1/2, 1); 1 if all are zero.
@@ -92,7 +93,7 @@ Balanced balanced(const Rows& a) {
 // columns.
 struct Elimination {
     Rows& left;
-    Rows right = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Rows right{1};
     int pivotColumn[3] = {0, 1, 2};  // of each finished row, then the columns without a pivot
     Extended largestPivot = 0;
 
@@ -152,7 +153,7 @@ Affine compose(const TransformDescription& transform) {
     if (transform.translate) affine.translation = *transform.translate;
     if (transform.rotate) rotationMatrix(*transform.rotate, affine.linear);
     if (transform.scale)
-        for (ExtendedVec& row : affine.linear) row *= ExtendedVec(*transform.scale);
+        for (int i = 0; i < 3; ++i) affine.linear[i] *= ExtendedVec(*transform.scale);
     if (transform.matrix) appendMatrix(affine, *transform.matrix);
     return affine;
 }
@@ -160,14 +161,14 @@ Affine compose(const TransformDescription& transform) {
 Affine worldFromObject(const SceneDescription& scene, const ShapeDescription& shape) {
     Affine affine = compose(scene.transforms[shape.transform]);
     if (shape.mesh && shape.mesh->exponent != 0)
-        for (ExtendedVec& row : affine.linear) row = scaled(row, shape.mesh->exponent);
+        for (int i = 0; i < 3; ++i) affine.linear[i] = scaled(affine.linear[i], shape.mesh->exponent);
     return affine;
 }
 
-std::optional<Matrix3> inverseLinear(const Affine& affine) {
+std::optional<ExtendedRows> inverseLinear(const Affine& affine) {
     const Rows& a = affine.linear;
     // The same result as by elimination, only faster.
-    if (isPositiveDiagonal(a)) return Matrix3{{{1 / a[0].x, 0, 0}, {0, 1 / a[1].y, 0}, {0, 0, 1 / a[2].z}}};
+    if (isPositiveDiagonal(a)) return Rows{{1 / a[0].x, 0, 0}, {0, 1 / a[1].y, 0}, {0, 0, 1 / a[2].z}};
     Balanced b = balanced(affine.linear);
     Elimination elimination{b.entry};
     for (int step = 0; step < 3; ++step) {
@@ -177,10 +178,10 @@ std::optional<Matrix3> inverseLinear(const Affine& affine) {
         if (elimination.isRoundingError(pivot)) return std::nullopt;
         elimination.eliminate(step);
     }
-    Matrix3 inverse;
+    Rows inverse(1);
     for (int step = 0; step < 3; ++step) {
         const int row = elimination.pivotColumn[step];
-        inverse.entry[row] = b.column[row] * elimination.right[step] * b.row;
+        inverse[row] = b.column[row] * elimination.right[step] * b.row;
     }
     return inverse;
 }

@@ -73,7 +73,7 @@ ExtendedVec SceneFrame::pointToFrame(const glm::dvec3& point) const {
 Affine SceneFrame::toFrame(const Affine& worldFromObject) const {
     Affine result = worldFromObject;
     const long double unit = std::scalbn(1.0L, -exponent);
-    for (ExtendedVec& row : result.linear) row *= unit;
+    result.linear *= unit;
     result.translation = (result.translation - origin) * unit;
     return result;
 }

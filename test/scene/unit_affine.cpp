@@ -12,7 +12,7 @@ using namespace raytracer;
 namespace {
 
 using Real = long double;
-using Rows = ExtendedVec[3];
+using Rows = ExtendedRows;
 
 Affine rotation(double degrees, glm::dvec3 axis) {
     TransformDescription transform;
@@ -22,7 +22,7 @@ Affine rotation(double degrees, glm::dvec3 axis) {
 
 Affine linear(const Rows& rows) {
     Affine affine;
-    std::copy(rows, rows + 3, affine.linear);
+    affine.linear = rows;
     return affine;
 }
 
@@ -44,7 +44,7 @@ Real residual(const Affine& affine) {
         for (int column = 0; column < 3; ++column) {
             Real sum = row == column ? -1 : 0, size = 1;
             for (int i = 0; i < 3; ++i) {
-                const Real term = affine.linear[row][i] * inverse->entry[i][column];
+                const Real term = affine.linear[row][i] * (*inverse)[i][column];
                 sum += term;
                 size += std::abs(term);
             }
@@ -121,18 +121,18 @@ TEST_CASE("Inverses, known") {
     SECTION("a scale's factors, correctly rounded") {
         const auto inverse = inverseLinear(linear({{3, 0, 0}, {0, -0.1L, 0}, {0, 0, 8}}));
         REQUIRE(inverse);
-        requireEqual(inverse->entry, {{1 / Real(3), 0, 0}, {0, 1 / -0.1L, 0}, {0, 0, 0.125L}});
+        requireEqual(*inverse, {{1 / Real(3), 0, 0}, {0, 1 / -0.1L, 0}, {0, 0, 0.125L}});
     }
     SECTION("a permutation, where the pivots are off the diagonal") {
         const auto inverse = inverseLinear(linear({{0, 2, 0}, {0, 0, 4}, {8, 0, 0}}));
         REQUIRE(inverse);
-        requireEqual(inverse->entry, {{0, 0, 0.125L}, {0.5L, 0, 0}, {0, 0.25L, 0}});
+        requireEqual(*inverse, {{0, 0, 0.125L}, {0.5L, 0, 0}, {0, 0.25L, 0}});
     }
     SECTION("a full matrix of integers") {
         const auto inverse = inverseLinear(linear({{2, 1, 1}, {1, 2, 1}, {1, 1, 2}}));
         REQUIRE(inverse);
         for (int i = 0; i < 9; ++i)
-            CHECK(std::abs(inverse->entry[i / 3][i % 3] - (i % 4 == 0 ? 0.75L : -0.25L)) < 1e-18L);
+            CHECK(std::abs((*inverse)[i / 3][i % 3] - (i % 4 == 0 ? 0.75L : -0.25L)) < 1e-18L);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include "raytracer/scene/scene_description.h"
@@ -14,13 +15,14 @@
 namespace raytracer {
 
 using ExtendedVec = glm::vec<3, long double>;
+using ExtendedRows = glm::mat<3, 3, long double>;  // row by row: rows[row][column]
 
 // v * 2^exponent.
 ExtendedVec scaled(const ExtendedVec& v, int exponent);
 
-// x -> linear * x + translation, the matrix row by row: linear[row][column].
+// x -> linear * x + translation.
 struct Affine {
-    ExtendedVec linear[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    ExtendedRows linear{1};
     ExtendedVec translation{0};
 };
 
@@ -31,12 +33,9 @@ Affine compose(const TransformDescription& transform);
 // The same for a shape: a mesh's object space is in the mesh's own unit.
 Affine worldFromObject(const SceneDescription& scene, const ShapeDescription& shape);
 
-// The inverse of the linear part, row by row, or nothing where it is singular. Rows and columns are scaled to
+// The inverse of the linear part, or nothing where it is singular. Rows and columns are scaled to
 // similar size by powers of two, then eliminated with full pivoting (Higham, Accuracy and Stability of
 // Numerical Algorithms, chapter 9). A pivot that is no larger than its rounding error counts as zero.
-struct Matrix3 {
-    ExtendedVec entry[3];
-};
-std::optional<Matrix3> inverseLinear(const Affine& affine);
+std::optional<ExtendedRows> inverseLinear(const Affine& affine);
 
 }  // namespace raytracer
