@@ -162,7 +162,7 @@ std::unique_ptr<Subject> meshSubject(std::uint32_t n, int rounds) {
         subject->mesh->positions.size() * 24 + subject->mesh->positionIndex.size() * 4;
     subject->bytesOurs = static_cast<double>(geometry + subject->triangles->bvh().memory()) /
                          static_cast<double>(subject->primitives);
-    subject->shapes.emplace_back(ShapeType::Mesh, Transform(), material, 0, subject->triangles);
+    subject->shapes.emplace_back(ShapeType::Mesh, Transform(Affine{}), material, 0, subject->triangles);
     subject->ours = [shape = subject->shapes.data()](const Ray& ray, HitQuery& query) {
         shape->intersect(ray, query);
     };

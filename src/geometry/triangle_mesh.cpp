@@ -84,10 +84,6 @@ void Mesh::meetAt(const Shape& shape, const Ray& ray, const ObjectRay& object, H
     meetInObject(shape, ray, object, query);
 }
 
-LineHit<Real> TriangleMesh::meetLine(const ObjectRay& line, std::uint32_t triangle) const {
-    return intersectLine(ShearedRayT<Real>(line, shearAxes(line.direction)), corners<Real>(triangle));
-}
-
 // Covers the roundings of the watertight test. Where Real is float, also those of the positions: the tree has
 // them unrounded.
 Real TriangleMesh::slackFrom(Real farthestOrigin) const {

@@ -41,7 +41,7 @@ TEST_CASE("watertight: exactly through the vertices and edges of a cube of trian
                     const ObjectRay ray{Vec3(x, y, z) / Real(2) - Real(4) * direction, direction};
                     int in = 0, out = 0;
                     for (std::uint32_t triangle = 0; triangle < 12; ++triangle)
-                        if (const auto line = triangles->meetLine(ray, triangle); line.hit)
+                        if (const auto line = meetLine(*triangles, ray, triangle); line.hit)
                             ++(line.entering ? in : out);
                     INFO(x << y << z << " along " << direction.x << direction.y << direction.z);
                     CHECK(in == out);
@@ -68,7 +68,7 @@ TEST_CASE("watertight: by a sliver") {
         const ObjectRay line{Vec3(0, 0, -1), Vec3(0, 0, 1)};
         int crossings = 0;
         for (std::uint32_t triangle = 0; triangle < 4; ++triangle)
-            if (const auto hit = triangles.meetLine(line, triangle); hit.hit)
+            if (const auto hit = meetLine(triangles, line, triangle); hit.hit)
                 crossings += hit.entering ? 1 : -1;
         wrong += std::abs(crossings) != 1;
     }

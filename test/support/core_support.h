@@ -55,6 +55,11 @@ inline Wide normalToWorld(const Affine& affine, const Wide& n) {
     return world * ((glm::dot(column[0], x) < 0 ? -1 : 1) / std::sqrt(glm::dot(world, world)));
 }
 
+// Where a line in object space meets one of the triangles.
+inline LineHit<Real> meetLine(const TriangleMesh& mesh, const ObjectRay& line, std::uint32_t triangle) {
+    return intersectLine(ShearedRayT<Real>(line, shearAxes(line.direction)), mesh.corners<Real>(triangle));
+}
+
 // A cube as a mesh: the same faces in the same order, two triangles each, with the cube's texture
 // coordinates.
 inline std::shared_ptr<const MeshData> cubeMesh() {

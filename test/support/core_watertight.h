@@ -47,14 +47,14 @@ class WatertightTest {
     void makeStar() {
         data_ = starMesh(center_, random_);
         triangles_ = std::make_shared<TriangleMesh>(data_, BuildOptions{});
-        mesh_.emplace(ShapeType::Mesh, Transform(), material_, 0, triangles_);
+        mesh_.emplace(ShapeType::Mesh, Transform(Affine{}), material_, 0, triangles_);
     }
 
     void cross(const Vec3& origin, const Vec3& direction, bool inside) {
         const ObjectRay ray{origin, direction};
         int in = 0, out = 0, ahead = 0;
         for (std::uint32_t triangle = 0; triangle < triangles_->triangleCount(); ++triangle) {
-            const auto line = triangles_->meetLine(ray, triangle);
+            const auto line = meetLine(*triangles_, ray, triangle);
             if (!line.hit) continue;
             ++(line.entering ? in : out);
             ahead += line.t > 0;

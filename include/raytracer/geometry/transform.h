@@ -18,8 +18,6 @@ using ObjectRay = ObjectRayT<Real>;
 // x_world = linear * x_object + translation. Invertible.
 class Transform {
   public:
-    Transform() : Transform(Affine{}) {}
-
     // Throws std::domain_error where the linear part is singular.
     explicit Transform(const Affine& worldFromObject);
 

@@ -122,9 +122,6 @@ class TriangleMesh {
     Vec2 texCoord(std::uint32_t triangle, const Vec3& weights) const;
     bool repeatsTexture() const { return repeatsTexture_; }
 
-    // Where a line in object space meets one of the triangles.
-    LineHit<Real> meetLine(const ObjectRay& line, std::uint32_t triangle) const;
-
     const Bvh& bvh() const { return bvh_; }  // empty: all triangles must be tested
 
     // BvhRay::slack for rays that start no farther than this from zero: a bound on the error of a computed

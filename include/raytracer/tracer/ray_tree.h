@@ -24,7 +24,6 @@ struct RayTrees {
     std::vector<std::size_t> ends;      // per point: the end of its tree in `rays`
     std::vector<glm::dvec3> brightest;  // upper bounds on a ray's colour, by the max_recursion it has left
 
-    std::size_t count() const { return ends.size(); }
     std::span<const RayTreeNode> of(std::size_t point) const;
 };
 
