@@ -11,11 +11,7 @@
 namespace raytracer {
 
 RenderOptions withSetting(RenderOptions options, const Setting& setting) {
-    options.samples = setting.samples;
-    options.adaptive = setting.adaptive;
-    options.max_recursion = setting.max_recursion;
-    options.cutoff = setting.cutoff;
-    options.bilinear = setting.bilinear;
+    static_cast<Setting&>(options) = setting;
     return options;
 }
 
@@ -29,13 +25,13 @@ std::string shortNumber(double value) { return formatted("%.3g", value); }
 
 double rounded(double value) { return numberOf<double>(shortNumber(value)).value(); }
 
-std::string commandLine(const Setting& setting) {
+std::string commandLine(const Setting& setting, Precision precision) {
     const Setting usual;
     std::string text;
     const auto add = [&](bool isUsual, const char* option, const std::string& value) {
         if (!isUsual) text += std::string(text.empty() ? "" : " ") + option + " " + value;
     };
-    add(setting.precision == usual.precision, "--precision", precisionName(setting.precision));
+    add(precision == Precision::Double, "--precision", precisionName(precision));
     add(setting.samples == usualSamples(setting.adaptive), "--samples", std::to_string(setting.samples));
     add(setting.adaptive == usual.adaptive, "--adaptive", shortNumber(setting.adaptive));
     add(setting.max_recursion == usual.max_recursion, "--max-recursion",

@@ -47,34 +47,28 @@ class TimeSearch {
 
     TimeChoice choose() {
         colorsOf({mostSamples, 1}, {0, 0, 1, 1}, 0);  // what takes its time once in a picture is not timed
-        Step before = step(largestError);
+        TimeChoice choice = step(largestError);
         // Not even mostSamples samples reach an error below 1 / mostSamples.
         for (double error = firstError; error * mostSamples > 1; error *= nextError) {
-            const Step next = step(error);
+            const TimeChoice next = step(error);
             if (now() + next.seconds > end_) {
-                interpolate(before, next);
+                interpolate(choice, next);
                 break;
             }
-            before = next;
+            choice = next;
         }
-        choice_.setting = before.setting;
-        choice_.seconds = before.seconds;
-        choice_.depthError = before.depthError;
-        estimateError();
-        return choice_;
+        choice.sampleError = errorOf(choice.setting);
+        choice.counts = spent_;
+        return choice;
     }
 
   private:
-    struct Step {
-        Setting setting;
-        double depthError = 0, seconds = 0;
-    };
-
-    Step step(double error) {
-        const DepthChoice depth = DepthSearch(renderer_, options_, error, 0, choice_.counts).choice();
+    // The choice for this error, without its sampleError and counts.
+    TimeChoice step(double error) {
+        const DepthChoice depth = DepthSearch(renderer_, options_, error, 0, spent_).choice();
         const double adaptive = rounded(adaptiveFor * error);
-        Step step{{1, 0, depth.max_recursion, depth.cutoff, options_.bilinear},
-                  std::sqrt(depth.squaredError)};
+        TimeChoice step{.setting = {1, 0, depth.max_recursion, depth.cutoff, options_.bilinear},
+                        .depthError = std::sqrt(depth.squaredError)};
         if (adaptive < PixelEstimate::errorOfOneSample) {
             step.setting.samples = mostSamples;
             step.setting.adaptive = adaptive;
@@ -85,7 +79,7 @@ class TimeSearch {
 
     // If both are adaptive, and the time left lies between their times, changes `before` to the setting that
     // takes that time: interpolates `adaptive`, log-log, and keeps the depth.
-    void interpolate(Step& before, const Step& next) const {
+    void interpolate(TimeChoice& before, const TimeChoice& next) const {
         const double left = end_ - now();
         if (before.setting.adaptive == 0 || left <= before.seconds || next.seconds <= before.seconds) return;
         const double share = std::log(left / before.seconds) / std::log(next.seconds / before.seconds);
@@ -109,7 +103,7 @@ class TimeSearch {
         options.sequence = sequence;
         RenderedColors picture = rendered(renderer_, options);
         const std::lock_guard lock(mutex_);
-        choice_.counts += picture.counts;
+        spent_ += picture.counts;
         return std::move(picture.colors);
     }
 
@@ -124,10 +118,10 @@ class TimeSearch {
     // samples a ring of neighbouring pixels. The picture's own tiles are larger, so their rings cost less per
     // pixel.
     double secondsOf(const Setting& setting) {
-        const auto primary = choice_.counts.primary;
+        const auto primary = spent_.primary;
         const double start = now();
         forEachTile([&](const PixelRectangle& tile) { colorsOf(setting, tile, 0); });
-        const double seconds = now() - start, samples = static_cast<double>(choice_.counts.primary - primary);
+        const double seconds = now() - start, samples = static_cast<double>(spent_.primary - primary);
         double pixels = 0, ring = 0, ringOfPicture = 0;
         for (const PixelRectangle& tile : tiles_) pixels += tile.area();
         if (setting.adaptive > 0) {
@@ -138,18 +132,18 @@ class TimeSearch {
         return seconds * samplesOfPicture / samples;
     }
 
-    void estimateError() {
+    double errorOf(const Setting& setting) {
         double sum = 0, pixels = 0;
         forEachTile([&](const PixelRectangle& tile) {
             std::vector<glm::dvec3> colors[3];
             for (const std::uint32_t sequence : {0U, 1U, 2U})
-                colors[sequence] = colorsOf(choice_.setting, tile, sequence);
+                colors[sequence] = colorsOf(setting, tile, sequence);
             const std::lock_guard lock(mutex_);
             for (std::size_t i = 0; i < colors[0].size(); ++i)
                 sum += squaredError(colors[0][i], colors[1][i], colors[2][i]);
             pixels += tile.area();
         });
-        choice_.sampleError = std::sqrt(std::max(0.0, sum) / pixels);
+        return std::sqrt(std::max(0.0, sum) / pixels);
     }
 
     const Renderer& renderer_;
@@ -157,7 +151,7 @@ class TimeSearch {
     double end_;  // wall time at which the picture is to be done; the error's estimation comes after it
     std::vector<PixelRectangle> tiles_;
     std::mutex mutex_;
-    TimeChoice choice_;
+    RenderCounts spent_;
 };
 
 }  // namespace

@@ -88,7 +88,7 @@ std::vector<Trial> arithmeticTrials(const SceneDescription& scene, const RenderO
         std::vector<glm::dvec3> truth;
         const std::size_t first = trials.size();
         for (const auto& renderer : renderers) {
-            Trial trial{{.samples = samples, .precision = renderer->precision()}, {}, {}, {}};
+            Trial trial{.setting = {.samples = samples}, .precision = renderer->precision()};
             const auto colors = timedRender(*renderer, options, trial);
             if (truth.empty()) truth = colors;
             trial.error = pictureError(colors, truth);
@@ -185,7 +185,7 @@ SceneTradeoff measureTradeoff(const std::string& name, const SceneDescription& s
 
     for (const Setting& setting :
          settingsToTry(*renderer, options, result.reference, hasTextures(scene), tradeoff.samples))
-        result.truncation.push_back({setting, {}, {}, {}});
+        result.truncation.push_back({.setting = setting});
     report(std::to_string(result.truncation.size()) + " settings");
     for (Trial& trial : result.truncation)
         trial.error = pictureError(timedRender(*renderer, options, trial), result.reference.colors);

@@ -9,15 +9,16 @@ namespace raytracer {
 namespace {
 
 // Lines may break between options, never within one.
-std::string optionsOf(const Setting& setting) {
-    return "<code>" + replaced(escaped(commandLine(setting)), " --", "</code> <code>--") + "</code>";
+std::string optionsOf(const Setting& setting, Precision precision = Precision::Double) {
+    return "<code>" + replaced(escaped(commandLine(setting, precision)), " --", "</code> <code>--") +
+           "</code>";
 }
 
 std::string tableRow(const Trial& trial, double plain) {
     return formatted("<tr><td>%.4f</td><td>%.2f</td><td>%.2e</td><td>%.1f</td><td>%.2e</td><td>%.2f</td><td>",
                      trial.seconds(), trial.seconds() / plain, trial.error.rmse, trial.error.psnr,
                      trial.error.maximum, 100 * trial.error.shareOff) +
-           optionsOf(trial.setting) + "</td></tr>\n";
+           optionsOf(trial.setting, trial.precision) + "</td></tr>\n";
 }
 
 template <class Wanted>

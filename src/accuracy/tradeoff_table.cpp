@@ -10,7 +10,7 @@ namespace {
 std::string csvLine(const std::string& scene, const char* question, const Trial& t) {
     const Setting& s = t.setting;
     return csvField(scene) +
-           formatted(",%s,%s,%d,%g,%d,%g,%s,%.6f,%zu,", question, precisionName(s.precision), s.samples,
+           formatted(",%s,%s,%d,%g,%d,%g,%s,%.6f,%zu,", question, precisionName(t.precision), s.samples,
                      s.adaptive, s.max_recursion, s.cutoff, s.bilinear ? "bilinear" : "nearest", t.seconds(),
                      t.timings.size()) +
            formatted("%llu,%llu,%llu,%llu,%llu,%.6g,", static_cast<unsigned long long>(t.counts.primary),
@@ -25,7 +25,7 @@ std::string csvLine(const std::string& scene, const char* question, const Trial&
 std::string tableLine(const Trial& t, double defaultSeconds) {
     return formatted("  %9.4f %7.2f  %9.2e %7.2f %9.2e %7.2f  %s\n", t.seconds(),
                      t.seconds() / defaultSeconds, t.error.rmse, t.error.psnr, t.error.maximum,
-                     100 * t.error.shareOff, commandLine(t.setting).c_str());
+                     100 * t.error.shareOff, commandLine(t.setting, t.precision).c_str());
 }
 
 }  // namespace

@@ -487,14 +487,3 @@ TEST_CASE("target-time: where no time is enough, the fastest setting is chosen")
         CHECK(coarsest.counts.primary > one.counts.primary);  // so one sample is faster
     });
 }
-
-TEST_CASE("the knobs' defaults are a render's own") {
-    const RenderOptions usual;
-    const RenderOptions set = withSetting(usual, {});
-    CHECK(set.samples == usual.samples);
-    CHECK(set.adaptive == usual.adaptive);
-    CHECK(set.max_recursion == usual.max_recursion);
-    CHECK(set.cutoff == usual.cutoff);
-    CHECK(set.bilinear == usual.bilinear);
-    CHECK(set.sequence == usual.sequence);
-}

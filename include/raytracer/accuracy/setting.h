@@ -1,4 +1,4 @@
-// The options that trade speed for accuracy, and the Pareto front of several such settings.
+// Settings of the options that trade speed for accuracy, and the Pareto front of several of them.
 #pragma once
 
 #include <span>
@@ -12,23 +12,11 @@ namespace raytracer {
 // The default of `samples`, which depends on `adaptive`.
 inline constexpr int usualSamples(double adaptive) { return adaptive > 0 ? 256 : 1; }
 
-// The default values are those of the command line.
-struct Setting {
-    int samples = 1;
-    double adaptive = 0;
-    int max_recursion = 3;
-    double cutoff = 0;
-    bool bilinear = false;
-    Precision precision = Precision::Double;
-
-    bool operator==(const Setting&) const = default;
-};
-
-// A copy of `options` with the setting's values. The precision is the renderer's and stays.
+// A copy of `options` with the setting's values.
 RenderOptions withSetting(RenderOptions options, const Setting& setting);
 
 // The setting as options of the command line: "--samples 16 --cutoff 0.1"; "the defaults" for Setting{}.
-std::string commandLine(const Setting& setting);
+std::string commandLine(const Setting& setting, Precision precision = Precision::Double);
 
 // A picture's colours, row by row, and what they cost.
 struct RenderedColors {

@@ -11,7 +11,7 @@ struct TimeChoice {
     Setting setting;
     double seconds = 0;                      // estimated wall time of the picture
     double sampleError = 0, depthError = 0;  // estimated parts of its error, RMSE; their squares add up
-    RenderCounts counts;                     // of the pilot samples
+    RenderCounts counts{};                   // of the pilot samples
 };
 
 // `seconds` is wall time with options.threads, the pilot samples included. The choice depends on the machine

@@ -30,9 +30,10 @@ struct TradeoffOptions {
 // One setting, rendered.
 struct Trial {
     Setting setting;
-    RenderCounts counts;
-    PictureError error;
-    std::vector<double> timings;  // processor seconds of each render, summed over all threads
+    Precision precision = Precision::Double;
+    RenderCounts counts{};
+    PictureError error{};
+    std::vector<double> timings{};  // processor seconds of each render, summed over all threads
     bool onFront = false;
 
     double seconds() const;  // the median of `timings`

@@ -36,22 +36,25 @@ struct Terms {
 // The most that a command line may ask for.
 inline constexpr int mostRecursion = 1000, mostSamples = 65536;
 
-struct RenderOptions {
-    ImageSize size;       // of the whole picture
-    PixelRectangle crop;  // the rectangle to render
-    PicturePart part{};   // its tiles to render
-    int max_recursion = 3;
-    Pass pass = Pass::Color;
-    bool shadows = true, refraction = true;  // the terms that keepTerms cannot take out of the materials
-    int threads = 0;                         // 0: one for each processor
-
-    // The knobs that trade speed for accuracy.
+// The knobs that trade speed for accuracy. The default values are those of the command line.
+struct Setting {
     int samples = 1;      // for each pixel, at the first points of the sequence, box-filtered; 1: its centre
     double adaptive = 0;  // > 0: a pixel takes `samples` at most, and stops when its weighted error
                           // (pixel_estimate.h) is at most this
-    double cutoff =
-        0;  // a reflected or refracted ray that can change its sample by less than this is not cast
-    bool bilinear = false;       // textures: the four nearest texels, weighted, instead of the nearest one
+    int max_recursion = 3;
+    double cutoff = 0;      // a reflected or refracted ray that changes its sample by less is not cast
+    bool bilinear = false;  // textures: the four nearest texels, weighted, instead of the nearest one
+
+    bool operator==(const Setting&) const = default;
+};
+
+struct RenderOptions : Setting {
+    ImageSize size;       // of the whole picture
+    PixelRectangle crop;  // the rectangle to render
+    PicturePart part{};   // its tiles to render
+    Pass pass = Pass::Color;
+    bool shadows = true, refraction = true;  // the terms that keepTerms cannot take out of the materials
+    int threads = 0;                         // 0: one for each processor
     std::uint32_t sequence = 0;  // of the samples; another one is for measuring the error of this one
 };
 
@@ -59,8 +62,7 @@ struct RenderOptions {
 struct RenderCounts {
     std::uint64_t primary = 0, shadow = 0, reflection = 0, refraction = 0;
     std::uint64_t tests = 0;
-    std::uint64_t limited =
-        0;  // pixels that `samples` stopped while their weighted error was above `adaptive`
+    std::uint64_t limited = 0;  // pixels that `samples` stopped before they reached `adaptive`
     // An upper bound on the change of any one pixel by the rays that RenderOptions::cutoff has left out, for
     // the samples that were taken. It does not cover that without the cutoff `adaptive` might have taken
     // other samples.
