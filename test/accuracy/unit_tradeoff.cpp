@@ -117,7 +117,7 @@ TEST_CASE("the errors of the arithmetic are those of the precisions that were co
         const SceneTradeoff chart =
             measureTradeoff("scene", scene, {.size = 12, .samples = 1, .repeats = 1, .report = {}});
         std::vector<Precision> found;
-        for (const Trial& trial : chart.arithmetic) found.push_back(trial.setting.precision);
+        for (const Trial& trial : chart.arithmetic) found.push_back(trial.precision);
         return found;
     };
     using enum Precision;
