@@ -102,6 +102,13 @@ void printStats(const RenderCounts& counts, const Timings& timings, const Render
     json.beginObject();
     json.key("width").value(options.crop.width());
     json.key("height").value(options.crop.height());
+    json.key("setting").beginObject();  // the chosen one, where the program chooses
+    json.key("samples").value(options.samples);
+    json.key("adaptive").value(options.adaptive);
+    json.key("max_recursion").value(options.max_recursion);
+    json.key("cutoff").value(options.cutoff);
+    json.key("texture_filter").value(options.bilinear ? "bilinear" : "nearest");
+    json.endObject();
     json.key("rays").beginObject();
     json.key("primary").value(counts.primary);
     json.key("shadow").value(counts.shadow);

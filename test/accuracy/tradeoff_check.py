@@ -107,7 +107,10 @@ def check_limit(folder):
     limited, _ = render("scenes/texture.json", folder / "limited.png", 40, "--adaptive 0.05 --samples 256")
     assert alone == limited and done.stderr == "", done
     done = run("scenes/texture.json", folder / "o.png", 40, "--adaptive", 0.01, "--samples", 8, "--stats")
-    stopped = json.loads(done.stdout)["limited_pixels"]
+    stats = json.loads(done.stdout)
+    assert stats["setting"] == {"samples": 8, "adaptive": 0.01, "max_recursion": 3, "cutoff": 0,
+                                "texture_filter": "nearest"}, stats
+    stopped = stats["limited_pixels"]
     told = (f"{100 * stopped / 40 ** 2:.3g} % of the pixels would take more samples for --adaptive 0.01: "
             "--samples 8 is too few\n")
     assert stopped > 100 and done.stderr.endswith(told), done
