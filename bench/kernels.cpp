@@ -133,7 +133,7 @@ void light(benchmark::State& state, double shininess) {
 }
 
 void texel(benchmark::State& state, Color (*look)(const Texture&, const Vec2&)) {
-    Texture texture{256, 256, LargeVector<std::uint8_t>(256 * 256 * 3, 100)};
+    Texture texture{{256, 256}, LargeVector<std::uint8_t>(256 * 256 * 3, 100)};
     Real u = 0;
     for (auto _ : state) {
         u = u < 1 ? u + Real(0.001) : 0;

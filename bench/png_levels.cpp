@@ -29,7 +29,7 @@ std::uint8_t sample(const ByteImage& image, double x, double y, int channel) {
 
 ByteImage enlarge(const ByteImage& image, int longEdge) {
     const double scale = static_cast<double>(longEdge) / std::max(image.width, image.height);
-    ByteImage out{static_cast<int>(image.width * scale), static_cast<int>(image.height * scale), {}};
+    ByteImage out{{static_cast<int>(image.width * scale), static_cast<int>(image.height * scale)}, {}};
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x)
             for (int c = 0; c < 3; ++c) {

@@ -131,11 +131,6 @@ void printVerdict(const CompareArguments& arguments, const Picture& a, const Pic
                                  : "the pictures are not the same\n");
 }
 
-std::string sizeInWords(const Picture& picture) {
-    const ImageSize size = sizeOf(picture);
-    return formatted("%d x %d", size.width, size.height);
-}
-
 int comparePictures(const CompareArguments& arguments) {
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
@@ -145,10 +140,10 @@ int comparePictures(const CompareArguments& arguments) {
         diff.emplace(arguments.diff);
     }
     const Picture a = readPicture(arguments.a), b = readPicture(arguments.b);
-    const std::string size = sizeInWords(b), expected = sizeInWords(a);
+    const ImageSize size = sizeOf(b), expected = sizeOf(a);
     if (size != expected)
-        throw Error({arguments.b},
-                    "expected " + expected + " pixels, as in " + arguments.a + ", found " + size);
+        throw Error({arguments.b}, "expected " + inWords(expected) + " pixels, as in " + arguments.a +
+                                       ", found " + inWords(size));
     const Comparison comparison = compareImages(a, b);
     const bool same = within(comparison, arguments.thresholds);
     if (diff) {

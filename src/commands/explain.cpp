@@ -84,9 +84,9 @@ struct Suspect {
 Suspect examine(const Picture& picture, const std::string& name, const SceneDescription& whole,
                 const RenderOptions& options, const RenderArguments& render) {
     const ImageSize size = sizeOf(picture);
-    if (size.width != options.size.width || size.height != options.size.height)
-        throw Error({name}, formatted("expected a picture of the scene, %d x %d, found %d x %d",
-                                      options.size.width, options.size.height, size.width, size.height));
+    if (size != options.size)
+        throw Error({name},
+                    "expected a picture of the scene, " + inWords(options.size) + ", found " + inWords(size));
     const MistakeNamer namer(whole, options, render.terms(), render.chosenPrecision());
     ByteImage image = toBytes(picture, namer.right());
     Diagnosis diagnosis = namer.diagnose(image);

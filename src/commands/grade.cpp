@@ -52,7 +52,7 @@ std::unique_ptr<MistakeNamer> namerOf(const GradeCase& test, const ImageSize& si
         const SceneDescription whole = copyOf(scene);
         const RenderArguments arguments = argumentsOf(test, std::max(size.width, size.height));
         const RenderOptions options = arguments.prepare(scene);
-        if (options.size.width != size.width || options.size.height != size.height) return nullptr;
+        if (options.size != size) return nullptr;
         return std::make_unique<MistakeNamer>(whole, options, arguments.terms());
     } catch (const OutOfMemory&) {
         throw;

@@ -90,8 +90,8 @@ PixelRectangle parseCrop(const std::string& text) {
 PixelRectangle cropOf(const std::string& text, const ImageSize& size) {
     const PixelRectangle crop = parseCrop(text);
     if (crop.x0 < 0 || crop.y0 < 0 || crop.x1 > size.width || crop.y1 > size.height)
-        throw UsageError("--crop: expected a rectangle inside of the " + std::to_string(size.width) + " x " +
-                         std::to_string(size.height) + " picture, found " + inQuotes(text));
+        throw UsageError("--crop: expected a rectangle inside of the " + inWords(size) + " picture, found " +
+                         inQuotes(text));
     return crop;
 }
 

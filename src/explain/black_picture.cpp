@@ -154,14 +154,6 @@ std::vector<PixelPlace> pixelsThatHit(const Renderer& renderer, RenderOptions op
 
 }  // namespace
 
-bool isAllBlack(const ByteImage& image) {
-    return std::ranges::all_of(image.pixels, [](std::uint8_t byte) { return byte == 0; });
-}
-
-bool isAllBlack(const FloatImage& image) {
-    return std::ranges::all_of(image.pixels, [](float value) { return value <= 0; });
-}
-
 std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, const RenderOptions& options) {
     const std::string black = "all black: ";
     if (scene.shapes.empty()) return black + "the scene has no shapes: add one to \"shapes\"";

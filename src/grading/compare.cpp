@@ -60,20 +60,20 @@ void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImag
     }
 }
 
-void requireMemoryToCompare(int width, int height, double bytesOfPixel) {
-    requireMemory({}, "the comparison of " + pixelsInWords(width, height), bytesOfPixel * width * height);
+void requireMemoryToCompare(const ImageSize& size, std::size_t bytesOfPixel) {
+    requireMemory({}, "the comparison of " + pixelsInWords(size.width, size.height),
+                  static_cast<double>(bytesOfPixel * size.area()));
 }
 
 // Compares two pictures. samplesA and samplesB are their samples; a and b are the same pictures as bytes.
 template <class Image>
 Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteImage& a, const ByteImage& b,
                      double peak) {
-    requireMemoryToCompare(a.width, a.height, 6);  // both once more, in planes
+    requireMemoryToCompare(a, 6);  // both once more, in planes
     const Totals totals = totalsOf(samplesA, samplesB);
     const double samples = static_cast<double>(samplesA.pixels.size());
     Comparison result;
-    result.width = a.width;
-    result.height = a.height;
+    static_cast<ImageSize&>(result) = a;
     result.peak = peak;
     result.mean = totals.sum / samples;
     result.rmse = std::sqrt(totals.sumOfSquares / samples);
@@ -88,8 +88,7 @@ Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteIma
 }
 
 ByteImage quantised(const Picture& picture) {
-    const ImageSize size = sizeOf(picture);
-    auto bytes = unsetImage<ByteImage>(size.width, size.height);
+    auto bytes = unsetImage<ByteImage>(sizeOf(picture));
     const auto* const floats = std::get_if<FloatImage>(&picture);
     const auto quantise = [](float channel) { return toByte(static_cast<double>(channel)); };
     if (floats) std::ranges::transform(floats->pixels, bytes.pixels.begin(), quantise);
@@ -116,7 +115,7 @@ Picture readPicture(const std::string& path) {
 }
 
 ImageSize sizeOf(const Picture& picture) {
-    return std::visit([](const auto& image) { return ImageSize{image.width, image.height}; }, picture);
+    return std::visit([](const ImageSize& size) { return size; }, picture);
 }
 
 ByteImage toBytes(const Picture& picture, const Picture& other) {
@@ -129,21 +128,17 @@ ByteImage toBytes(const Picture& picture, const Picture& other) {
 }
 
 void requireSameSize(const ImageSize& a, const ImageSize& b) {
-    const auto words = [](const ImageSize& size) {
-        return std::to_string(size.width) + " x " + std::to_string(size.height);
-    };
-    if (a.width != b.width || a.height != b.height)
-        throw Error("the pictures' sizes differ: " + words(a) + " and " + words(b));
+    if (a != b) throw Error("the pictures' sizes differ: " + inWords(a) + " and " + inWords(b));
 }
 
 Comparison compareImages(const ByteImage& a, const ByteImage& b) {
-    requireSameSize({a.width, a.height}, {b.width, b.height});
+    requireSameSize(a, b);
     return compareAs(a, b, a, b, 255);
 }
 
 Comparison compareImages(const Picture& a, const Picture& b) {
     requireSameSize(sizeOf(a), sizeOf(b));
-    requireMemoryToCompare(sizeOf(a).width, sizeOf(a).height, 12);  // the bytes of both, and compareAs
+    requireMemoryToCompare(sizeOf(a), 12);  // the bytes of both, and compareAs
     const ByteImage bytesA = toBytes(a, b), bytesB = toBytes(b, a);
     const auto* floatsA = std::get_if<FloatImage>(&a);
     const auto* floatsB = std::get_if<FloatImage>(&b);
@@ -152,14 +147,14 @@ Comparison compareImages(const Picture& a, const Picture& b) {
 }
 
 ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {
-    requireSameSize({a.width, a.height}, {b.width, b.height});
+    requireSameSize(a, b);
     // 64 can be told from black on any screen. With 8 per level, 255 is reached at a difference of 24.
     constexpr int base = 64, gain = 8;
     const auto amplified = [](int channelA, int channelB) {
         const int difference = std::abs(channelA - channelB);
         return static_cast<std::uint8_t>(difference ? std::min(255, base + gain * difference) : 0);
     };
-    auto result = unsetImage<ByteImage>(a.width, a.height);
+    auto result = unsetImage<ByteImage>(a);
     std::ranges::transform(a.pixels, b.pixels, result.pixels.begin(), amplified);
     return result;
 }

@@ -196,7 +196,7 @@ MistakeNamer::~MistakeNamer() = default;
 const ByteImage& MistakeNamer::right() const { return known_->right; }
 
 Diagnosis MistakeNamer::diagnose(const ByteImage& picture) const {
-    requireSameSize({picture.width, picture.height}, {known_->right.width, known_->right.height});
+    requireSameSize(picture, known_->right);
     Diagnosis diagnosis;
     diagnosis.pixels = picture.pixels.size() / 3;
     constexpr double bytesOfPixel =

@@ -105,10 +105,9 @@ void requireFileFits(const std::string& picture, const ByteImage& reference) {
 ByteImage readPicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
     requireFileFits(picture, reference.image);
     const FileBytes file(picture, FileKind::Regular);
-    const ImageSize expected{reference.image.width, reference.image.height};
-    if (const auto size = sizeInHeader(file)) requireSameSize(*size, expected);
+    if (const auto size = sizeInHeader(file)) requireSameSize(*size, reference.image);
     ByteImage ours = readImage(file);
-    requireSameSize({ours.width, ours.height}, expected);
+    requireSameSize(ours, reference.image);
     result.ourPng = file.text();
     return ours;
 }
@@ -171,7 +170,7 @@ NamedCase::NamedCase(const GradeCase& test, const ReferencePicture& reference, N
 void NamedCase::tryNamer() {
     constexpr double another = 0.002;  // share of the pixels: more than rounding changes
     if (std::exchange(isTried_, true) || !makeNamer_) return;
-    namer_ = makeNamer_(test_, {reference_.image.width, reference_.image.height});
+    namer_ = makeNamer_(test_, reference_.image);
     if (!namer_) return;
     const Comparison comparison = compareImages(namer_->right(), reference_.image);
     const auto pixels = static_cast<double>(comparison.width) * comparison.height;

@@ -82,8 +82,7 @@ struct ActiveRun {
 std::size_t promisedRoom(const ProgramRun& run) {
     constexpr std::size_t printed = std::size_t{1} << 20;
     const auto size = sizeInHeader(FileBytes(run.test->reference, FileKind::Regular)).value_or(ImageSize{});
-    return printed +
-           std::size_t{6} * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    return printed + 6 * size.area();
 }
 
 // Throws Error if there is too little room for the program's

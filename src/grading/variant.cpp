@@ -164,7 +164,7 @@ std::vector<std::optional<Rgb>> Variant::madeBytes(const Pixels& pixels, Trees& 
 class Variant::Sink final : public PixelSink {
   public:
     Sink(const Variant& variant, const ImageSize& size)
-        : image(unsetImage<ByteImage>(size.width, size.height)), variant_(variant) {}
+        : image(unsetImage<ByteImage>(size)), variant_(variant) {}
     void write(int x, int y, std::span<const glm::dvec3> colors) override {
         std::uint8_t* out = image.at(x, y);
         for (const glm::dvec3& color : colors) out = std::ranges::copy(variant_.toBytes(color), out).out;

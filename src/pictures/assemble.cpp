@@ -53,10 +53,7 @@ const GivenPart* usualPart(const std::vector<GivenPart>& parts) {
     return usual;
 }
 
-std::string inPixels(const ImageSize& size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-std::string inPixels(const PixelRectangle& crop) {
+std::string inWords(const PixelRectangle& crop) {
     std::string text;
     for (const int place : {crop.x0, crop.y0, crop.x1, crop.y1})
         text += (text.empty() ? "" : ",") + std::to_string(place);
@@ -81,10 +78,10 @@ std::string difference(const PartHead& found, const PartHead& expected) {
     if (found.version != expected.version)
         return "of version " + found.version + " of raytracer, not " + expected.version;
     if (found.scene != expected.scene) return "of another scene";
-    if (inPixels(found.size) != inPixels(expected.size))
-        return "of a picture of " + inPixels(found.size) + " pixels, not " + inPixels(expected.size);
-    if (inPixels(found.crop) != inPixels(expected.crop))
-        return "of --crop " + inPixels(found.crop) + ", not " + inPixels(expected.crop);
+    if (found.size != expected.size)
+        return "of a picture of " + inWords(found.size) + " pixels, not " + inWords(expected.size);
+    if (inWords(found.crop) != inWords(expected.crop))
+        return "of --crop " + inWords(found.crop) + ", not " + inWords(expected.crop);
     if (found.isFloat != expected.isFloat)
         return found.isFloat ? "of a .pfm, not of a .png" : "of a .png, not of a .pfm";
     if (found.options != expected.options) {
@@ -158,8 +155,8 @@ PartFiles::PartFiles(std::span<const std::string> paths, int threads) : threads_
 
 template <class Image>
 Image PartFiles::read(const PixelRectangle& band) const {
-    Image image{band.width(), band.height(), {}};
-    image.pixels.resize(static_cast<std::size_t>(3 * band.area()));
+    Image image{band.size(), {}};
+    image.pixels.resize(3 * image.area());
     const PixelRectangle above{head_.crop.x0, head_.crop.y0, head_.crop.x1, band.y0};
     const int count = head_.part.count;
     const std::vector<std::uint64_t> before = pixelsOfParts(above, count), here = pixelsOfParts(band, count);

@@ -8,11 +8,9 @@
 namespace raytracer {
 
 ColorSink::ColorSink(const PixelRectangle& crop) : crop_(crop) {
-    const auto width = static_cast<std::size_t>(crop.width()),
-               height = static_cast<std::size_t>(crop.height());
     requireMemory({}, "the colours of " + pixelsInWords(crop.width(), crop.height()),
-                  static_cast<double>(sizeof(glm::dvec3) * width * height));
-    colors_.resize(width * height);
+                  sizeof(glm::dvec3) * crop.area());
+    colors_.resize(crop.size().area());
 }
 
 void ColorSink::write(int x, int y, std::span<const glm::dvec3> colors) {

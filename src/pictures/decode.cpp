@@ -139,8 +139,7 @@ LargeVector<Channel> decode(const FileBytes& file, std::string_view text, int wa
                 &image.height, &channelsInFile, wanted),
         &stbi_image_free);
     if (!pixels) failToDecode(file);
-    const auto count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    return {pixels.get(), pixels.get() + count * static_cast<std::size_t>(wanted)};
+    return {pixels.get(), pixels.get() + image.area() * static_cast<std::size_t>(wanted)};
 }
 
 void decodePaletted(const FileBytes& file, const std::vector<std::string_view>& chunks, Texture& image) {
@@ -231,7 +230,7 @@ ByteImage readImage(const FileBytes& file) {
     Texture texture = decode(file);
     for (const std::uint32_t texel : texture.deepTexels)
         texture.texels.push_back(static_cast<std::uint8_t>((255 * texel + 32767) / 65535));
-    return {texture.width, texture.height, std::move(texture.texels)};
+    return {texture, std::move(texture.texels)};
 }
 
 }  // namespace raytracer

@@ -27,8 +27,7 @@ constexpr std::size_t largestStbSize = std::numeric_limits<int>::max();
 // The header of a PFM: "PF", width, height, scale and one blank. The rows follow, the bottom row first. The
 // scale's sign tells the byte order (negative: little endian). Its magnitude is ignored: it is a unit on
 // which programs disagree.
-struct PfmHeader {
-    int width = 0, height = 0;
+struct PfmHeader : ImageSize {
     std::endian order = std::endian::little;
     std::string_view rows;
 };
@@ -55,10 +54,7 @@ Number takeNumber(const FileBytes& file, std::string_view& text, const char* wha
               std::to_string(std::numeric_limits<Number>::max()));
 }
 
-std::size_t pixelBytes(const PfmHeader& header) {
-    return static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) * valuesPerPixel *
-           sizeof(float);
-}
+std::size_t pixelBytes(const PfmHeader& header) { return header.area() * valuesPerPixel * sizeof(float); }
 
 PfmHeader readPfmHeader(const FileBytes& file) {
     std::string_view text = file.text();
@@ -104,16 +100,13 @@ bool fitsPng(int width, int height) {
 
 }  // namespace
 
-ImageSize sizeOfWholePfm(const FileBytes& file) {
-    const PfmHeader header = readWholePfm(file);
-    return {header.width, header.height};
-}
+ImageSize sizeOfWholePfm(const FileBytes& file) { return readWholePfm(file); }
 
 FloatImage readPfm(const FileBytes& file) {
     const PfmHeader header = readWholePfm(file);
     requireMemory(file.path(), pixelsInWords(header.width, header.height),
                   static_cast<double>(pixelBytes(header)));
-    FloatImage image{header.width, header.height, LargeVector<float>(pixelBytes(header) / sizeof(float))};
+    FloatImage image{header, LargeVector<float>(pixelBytes(header) / sizeof(float))};
     const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
     const char* row = header.rows.data() + pixelBytes(header);
     for (float* to = image.pixels.data(); row != header.rows.data(); to += rowBytes / sizeof(float)) {

@@ -18,6 +18,10 @@ std::optional<ImageSize> sizeInHeader(const FileBytes& file) {
     return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
 }
 
+std::string inWords(const ImageSize& size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
 std::string pixelsInWords(int width, int height) {
     return std::to_string(width) + " × " + std::to_string(height) + " pixels";
 }

@@ -203,7 +203,7 @@ bool isJpeg(const FileBytes& file) {
 std::optional<ImageSize> sizeOfJpeg(const FileBytes& file) {
     try {
         const ImageSize size = JpegCheck(file).size();
-        return size.width > 0 && size.height > 0 ? std::optional(size) : std::nullopt;
+        return size.area() > 0 ? std::optional(size) : std::nullopt;
     } catch (const Error&) {
         return std::nullopt;
     }

@@ -31,8 +31,7 @@ bool isNewPicture(const std::string& path, const PixelRectangle& crop, std::span
     for (const std::string& other : others)
         if (timeOf(other) >= written) return false;
     try {
-        const ImageSize size = sizeOfWhole(path);
-        return size.width == crop.width() && size.height == crop.height();
+        return sizeOfWhole(path) == crop.size();
     } catch (const Error&) {
         return false;
     }

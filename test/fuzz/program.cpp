@@ -168,7 +168,7 @@ BuildOptions buildOptionsOf(Choices& choose) {
 
 const std::string& aTexture() {
     static const MemoryFile file;
-    const std::vector<char> png = encodePng({2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}});
+    const std::vector<char> png = encodePng({{2, 2}, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}});
     return file.write(png.data(), png.size());
 }
 

@@ -340,7 +340,7 @@ void check(const Case& c, const Shape& shape, const Affine& affine) {
 }  // namespace
 
 TEST_CASE("every shape's every face, in every pose") {
-    const Texture texture{1, 1, {255, 255, 255}};
+    const Texture texture{{1, 1}, {255, 255, 255}};
     Material material;
     material.diffuse_texture = &texture;
     for (const Kind kind : allKinds)

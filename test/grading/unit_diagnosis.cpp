@@ -70,7 +70,7 @@ ByteImage normalsPicture(const SceneDescription& scene, glm::dvec3 (*change)(con
     options.pass = Pass::Normals;
     ColorSink sink(options.crop);
     makeRenderer(scene, Precision::Double)->render(options, sink);
-    ByteImage picture{options.size.width, options.size.height, {}};
+    ByteImage picture{options.size, {}};
     for (const glm::dvec3& color : sink.colors())
         for (int c = 0; c < 3; ++c) picture.pixels.push_back(toByte(change(color)[c]));
     return picture;

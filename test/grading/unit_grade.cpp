@@ -384,9 +384,9 @@ TEST_CASE("child process: how it ends") {
 
 TEST_CASE("grade: worst first") {
     GradeResult none, low, high, highOff;
-    low.comparison = Comparison{.score = 3};
-    high.comparison = Comparison{.score = 100};
-    highOff.comparison = Comparison{.rmse = 0.5, .score = 100};
+    low.comparison.emplace().score = 3;
+    high.comparison.emplace().score = 100;
+    highOff.comparison.emplace().rmse = 0.5;
     CHECK(isWorse(none, low));
     CHECK(isWorse(low, high));
     CHECK(isWorse(highOff, high));
@@ -426,7 +426,7 @@ TEST_CASE("grade: what is wrong with a submission, beside the pictures that are 
 
 TEST_CASE("grade: the mistake of most wrong pictures, counted by its whole name") {
     GradedSubmission ada{"ada", std::vector<GradeResult>(2)};
-    for (GradeResult& result : ada.results) result.comparison = Comparison{.pixelsByDifference = {0, 0, 1}};
+    for (GradeResult& result : ada.results) result.comparison.emplace().pixelsByDifference[2] = 1;
     const std::string first = "without light 0 (of 2)", second = "without light 1 (of 2)";
     ada.results.resize(1);
     ada.results[0].mistakes = {first, second};

@@ -17,7 +17,7 @@ constexpr WriterLimits small{.ofStb = 0, .ofBand = 200 * 64};
 // A pixel's channels tell its place in the whole picture.
 template <class Image>
 Image placesIn(const PixelRectangle& place) {
-    Image image{place.width(), place.height(), {}};
+    Image image{place.size(), {}};
     for (int y = place.y0; y < place.y1; ++y)
         for (int x = place.x0; x < place.x1; ++x)
             for (const int channel : {x, y, x * y / 100})

@@ -26,7 +26,7 @@ using namespace raytracer;
 namespace {
 
 ByteImage testPicture(int width, int height) {
-    ByteImage image{width, height, {}};
+    ByteImage image{{width, height}, {}};
     for (int i = 0; i < width * height * 3; ++i)
         image.pixels.push_back(static_cast<std::uint8_t>(i % 251 * 37));
     return image;
@@ -121,7 +121,7 @@ TEST_CASE("A PNG of several deflated pieces comes back, the same from any number
         CHECK((readImage(folder.file("a.png")).pixels == image.pixels));
         CHECK((encodePng(image, {}, 1) == encodePng(image, {}, 3)));
     };
-    ByteImage image{500, 301, LargeVector<std::uint8_t>(500 * 301 * 3, 0)};
+    ByteImage image{{500, 301}, LargeVector<std::uint8_t>(500 * 301 * 3, 0)};
     SECTION("of one colour: fixed codes") { check(image); }
     SECTION("like a render: codes of each block's own") { check(testPicture(500, 301)); }
     SECTION("noise: stored blocks") {
@@ -157,7 +157,7 @@ TEST_CASE("Pictures of every kind are read as 8-bit RGB") {
         CHECK(readImage(path).pixels == Bytes{0x12, 0xab, 0xfe});  // 65280 / 257 = 254.0
     }
     SECTION("JPEG") {
-        const ByteImage flat{9, 9, Bytes(9 * 9 * 3, 100)};
+        const ByteImage flat{{9, 9}, Bytes(9 * 9 * 3, 100)};
         const ByteImage read = readImage(folder.write("a.jpg", jpegOf(flat)));
         CHECK(read.width == 9);
         for (const int byte : read.pixels) REQUIRE(std::abs(byte - 100) <= 1);
@@ -488,7 +488,7 @@ TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
     const TestFolder folder;
     const float inf = std::numeric_limits<float>::infinity();
     const FloatImage image{
-        2, 2, {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
+        {2, 2}, {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
     OutputFile file(folder.file("a.pfm"));
     const auto writer = pfmWriter(file, {0, 0, 2, 2});
     writer->write(image);

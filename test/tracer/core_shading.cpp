@@ -157,7 +157,7 @@ TEST_CASE("normalized") {
 TEST_CASE("texels") {
     // r g
     // b w
-    const Texture texture{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}};
+    const Texture texture{{2, 2}, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}};
     const Color r(1, 0, 0), g(0, 1, 0), b(0, 0, 1), w(1);
     const auto at = [&](double u, double v) {
         return lookUp(texture, {static_cast<Real>(u), static_cast<Real>(v)});
@@ -175,14 +175,14 @@ TEST_CASE("texels") {
 }
 
 TEST_CASE("texels of 16 bits") {
-    const Texture texture{1, 1, {}, {1, 256, 65535}};
+    const Texture texture{{1, 1}, {}, {1, 256, 65535}};
     CHECK(lookUp(texture, {0, 0}) == Color(1, 256, 65535) / Real(65535));
 }
 
 TEST_CASE("bilinear look-ups stop at the border, or go round") {
     // 0 80
     // 160 240
-    const Texture texture{2, 2, {0, 0, 0, 80, 80, 80, 160, 160, 160, 240, 240, 240}};
+    const Texture texture{{2, 2}, {0, 0, 0, 80, 80, 80, 160, 160, 160, 240, 240, 240}};
     const auto at = [&](double u, double v, bool aroundU, bool aroundV) {
         const Color color =
             lookUpBilinear(texture, {static_cast<Real>(u), static_cast<Real>(v)}, {aroundU, aroundV});
@@ -200,6 +200,6 @@ TEST_CASE("bilinear look-ups stop at the border, or go round") {
             CHECK(at(0.25, 0, u, v) == is(v ? 80 : 160));
             CHECK(at(0, 1, u, v) == is((u ? 40 : 0) + (v ? 80 : 0)));
         }
-    const Texture single{1, 1, {51, 51, 51}};
+    const Texture single{{1, 1}, {51, 51, 51}};
     CHECK(lookUpBilinear(single, {1, 0}, {true, true}) == Color(Real(51) / 255));
 }

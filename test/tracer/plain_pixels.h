@@ -97,7 +97,7 @@ class Pixels {
 
     template <class Color>
     ByteImage bytes(Color color) const {
-        ByteImage image{size_.width, size_.height, {}};
+        ByteImage image{size_, {}};
         for (int y = 0; y < size_.height; ++y)
             for (int x = 0; x < size_.width; ++x) {
                 const glm::dvec3 shown = clamp(color(x, y), 0.0, 1.0);

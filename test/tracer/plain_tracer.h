@@ -180,7 +180,7 @@ class Tracer {
         const auto pixels = [&](double side) {
             return std::max(1, static_cast<int>(std::lround(longEdge * side / longer)));
         };
-        ByteImage image{pixels(width), pixels(height), {}};
+        ByteImage image{{pixels(width), pixels(height)}, {}};
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
                 const Ray ray = cameraRay((x + 0.5) / image.width, (y + 0.5) / image.height);

@@ -79,7 +79,7 @@ class RandomScene {
 
     void addTextures() {
         for (const char* name : {"one", "two"}) {
-            Texture texture{whole(1, 9), whole(1, 9), {}};
+            Texture texture{{whole(1, 9), whole(1, 9)}, {}};
             for (int i = 0; i < 3 * texture.width * texture.height; ++i)
                 texture.texels.push_back(static_cast<std::uint8_t>(whole(0, 255)));
             scene.textures.push_back({name, std::make_shared<const Texture>(texture)});

@@ -1,6 +1,7 @@
 // Finds out why a picture is all black, from what its rays hit.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "raytracer/pictures/image.h"
@@ -8,8 +9,10 @@
 
 namespace raytracer {
 
-bool isAllBlack(const ByteImage& image);
-bool isAllBlack(const FloatImage& image);
+template <class Image>
+bool isAllBlack(const Image& image) {
+    return std::ranges::all_of(image.pixels, [](auto channel) { return channel <= 0; });
+}
 
 // One line, "all black: REASON: REMEDY", for a whole picture of options.size that is black with Pass::Color.
 // It divides the picture into 24 x 24 cells, and explains one pixel of each cell in which something is hit.

@@ -25,9 +25,7 @@ ImageSize sizeOf(const Picture& picture);
 // one that is farthest from other's, or 0 if that is NaN, too.
 ByteImage toBytes(const Picture& picture, const Picture& other);
 
-struct Comparison {
-    int width = 0, height = 0;
-
+struct Comparison : ImageSize {
     // Element d: the number of pixels whose largest channel difference is d of 255.
     std::array<std::uint64_t, 256> pixelsByDifference{};
 

@@ -20,9 +20,9 @@ namespace raytracer {
 
 // RGB, row-major from the top left.
 template <class Channel>
-struct ImageOf {
-    int width = 0, height = 0;
+struct ImageOf : ImageSize {
     LargeVector<Channel> pixels;  // width * height * 3
+    bool operator==(const ImageOf&) const = default;
 
     // A pixel's red, green and blue.
     const Channel* at(int x, int y) const {
@@ -64,6 +64,7 @@ std::optional<ImageSize> sizeInHeader(const FileBytes& file);
 // Whether `path` is a complete picture, PNG or PFM, of the crop's size, and newer than all of the others.
 bool isNewPicture(const std::string& path, const PixelRectangle& crop, std::span<const std::string> others);
 
+std::string inWords(const ImageSize& size);        // "600 x 400"
 std::string pixelsInWords(int width, int height);  // "18000 × 18000 pixels"
 
 // The bytes of a PNG file, made by stb. They do not depend on the number of threads (0: one for each

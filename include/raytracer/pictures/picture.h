@@ -8,30 +8,21 @@ namespace raytracer {
 
 // A picture whose pixels are not set yet. Throws OutOfMemory (memory.h) if there is too little for it.
 template <class Image>
-Image unsetImage(int width, int height);
+Image unsetImage(const ImageSize& size);
 
-// Clamps and quantises, for PNG.
-class ByteSink final : public PixelSink {
+// Bytes are clamped and quantised, for PNG. Floats are linear light, unclamped, for PFM.
+template <class Channel>
+class ImageSink final : public PixelSink {
   public:
-    explicit ByteSink(const PixelRectangle& crop);
+    explicit ImageSink(const PixelRectangle& crop);
     void write(int x, int y, std::span<const glm::dvec3> colors) override;
-    const ByteImage& image() const { return image_; }
+    const ImageOf<Channel>& image() const { return image_; }
 
   private:
     PixelRectangle crop_;
-    ByteImage image_;
+    ImageOf<Channel> image_;
 };
-
-// Linear light, unclamped, for PFM.
-class FloatSink final : public PixelSink {
-  public:
-    explicit FloatSink(const PixelRectangle& crop);
-    void write(int x, int y, std::span<const glm::dvec3> colors) override;
-    const FloatImage& image() const { return image_; }
-
-  private:
-    PixelRectangle crop_;
-    FloatImage image_;
-};
+using ByteSink = ImageSink<std::uint8_t>;
+using FloatSink = ImageSink<float>;
 
 }  // namespace raytracer

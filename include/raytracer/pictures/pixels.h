@@ -1,27 +1,31 @@
 // Places in a picture, and the interface that takes its colours.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include <glm/vec3.hpp>
 
 namespace raytracer {
 
+struct ImageSize {
+    int width = 0, height = 0;
+    std::size_t area() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    bool operator==(const ImageSize&) const = default;
+};
+
 // A rectangle of pixels: x0 <= x < x1, y0 <= y < y1, (0, 0) at the top left.
 struct PixelRectangle {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     int width() const { return x1 - x0; }
     int height() const { return y1 - y0; }
+    ImageSize size() const { return {width(), height()}; }
     double area() const { return static_cast<double>(width()) * height(); }  // pixels
 };
 
 // A pixel of the whole picture.
 struct PixelPlace {
     int x = 0, y = 0;
-};
-
-struct ImageSize {
-    int width = 1, height = 1;
 };
 
 // Receives a picture. write() is called from several threads at once, for disjoint runs of pixels.

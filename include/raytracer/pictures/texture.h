@@ -3,12 +3,12 @@
 
 #include <cstdint>
 
+#include "raytracer/pictures/pixels.h"
 #include "raytracer/util/large_vector.h"
 
 namespace raytracer {
 
-struct Texture {
-    int width = 0, height = 0;                // texels, both >= 1
+struct Texture : ImageSize {
     LargeVector<std::uint8_t> texels;         // width * height * 3, row-major from the top left; or empty:
     LargeVector<std::uint16_t> deepTexels{};  // then these are, with 16 bits a channel
 };
