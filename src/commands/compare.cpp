@@ -112,8 +112,7 @@ std::string colorAt(const Picture& picture, const Comparison& c) {
         return formatted("(%.6g, %.6g, %.6g)", static_cast<double>(p[0]), static_cast<double>(p[1]),
                          static_cast<double>(p[2]));
     }
-    const std::uint8_t* const p = std::get<ByteImage>(picture).at(c.worstX, c.worstY);
-    return formatted("(%d, %d, %d)", p[0], p[1], p[2]);
+    return rgbInWords(std::get<ByteImage>(picture).at(c.worstX, c.worstY));
 }
 
 // Prints the verdict, and a command that tells why the worst pixel differs.

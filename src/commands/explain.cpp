@@ -8,7 +8,7 @@
 #include "arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/explain/explanation_text.h"
-#include "raytracer/explain/scene_slips.h"
+#include "raytracer/explain/scene_advice.h"
 #include "raytracer/grading/compare.h"
 #include "raytracer/grading/diagnosis.h"
 #include "raytracer/scene/scene_loader.h"
@@ -69,11 +69,6 @@ void requirePixel(const ImageSize& size, const PixelPlace& pixel) {
                                    size.width - 1, size.height - 1, pixel.x, pixel.y));
 }
 
-std::string bytesInWords(const ByteImage& image, const PixelPlace& pixel) {
-    const std::uint8_t* const bytes = image.at(pixel.x, pixel.y);
-    return formatted("(%d, %d, %d)", bytes[0], bytes[1], bytes[2]);
-}
-
 // A picture of the scene that is to be checked, the right one, and how they differ.
 struct Suspect {
     ByteImage image, right;
@@ -117,8 +112,8 @@ void printSuspect(const Suspect& suspect, const std::string& name, const PixelPl
                   const std::vector<std::string>& missing) {
     print(inLines(name + " ", verdict(suspect)));
     for (const std::string& hint : suspect.diagnosis.hints()) print(inLines("  ", hint));
-    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + bytesInWords(suspect.image, pixel) + " in " +
-          name + ", " + bytesInWords(suspect.right, pixel) + " is right\n");
+    print(formatted("pixel (%d, %d): ", pixel.x, pixel.y) + rgbInWords(suspect.image.at(pixel.x, pixel.y)) +
+          " in " + name + ", " + rgbInWords(suspect.right.at(pixel.x, pixel.y)) + " is right\n");
     const std::string asIn = " it would be as in " + name + "\n";
     for (const std::string& term : missing) print(("without " + term).append(asIn));
 }

@@ -9,7 +9,6 @@
 #include "grade_arguments.h"
 #include "raytracer/commands/commands.h"
 #include "raytracer/grading/grade_files.h"
-#include "raytracer/grading/grade_report.h"
 #include "raytracer/grading/submissions.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/pictures/picture.h"

@@ -6,7 +6,6 @@
 
 #include "arguments.h"
 #include "raytracer/explain/scene_advice.h"
-#include "raytracer/explain/scene_slips.h"
 #include "raytracer/json/json_document.h"
 #include "raytracer/json/json_edit.h"
 #include "raytracer/scene/scene_loader.h"

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 
 #include "advice_lines.h"
 #include "raytracer/geometry/shapes.h"

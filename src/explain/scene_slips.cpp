@@ -1,4 +1,4 @@
-#include "raytracer/explain/scene_slips.h"
+#include "raytracer/explain/scene_advice.h"
 
 #include <algorithm>
 #include <cmath>

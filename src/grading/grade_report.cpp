@@ -1,4 +1,4 @@
-#include "raytracer/grading/grade_report.h"
+#include "raytracer/grading/grade_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,14 +84,11 @@ std::string mistake(const GradeResult& result) {
     if (!result.sentence.empty()) html += "<p class=\"mistake\">" + escaped(result.sentence) + "</p>\n";
     const auto& c = result.comparison;
     if (!c || c->maximum == 0) return html;
-    const auto color = [](const std::array<std::uint8_t, 3>& rgb) {
-        return formatted("(%d, %d, %d)", rgb[0], rgb[1], rgb[2]);
-    };
     const std::string command =
         result.path.empty() ? formatted(" %d %d %d", c->worstX, c->worstY, std::max(c->width, c->height))
                             : escaped(" --picture " + inShellQuotes(result.path));
-    return html + "<p class=\"why\">worst pixel: graded " + color(result.ourWorst) + ", reference " +
-           color(result.referenceWorst) + "; why: <code>raytracer explain " +
+    return html + "<p class=\"why\">worst pixel: graded " + rgbInWords(result.ourWorst.data()) +
+           ", reference " + rgbInWords(result.referenceWorst.data()) + "; why: <code>raytracer explain " +
            escaped(inShellQuotes(result.test.scene)) + command + escaped(optionsOf(*result.test.stage)) +
            "</code></p>\n";
 }

@@ -4,6 +4,7 @@
 #include "png_chunks.h"
 #include "png_format.h"
 #include "raytracer/pictures/image.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -21,6 +22,8 @@ std::optional<ImageSize> sizeInHeader(const FileBytes& file) {
 std::string inWords(const ImageSize& size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
+
+std::string rgbInWords(const std::uint8_t* rgb) { return formatted("(%d, %d, %d)", rgb[0], rgb[1], rgb[2]); }
 
 std::string pixelsInWords(int width, int height) {
     return std::to_string(width) + " × " + std::to_string(height) + " pixels";

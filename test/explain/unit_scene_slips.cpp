@@ -1,7 +1,7 @@
 // Every word about numbers that are hardly meant, and silence about the others.
 #include <catch2/catch.hpp>
 
-#include "raytracer/explain/scene_slips.h"
+#include "raytracer/explain/scene_advice.h"
 #include "raytracer/scene/mesh_file.h"
 
 using namespace raytracer;

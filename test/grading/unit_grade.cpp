@@ -10,7 +10,6 @@
 
 #include "../support/scene_files.h"
 #include "raytracer/grading/grade_files.h"
-#include "raytracer/grading/grade_report.h"
 #include "raytracer/util/child_process.h"
 #include "raytracer/util/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-// Writes grades as tables for people, and as files for other programs.
+// Writes grades as tables and pages for people, and as files for other programs.
 #pragma once
 
 #include <span>
@@ -20,6 +20,17 @@ std::string gradesAsJunit(std::span<const GradedSubmission> graded, const Thresh
 // Gradescope's results.json: a test for each picture, worth `points` times its score / 100.
 // https://gradescope-autograders.readthedocs.io/en/latest/specs/#output-format
 std::string gradesForGradescope(const GradedSubmission& graded, const Thresholds& thresholds, double points);
+
+// One self-contained HTML file. The pictures are grouped by scene, the worst first. A click on a picture
+// opens it large, at the worst pixel; each further click swaps the reference and the graded picture in place.
+// The page lists its keys. Without scripts it is a list of all results.
+std::string gradeReport(const GradedSubmission& graded, const Thresholds& thresholds,
+                        const std::string& title);
+
+// For a class: a table of the submissions, the worst first. Each row opens the submission's pictures, which
+// are on the shelf and loaded only then. Without scripts it is only the table.
+std::string classReport(std::span<const GradedSubmission> graded, const Thresholds& thresholds,
+                        const std::string& title, const PictureShelf& shelf);
 
 // The table of one program's pictures: its head, and a picture's row with what is wrong with it.
 std::string gradeTableHead();

@@ -65,6 +65,7 @@ std::optional<ImageSize> sizeInHeader(const FileBytes& file);
 bool isNewPicture(const std::string& path, const PixelRectangle& crop, std::span<const std::string> others);
 
 std::string inWords(const ImageSize& size);        // "600 x 400"
+std::string rgbInWords(const std::uint8_t* rgb);   // "(255, 0, 0)"
 std::string pixelsInWords(int width, int height);  // "18000 × 18000 pixels"
 
 // The bytes of a PNG file, made by stb. They do not depend on the number of threads (0: one for each
