@@ -77,7 +77,7 @@ void printJson(const Comparison& c, bool same) {
     json.key("rmse").value(c.rmse);
     json.key("psnr").value(c.psnr);  // null: infinite, as of equal pictures
     json.key("maximum").value(c.maximum);
-    json.key("worst").beginArray().value(c.worstX).value(c.worstY).endArray();
+    json.key("worst").values(std::array{c.worstX, c.worstY});
     json.key("score").value(c.score);
     json.key("speckle").value(c.speckle);
     json.key("within").value(same);

@@ -1,6 +1,7 @@
 // raytracer explain SCENE X Y LONG_EDGE_PIXELS: shows the rays behind one pixel; with --picture, tells what
 // is wrong with that picture.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -121,21 +122,14 @@ void printSuspect(const Suspect& suspect, const std::string& name, const PixelPl
 void writeSuspect(JsonWriter& json, const Suspect& suspect, const PixelPlace& pixel,
                   const std::vector<std::string>& missing) {
     json.key("verdict").value(verdict(suspect));
-    json.key("mistakes").beginArray();
-    for (const NamedMistake& mistake : suspect.diagnosis.mistakes) {
+    json.key("mistakes").array(suspect.diagnosis.mistakes, [&](const NamedMistake& mistake) {
         json.beginObject();
         json.key("what").value(mistake.what).key("explained").value(mistake.explained);
         json.endObject();
-    }
-    json.endArray();
-    json.key("pixel").beginArray().value(pixel.x).value(pixel.y).endArray();
-    const std::uint8_t* const bytes = suspect.image.at(pixel.x, pixel.y);
-    json.key("theirs").beginArray();
-    for (int c = 0; c < 3; ++c) json.value(static_cast<int>(bytes[c]));
-    json.endArray();
-    json.key("without").beginArray();
-    for (const std::string& term : missing) json.value(term);
-    json.endArray();
+    });
+    json.key("pixel").values(std::array{pixel.x, pixel.y});
+    json.key("theirs").values(std::span(suspect.image.at(pixel.x, pixel.y), 3));
+    json.key("without").values(missing);
 }
 
 void printRays(const RayExplanation& tree, const SceneDescription& scene, const ExplainArguments& arguments,

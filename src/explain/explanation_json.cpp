@@ -1,3 +1,5 @@
+#include <array>
+
 #include "raytracer/explain/explanation_text.h"
 #include "raytracer/json/json_writer.h"
 #include "raytracer/pictures/image.h"
@@ -10,7 +12,7 @@ constexpr const char* kindNames[] = {"primary", "reflection", "refraction"};
 constexpr const char* reasonNames[] = {"", "max_recursion", "black", "cutoff", "total_internal_reflection"};
 
 void writeVector(JsonWriter& json, const char* key, const glm::dvec3& v) {
-    json.key(key).beginArray().value(v.x).value(v.y).value(v.z).endArray();
+    json.key(key).values(std::array{v.x, v.y, v.z});
 }
 
 void writeShape(JsonWriter& json, std::size_t index, const SceneDescription& scene) {
@@ -52,19 +54,14 @@ void writeHit(JsonWriter& json, const RayExplanation& ray, const SceneDescriptio
     json.key("t").value(ray.t);
     writeVector(json, "position", ray.position);
     writeVector(json, "normal", ray.normal);
-    if (ray.texCoord)
-        json.key("texCoord").beginArray().value(ray.texCoord->x).value(ray.texCoord->y).endArray();
+    if (ray.texCoord) json.key("texCoord").values(std::array{ray.texCoord->x, ray.texCoord->y});
     writeVector(json, "K_D", ray.K_D);
-    json.key("lights").beginArray();
-    for (const LightExplanation& light : ray.lights) writeLight(json, light, scene);
-    json.endArray();
+    json.key("lights").array(ray.lights, [&](const auto& light) { writeLight(json, light, scene); });
     if (ray.reflection != TerminationReason::None)
         json.key("no_reflection").value(reasonNames[static_cast<int>(ray.reflection)]);
     if (ray.refraction != TerminationReason::None)
         json.key("no_refraction").value(reasonNames[static_cast<int>(ray.refraction)]);
-    json.key("rays").beginArray();
-    for (const RayExplanation& next : ray.rays) writeRay(json, next, scene);
-    json.endArray();
+    json.key("rays").array(ray.rays, [&](const auto& next) { writeRay(json, next, scene); });
 }
 
 void writeRay(JsonWriter& json, const RayExplanation& ray, const SceneDescription& scene) {
@@ -91,10 +88,8 @@ std::string explanationJson(const RayExplanation& explanation, const SceneDescri
     json.key("ray");
     writeRay(json, explanation, scene);
     writeVector(json, "clamped", glm::clamp(explanation.color, 0.0, 1.0));
-    json.key("bytes").beginArray();
-    for (int channel = 0; channel < 3; ++channel)
-        json.value(static_cast<int>(toByte(explanation.color[channel])));
-    json.endArray();
+    const glm::dvec3& color = explanation.color;
+    json.key("bytes").values(std::array{toByte(color.r), toByte(color.g), toByte(color.b)});
     json.endObject();
     return json.text() + "\n";
 }

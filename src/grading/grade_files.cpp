@@ -52,9 +52,7 @@ void writePicture(JsonWriter& json, const GradeResult& result, const Thresholds&
     else json.key("differing").null();
     json.key("message").value(printable(result.message.empty() ? result.note : result.message));
     json.key("output").value(printable(result.output, "\n"));
-    json.key("mistakes").beginArray();
-    for (const std::string& mistake : result.mistakes) json.value(mistake);
-    json.endArray();
+    json.key("mistakes").values(result.mistakes);
     json.key("sentence").value(result.sentence);
     json.key("seconds").value(result.seconds);
     json.key("processor_seconds").value(result.processorSeconds);
@@ -165,19 +163,17 @@ std::string gradesAsCsv(std::span<const GradedSubmission> graded, const Threshol
 std::string gradesAsJson(std::span<const GradedSubmission> graded, const Thresholds& thresholds) {
     JsonWriter json;
     json.beginObject();
-    json.key("submissions").beginArray();
-    for (const GradedSubmission& submission : graded) {
+    json.key("submissions").array(graded, [&](const GradedSubmission& submission) {
         json.beginObject();
         json.key("submission").value(printable(submission.name));
         json.key("mean").value(submission.mean());
         json.key("right").value(submission.rightCount(thresholds));
         json.key("mistake").value(printable(submission.remarks(thresholds)));
-        json.key("pictures").beginArray();
-        for (const GradeResult& result : submission.results) writePicture(json, result, thresholds);
-        json.endArray();
+        json.key("pictures").array(submission.results, [&](const GradeResult& result) {
+            writePicture(json, result, thresholds);
+        });
         json.endObject();
-    }
-    json.endArray();
+    });
     json.endObject();
     return json.text() + "\n";
 }
@@ -207,8 +203,7 @@ std::string gradesForGradescope(const GradedSubmission& graded, const Thresholds
     json.key("output").value(printable(graded.fault(thresholds)));
     json.key("output_format").value("text");
     json.key("visibility").value("visible");
-    json.key("tests").beginArray();
-    for (const GradeResult& result : graded.results) {
+    json.key("tests").array(graded.results, [&](const GradeResult& result) {
         json.beginObject();
         json.key("name").value(printable(result.test.name));
         json.key("score").value(share * result.score());
@@ -220,8 +215,7 @@ std::string gradesForGradescope(const GradedSubmission& graded, const Thresholds
         json.key("execution_time").value(result.seconds);
         json.endObject();
         json.endObject();
-    }
-    json.endArray();
+    });
     json.endObject();
     return json.text() + "\n";
 }

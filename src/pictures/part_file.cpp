@@ -29,12 +29,12 @@ std::string headText(const PartHead& head) {
     json.key("version").value(head.version);
     json.key("scene").value(head.scene);
     json.key("options").value(head.options);
-    json.key("size").beginArray().value(head.size.width).value(head.size.height).endArray();
+    json.key("size").values(std::array{head.size.width, head.size.height});
     const PixelRectangle& crop = head.crop;
-    json.key("crop").beginArray().value(crop.x0).value(crop.y0).value(crop.x1).value(crop.y1).endArray();
+    json.key("crop").values(std::array{crop.x0, crop.y0, crop.x1, crop.y1});
     json.key("float").value(head.isFloat);
     json.key("reached").value(head.isReached);
-    json.key("part").beginArray().value(head.part.number).value(head.part.count).endArray();
+    json.key("part").values(std::array{head.part.number, head.part.count});
     json.endObject();
     return json.text() + "\n";
 }

@@ -1,9 +1,12 @@
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "raytracer/json/json_writer.h"
+#include "raytracer/util/text.h"
 
 using raytracer::jsonString;
 using raytracer::JsonWriter;
@@ -12,13 +15,11 @@ TEST_CASE("JsonWriter: objects by lines, plain arrays in one") {
     JsonWriter json;
     json.beginObject();
     json.key("name").value("x");
-    json.key("size").beginArray().value(600).value(400).endArray();
-    json.key("none").beginArray().endArray();
+    json.key("size").values(std::array{600, 400});
+    json.key("none").values(std::vector<std::string>());
     json.key("yes").value(true);
-    json.key("rays").beginArray();
-    json.beginObject().key("t").value(0.1).endObject();
-    json.beginObject().key("t").null().endObject();
-    json.endArray();
+    json.key("rays").array(std::array{0.1, HUGE_VAL},
+                           [&](double t) { json.beginObject().key("t").value(t).endObject(); });
     json.endObject();
     CHECK(json.text() ==
           "{\n  \"name\": \"x\",\n  \"size\": [600, 400],\n  \"none\": [],\n  \"yes\": true,\n  \"rays\": [\n"
@@ -39,9 +40,8 @@ TEST_CASE("JsonWriter: numbers read back as they were") {
 
 TEST_CASE("JsonWriter: infinities and NaN are null") {
     JsonWriter json;
-    json.beginArray();
-    json.value(std::numeric_limits<double>::infinity()).value(std::numeric_limits<double>::quiet_NaN());
-    json.endArray();
+    json.values(
+        std::array{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()});
     CHECK(json.text() == "[null, null]");
 }
 

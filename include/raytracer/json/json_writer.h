@@ -2,7 +2,7 @@
 //
 //     JsonWriter json;
 //     json.beginObject();
-//     json.key("size").beginArray().value(600).value(400).endArray();
+//     json.key("size").values(std::array{600, 400});
 //     json.endObject();
 //     puts(json.text().c_str());
 #pragma once
@@ -20,8 +20,6 @@ class JsonWriter {
   public:
     JsonWriter& beginObject() { return begin('{'); }
     JsonWriter& endObject() { return end('}'); }
-    JsonWriter& beginArray() { return begin('['); }
-    JsonWriter& endArray() { return end(']'); }
 
     JsonWriter& key(std::string_view name);
 
@@ -36,6 +34,18 @@ class JsonWriter {
         else return plain(std::to_string(number));
     }
     JsonWriter& null() { return plain("null"); }
+
+    // An array: of these values, or of what write(element) writes for each element.
+    template <class Range>
+    JsonWriter& values(const Range& range) {
+        return array(range, [this](const auto& element) { this->value(element); });
+    }
+    template <class Range, class Write>
+    JsonWriter& array(const Range& range, Write write) {
+        begin('[');
+        for (const auto& element : range) write(element);
+        return end(']');
+    }
 
     const std::string& text() const { return text_; }
 
