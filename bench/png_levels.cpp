@@ -67,7 +67,7 @@ Result medianOf5(const ByteImage& image, int filter, int level) {
 
 int main(int argc, char** argv) {
     if (argc < 2) return std::fprintf(stderr, "usage: png_levels PICTURE [LONG_EDGE]\n"), 2;
-    ByteImage image = raytracer::readImage(argv[1]);
+    ByteImage image = raytracer::readImage(std::string(argv[1]));
     if (argc > 2) image = enlarge(image, std::atoi(argv[2]));
     std::printf("%d x %d: milliseconds (median of 5) / KiB\nlevel", image.width, image.height);
     for (const char* name : {"none", "sub", "up", "average", "Paeth", "adaptive"}) std::printf("%18s", name);
