@@ -487,8 +487,8 @@ TEST_CASE("A PNG that does not begin with its header, or is made for iOS, is ref
 TEST_CASE("A PFM comes back to the bit, bottom row first in the file") {
     const TestFolder folder;
     const float inf = std::numeric_limits<float>::infinity();
-    const FloatImage image{
-        {2, 2}, {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
+    const FloatImage image{{2, 2},
+                           {0, 1, -2.5F, 1e-40F, inf, 1e30F, 0.1F, 0.2F, 0.3F, -0.0F, std::nanf(""), 7}};
     OutputFile file(folder.file("a.pfm"));
     const auto writer = pfmWriter(file, {0, 0, 2, 2});
     writer->write(image);
