@@ -145,8 +145,8 @@ class Search {
         std::ranges::sort(parts_, {}, [&](const Part& part) {
             return std::tuple(place(part), part.distance, part.pixel.x, part.pixel.y);
         });
-        const auto others = std::ranges::unique(parts_, {}, place);
-        parts_.erase(others.begin(), others.end());
+        const auto isSamePlace = [&](const Part& a, const Part& b) { return place(a) == place(b); };
+        parts_.erase(std::unique(parts_.begin(), parts_.end(), isSamePlace), parts_.end());
     }
 
     const Camera& camera_;
