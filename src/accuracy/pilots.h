@@ -19,7 +19,7 @@ struct PilotPixel {
     PixelEstimate own{}, truth[2]{};
 };
 
-// The picture's mean squared error, estimated without bias, and how much larger it may be.
+// The picture's mean squared error, as estimated, and how much larger it may be.
 struct SquaredError {
     double mean = 0;
     double margin = 0;

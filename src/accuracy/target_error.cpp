@@ -1,7 +1,7 @@
 // Each pixel stops by its own error estimate (pixel_estimate.h), so that the picture's error is a slowly
 // changing fraction of one number, --adaptive. The search samples pilot pixels, more of them where the
 // contrast is large, until they stop at that number. Two more estimates of each pilot pixel, from other
-// samples, give its squared error without bias. The depth is chosen before that (depth.h).
+// samples, give its squared error: never too small on average. The depth is chosen before that (depth.h).
 #include "raytracer/accuracy/target_error.h"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ namespace {
 // The first `adaptive`, as a multiple of the target. A picture's error is 0.1 to 1.3 times `adaptive`. With a
 // coarser one, single pixels have errors that pilot samples may miss.
 constexpr double coarsest = 8;
-// Pilot pixels take at least this part of the picture's samples. Else something small that none of them meets
-// would be missed in large pictures, where it costs least to look.
+// Pilot pixels take at least this part of the picture's samples (of a halved picture's, mostFirst). Else
+// something small that none of them meets would be missed in large pictures, where it costs least to look.
 constexpr double pilotShare = 0.1;
 constexpr double finer = 1 / 1.09;     // from one `adaptive` to the next: on average 4 % below the target
 constexpr double mostFirst = 1 << 22;  // pixels whose first samples and contrasts are kept: 185 MB
@@ -115,6 +115,7 @@ class Search {
 
     // Draws pixels in the order of their contrast.
     void drawPixels(double count) {
+        requireMemory({}, "pilot pixels", sizeof(PilotPixel) * count);
         const double step = totalWeight_ / count;
         const auto contrastOf = [&](std::size_t i) { return static_cast<double>(pixels_[i].first); };
         drawSystematically(

@@ -46,7 +46,6 @@ class TimeSearch {
     }
 
     TimeChoice choose() {
-        colorsOf({mostSamples, 1}, {0, 0, 1, 1}, 0);  // what takes its time once in a picture is not timed
         TimeChoice choice = step(largestError);
         // Not even mostSamples samples reach an error below 1 / mostSamples.
         for (double error = firstError; error * mostSamples > 1; error *= nextError) {
@@ -70,6 +69,7 @@ class TimeSearch {
         TimeChoice step{.setting = {1, 0, depth.max_recursion, depth.cutoff, options_.bilinear},
                         .depthError = std::sqrt(depth.squaredError)};
         if (adaptive < PixelEstimate::errorOfOneSample) {
+            renderer_.prepare(options_);
             step.setting.samples = mostSamples;
             step.setting.adaptive = adaptive;
         }

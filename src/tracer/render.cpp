@@ -5,6 +5,7 @@
 
 #include "point_stream.h"
 #include "raytracer/tracer/scene_builder.h"
+#include "raytracer/util/memory.h"
 #include "raytracer/util/parallel.h"
 #include "scene_renderer.h"
 #include "small_parts.h"
@@ -109,21 +110,42 @@ RenderCounts SceneRenderer::shareOut(const RenderOptions& options, std::size_t j
     return all();
 }
 
-std::shared_ptr<const std::vector<ExtraSample>> SceneRenderer::smallPartsOf(const ImageSize& size) const {
+std::shared_ptr<const std::vector<glm::dvec2>> SceneRenderer::smallPartsOf(
+    const RenderOptions& options) const {
+    const ImageSize& size = options.size;
+    const PixelRectangle place = withRing(options.crop, size);
     const std::lock_guard lock(mutex_);
-    if (size.width != sizeOfParts_.width || size.height != sizeOfParts_.height)
-        smallParts_ = std::make_shared<const std::vector<ExtraSample>>(smallParts(*scene_, size));
+    const bool isKnown = size.width == sizeOfParts_.width && size.height == sizeOfParts_.height &&
+                         placeOfParts_.x0 <= place.x0 && placeOfParts_.y0 <= place.y0 &&
+                         placeOfParts_.x1 >= place.x1 && placeOfParts_.y1 >= place.y1;
+    if (isKnown) return smallParts_;
+    constexpr double pixelsOfBand = 1 << 20;
+    const std::vector<PixelRectangle> bands = bandsOf(place, pixelsOfBand);
+    std::vector<std::vector<glm::dvec2>> found(bands.size());
+    parallelFor(static_cast<std::uint32_t>(bands.size()), options.threads,
+                [&](std::uint32_t i) { found[i] = smallParts(*scene_, size, bands[i]); });
+    auto all = std::make_shared<std::vector<glm::dvec2>>();
+    for (std::vector<glm::dvec2>& some : found) {
+        requireMemory({}, "what is small in the picture",
+                      static_cast<double>(sizeof(glm::dvec2) * (all->size() + some.size())));
+        all->insert(all->end(), some.begin(), some.end());
+        some = {};
+    }
+    smallParts_ = std::move(all);
     sizeOfParts_ = size;
+    placeOfParts_ = place;
     return smallParts_;
 }
+
+void SceneRenderer::prepare(const RenderOptions& options) const { smallPartsOf(options); }
 
 RenderCounts SceneRenderer::render(const RenderOptions& options, PixelSink& sink, ProgressListener* progress,
                                    const FirstSamples* first) const {
     const std::vector<PixelRectangle> tiles = tilesOf(options.crop, options.part);
-    auto extra = std::make_shared<const std::vector<ExtraSample>>();
-    if (options.adaptive > 0 && options.samples > 1 && !first) extra = smallPartsOf(options.size);
+    auto small = std::make_shared<const std::vector<glm::dvec2>>();
+    if (options.adaptive > 0 && options.samples > 1 && !first) small = smallPartsOf(options);
     return shareOut(options, tiles.size(), progress, unlimited, [&](const RenderContext& context) {
-        return [&, render = tileRenderer(*scene_, context, first, *extra, sink)](std::uint32_t job) {
+        return [&, render = tileRenderer(*scene_, context, first, *small, sink)](std::uint32_t job) {
             render(tiles[job]);
         };
     });
@@ -142,17 +164,24 @@ RenderCounts SceneRenderer::renderFirst(RenderOptions options, FirstSamples& fir
             return [&](std::uint32_t job) { raytracer::renderFirst(*scene_, tiles[job], context, first); };
         });
     first.cutoffBound = counts.cutoffBound;
-    first.extra = *smallPartsOf(options.size);
-    std::vector<glm::dvec2> points;
-    for (const ExtraSample& sample : first.extra) points.push_back(sample.point);
-    std::vector<glm::dvec3> colors(points.size());
-    counts += renderPoints(options, points, colors);
-    for (std::size_t i = 0; i < colors.size(); ++i) first.extra[i].color = colors[i];
+    const auto points = smallPartsOf(options);
+    requireMemory({}, "samples of what is small",
+                  static_cast<double>((sizeof(ExtraSample) + sizeof(glm::dvec3)) * points->size()));
+    std::vector<glm::dvec3> colors(points->size());
+    counts += tracePoints(options, *points, colors, unlimited);
+    first.extra.clear();
+    first.extra.reserve(colors.size());
+    for (std::size_t i = 0; i < colors.size(); ++i) first.extra.push_back({(*points)[i], colors[i]});
     return counts;
 }
 
 RenderCounts SceneRenderer::renderPoints(const RenderOptions& options, std::span<const glm::dvec2> points,
                                          std::span<glm::dvec3> colors) const {
+    return tracePoints(options, points, colors, mostRaysOf(points));
+}
+
+RenderCounts SceneRenderer::tracePoints(const RenderOptions& options, std::span<const glm::dvec2> points,
+                                        std::span<glm::dvec3> colors, std::uint64_t mostRays) const {
     const auto workOf = [&](const RenderContext& context) {
         const auto take = [&](std::size_t i, const glm::dvec3& color, const SampleTrace& trace) {
             colors[i] = color;
@@ -164,7 +193,7 @@ RenderCounts SceneRenderer::renderPoints(const RenderOptions& options, std::span
                 *scene_, context, points, job, [](std::size_t) { return nullptr; }, take);
         };
     };
-    return shareOut(options, batchCount(points.size()), nullptr, mostRaysOf(points), workOf);
+    return shareOut(options, batchCount(points.size()), nullptr, mostRays, workOf);
 }
 
 RenderCounts SceneRenderer::rayTrees(const RenderOptions& options, std::span<const glm::dvec2> points,

@@ -29,6 +29,7 @@ class SceneRenderer final : public Renderer {
                               std::span<glm::dvec3> colors) const override;
     RenderCounts rayTrees(const RenderOptions& options, std::span<const glm::dvec2> points,
                           RayTrees& trees) const override;
+    void prepare(const RenderOptions& options) const override;
     RayExplanation explain(const RenderOptions& options, int x, int y) const override;
 
   private:
@@ -40,14 +41,18 @@ class SceneRenderer final : public Renderer {
                           std::uint64_t mostRays,
                           const std::function<Work(const RenderContext&)>& workOf) const;
 
-    // The small parts of a picture of this size. They are kept for the next picture of that size: to find
-    // them takes a tenth of a second in a mesh of a million triangles.
-    std::shared_ptr<const std::vector<ExtraSample>> smallPartsOf(const ImageSize& size) const;
+    // The small parts of the options' crop, or of more. They are kept for the next picture of that size.
+    std::shared_ptr<const std::vector<glm::dvec2>> smallPartsOf(const RenderOptions& options) const;
+
+    // Traces points, with the limit mostRays in all.
+    RenderCounts tracePoints(const RenderOptions& options, std::span<const glm::dvec2> points,
+                             std::span<glm::dvec3> colors, std::uint64_t mostRays) const;
 
     std::unique_ptr<const Scene> scene_;
     mutable std::mutex mutex_;  // of what follows
     mutable ImageSize sizeOfParts_{0, 0};
-    mutable std::shared_ptr<const std::vector<ExtraSample>> smallParts_;
+    mutable PixelRectangle placeOfParts_{};
+    mutable std::shared_ptr<const std::vector<glm::dvec2>> smallParts_;
 };
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

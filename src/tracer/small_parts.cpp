@@ -1,6 +1,7 @@
 #include "small_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -13,12 +14,14 @@ namespace {
 
 // Pixels. What is wider contains a centre.
 constexpr Real widest = 2;
-// Pixels. A longer part is halved, so that each pixel along a wire gets a point.
+// Pixels. A longer part is halved, so that each pixel along a wire, or its neighbour, gets a point.
 constexpr Real longest = Real(1.5);
-// A part that is partly behind the eye is halved so often at most, and one before the eye.
-constexpr int mostHalvings = 6, mostHalvingsInFront = 32;
-// More would take longer than they are worth: a second or two.
-constexpr std::size_t mostParts = std::size_t{1} << 24;
+// Square pixels. A smaller part changes its pixel by nothing that shows.
+constexpr Real leastArea = Real(1e-4);
+// How often a part may be halved: towards the eye, or in a picture of any size.
+constexpr int mostHalvings = 32;
+// Where shapes and triangles as long as the picture would have more parts together, their parts are longer.
+constexpr double mostParts = 1 << 26;
 
 struct Point {
     Vec3 place;     // in the scene's frame
@@ -28,32 +31,38 @@ struct Point {
 
 class Search {
   public:
-    Search(const Scene& scene, const ImageSize& size)
-        : camera_(scene.camera),
-          width_(static_cast<Real>(size.width)),
-          height_(static_cast<Real>(size.height)) {
+    Search(const Scene& scene, const ImageSize& size, const PixelRectangle& place)
+        : camera_(scene.camera), width_(size.width), height_(size.height), place_(place) {
+        double count = 0;
+        for (const Shape& shape : scene.shapes)
+            count += shape.type() == ShapeType::Mesh ? shape.triangles().triangleCount() : 1;
+        longest_ = max(longest, static_cast<Real>(count * std::hypot(size.width, size.height) / mostParts));
         for (const Shape& shape : scene.shapes)
             if (shape.type() == ShapeType::Mesh) addMesh(shape);
             else addSolid(shape);
     }
 
-    std::vector<ExtraSample> samples() {
+    std::vector<glm::dvec2> points() {
         keepNearest();
-        std::vector<ExtraSample> samples;
-        for (const Part& part : parts_) samples.push_back({part.pixel});
-        return samples;
+        requireMemory(parts_.size() * sizeof(glm::dvec2));
+        std::vector<glm::dvec2> points;
+        points.reserve(parts_.size());
+        for (const Part& part : parts_) points.push_back(part.pixel);
+        return points;
     }
 
   private:
     struct Part {
-        int row, column;
-        Real distance;
         glm::dvec2 pixel;
+        Real distance;
+
+        std::pair<int, int> place() const { return {static_cast<int>(pixel.y), static_cast<int>(pixel.x)}; }
     };
 
     Point seen(const Vec3& place) const {
         const Vec3 onFilm = camera_.onFilm(place);
-        return {place, camera_.pixelOf(Vec2(onFilm), width_, height_), onFilm.z};
+        return {place, camera_.pixelOf(Vec2(onFilm), static_cast<Real>(width_), static_cast<Real>(height_)),
+                onFilm.z};
     }
 
     // In pixels; where one end is behind the eye, infinite.
@@ -70,8 +79,8 @@ class Search {
             if (lengthOf(b, c) > lengthOf(a, b)) std::swap(a, c);
             if (lengthOf(c, a) > lengthOf(a, b)) std::swap(b, c);
             const Point middle = seen((a.place + b.place + c.place) / Real(3));
-            if (lengthOf(a, b) <= longest) {
-                take(middle);
+            if (lengthOf(a, b) <= longest_) {
+                take(middle, areaOf(b.pixel - a.pixel, c.pixel - a.pixel) / 2);
                 continue;
             }
             const Vec3 across = (c.place - (a.place + b.place) / Real(2)) / Real(2);
@@ -80,7 +89,8 @@ class Search {
         }
     }
 
-    // The axis of the solid's box that looks longest. A plane has none: its numbers are infinite or NaN.
+    // The axis of the solid's box that looks longest; of those that pass the eye, that which is. A plane has
+    // none: its numbers are infinite or NaN.
     void addSolid(const Shape& shape) {
         Vec3 middle, half[3];
         for (int axis = 0; axis < 3; ++axis) {
@@ -91,74 +101,85 @@ class Search {
             half[axis] = shape.transform().linear()[axis] * ((high - low) / 2);
         }
         middle = shape.transform().pointToWorld(middle);
-        std::ranges::sort(half, {},
-                          [&](const Vec3& h) { return lengthOf(seen(middle - h), seen(middle + h)); });
+        const auto length = [&](const Vec3& h) {
+            return std::pair(lengthOf(seen(middle - h), seen(middle + h)), glm::length(h));
+        };
+        const auto order = [&](Vec3& a, Vec3& b) {
+            if (length(a) > length(b)) std::swap(a, b);
+        };
+        order(half[0], half[1]);
+        order(half[1], half[2]);
+        order(half[0], half[1]);
         add(seen(middle - half[2]), seen(middle + half[2]), half[1], 0);
     }
 
     // A segment inside a shape that is as wide as from -across to across around each of its points.
     void add(const Point& from, const Point& to, const Vec3& across, int halvings) {
         const auto [nearest, farthest] = std::minmax(from.distance, to.distance);
-        if (!(farthest > 0) || taken_ == mostParts) return;
+        if (!(farthest > 0)) return;
         const bool isInFront = nearest > 0;
         if (isInFront && isBeside(from.pixel, to.pixel)) return;
         const Point middle = seen((from.place + to.place) / Real(2));
         if (isInFront) {
             const Vec2 along = to.pixel - from.pixel,
                        width = seen(middle.place + across).pixel - seen(middle.place - across).pixel;
-            const Real length = glm::length(along);
-            if (!(std::abs(along.x * width.y - along.y * width.x) <= widest * length)) return;
-            if (length <= longest) return take(middle);
-            if (halvings == mostHalvingsInFront) return;
-        } else if (halvings == mostHalvings) {
-            return;
+            const Real length = glm::length(along), area = areaOf(along, width);
+            if (!(area <= widest * length)) return;
+            if (length <= longest_) return take(middle, area);
         }
+        if (halvings >= mostHalvings) return;
         add(from, middle, across, halvings + 1);
         add(middle, to, across, halvings + 1);
     }
 
+    static Real areaOf(const Vec2& a, const Vec2& b) { return std::abs(a.x * b.y - a.y * b.x); }
+
     bool isBeside(const Vec2& a, const Vec2& b) const {
-        return max(a.x, b.x) < 0 || min(a.x, b.x) > width_ || max(a.y, b.y) < 0 || min(a.y, b.y) > height_;
+        return max(a.x, b.x) < static_cast<Real>(place_.x0) || min(a.x, b.x) > static_cast<Real>(place_.x1) ||
+               max(a.y, b.y) < static_cast<Real>(place_.y0) || min(a.y, b.y) > static_cast<Real>(place_.y1);
     }
 
-    void take(const Point& point) {
+    void take(const Point& point, Real area) {
         const glm::dvec2 pixel(point.pixel);
-        const bool isInside = point.distance > 0 && pixel.x >= 0 && pixel.x < static_cast<double>(width_) &&
-                              pixel.y >= 0 && pixel.y < static_cast<double>(height_);
-        if (!isInside || taken_ == mostParts) return;
+        const bool isInside = point.distance > 0 && pixel.x >= place_.x0 && pixel.x < place_.x1 &&
+                              pixel.y >= place_.y0 && pixel.y < place_.y1;
+        if (!isInside || area < leastArea) return;
         if (parts_.size() == parts_.capacity()) makeRoom();
-        parts_.push_back({static_cast<int>(pixel.y), static_cast<int>(pixel.x), point.distance, pixel});
-        ++taken_;
+        parts_.push_back({pixel, point.distance});
     }
 
     void makeRoom() {
         keepNearest();
         const std::size_t room = std::max<std::size_t>(1024, 2 * parts_.size());
         if (room <= parts_.capacity()) return;
-        requireMemory({}, "what is small in the picture", static_cast<double>(room * sizeof(Part)));
+        requireMemory(room * sizeof(Part));
         parts_.reserve(room);
+    }
+
+    static void requireMemory(std::size_t bytes) {
+        raytracer::requireMemory({}, "what is small in the picture", static_cast<double>(bytes));
     }
 
     // Of each pixel's parts only the nearest, row by row.
     void keepNearest() {
-        const auto place = [](const Part& part) { return std::pair(part.row, part.column); };
-        std::ranges::sort(parts_, {}, [&](const Part& part) {
-            return std::tuple(place(part), part.distance, part.pixel.x, part.pixel.y);
+        std::ranges::sort(parts_, {}, [](const Part& part) {
+            return std::tuple(part.place(), part.distance, part.pixel.x, part.pixel.y);
         });
-        const auto isSamePlace = [&](const Part& a, const Part& b) { return place(a) == place(b); };
+        const auto isSamePlace = [](const Part& a, const Part& b) { return a.place() == b.place(); };
         parts_.erase(std::unique(parts_.begin(), parts_.end(), isSamePlace), parts_.end());
     }
 
     const Camera& camera_;
-    Real width_, height_;
+    int width_, height_;
+    PixelRectangle place_;
+    Real longest_;
     std::vector<Part> parts_;
-    std::size_t taken_ = 0;
 };
 
 }  // namespace
 
-std::vector<ExtraSample> smallParts(const Scene& scene, const ImageSize& size) {
-    return Search(scene, size).samples();
+std::vector<glm::dvec2> smallParts(const Scene& scene, const ImageSize& size, const PixelRectangle& place) {
+    return Search(scene, size, place).points();
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

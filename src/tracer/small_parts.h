@@ -3,13 +3,12 @@
 
 #include <vector>
 
-#include "raytracer/tracer/contrast.h"
 #include "raytracer/tracer/scene.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
-// Points of the picture, row by row of its pixels, where shapes and triangles lie that are thinner than two
-// pixels. At most one in each pixel: of that nearest to the eye. No colours yet.
-std::vector<ExtraSample> smallParts(const Scene& scene, const ImageSize& size);
+// Points, in this place of the picture, where shapes and triangles lie that are thinner than two pixels: at
+// most one in each pixel, of that nearest to the eye; row by row. Throws OutOfMemory (memory.h).
+std::vector<glm::dvec2> smallParts(const Scene& scene, const ImageSize& size, const PixelRectangle& place);
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

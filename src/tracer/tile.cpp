@@ -18,12 +18,12 @@ namespace {
 class Tile {
   public:
     Tile(const Scene& scene, const RenderContext& context, const FirstSamples* first,
-         std::span<const ExtraSample> extra, PixelSink& sink)
+         std::span<const glm::dvec2> small, PixelSink& sink)
         : scene_(scene),
           context_(context),
           options_(*context.options),
           first_(first),
-          extra_(first ? first->extra : extra),
+          small_(small),
           sink_(sink),
           sequence_(options_.sequence) {}
 
@@ -69,15 +69,23 @@ class Tile {
     // The extra samples in sampled_.
     std::vector<ExtraSample> extraHere() const {
         std::vector<ExtraSample> here;
-        const auto order = [](const ExtraSample& sample) {
-            return std::pair(sample.pixel().y, sample.pixel().x);
+        const auto takeFrom = [&](const auto& list) {
+            const auto order = [](const auto& sample) {
+                const PixelPlace place = ExtraSample{sample}.pixel();
+                return std::pair(place.y, place.x);
+            };
+            for (int y = sampled_.y0; y < sampled_.y1; ++y) {
+                const auto end = std::ranges::lower_bound(list, std::pair(y, sampled_.x1), {}, order);
+                for (auto i = std::ranges::lower_bound(list, std::pair(y, sampled_.x0), {}, order); i != end;
+                     ++i)
+                    here.push_back(ExtraSample{*i});
+            }
         };
-        for (int y = sampled_.y0; y < sampled_.y1; ++y) {
-            const auto begin = std::ranges::lower_bound(extra_, std::pair(y, sampled_.x0), {}, order);
-            const auto end = std::ranges::lower_bound(extra_, std::pair(y, sampled_.x1), {}, order);
-            here.insert(here.end(), begin, end);
+        if (first_) {
+            takeFrom(first_->extra);
+            return here;
         }
-        if (first_) return here;
+        takeFrom(small_);
         PointStream stream(scene_, context_, [&](std::size_t i, const glm::dvec3& color, const SampleTrace&) {
             here[i].color = color;
         });
@@ -141,7 +149,7 @@ class Tile {
     const RenderContext& context_;
     const RenderOptions& options_;
     const FirstSamples* first_;
-    std::span<const ExtraSample> extra_;  // of the picture
+    std::span<const glm::dvec2> small_;  // points of the picture
     PixelSink& sink_;
     SampleSequence sequence_;
     PixelRectangle tile_{}, sampled_{};
@@ -188,11 +196,11 @@ void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderC
 
 std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, const RenderContext& context,
                                                         const FirstSamples* first,
-                                                        std::span<const ExtraSample> extra, PixelSink& sink) {
+                                                        std::span<const glm::dvec2> small, PixelSink& sink) {
     const RenderOptions& options = *context.options;
     if (options.samples == 1 && options.adaptive == 0 && !first)
         return [&](const PixelRectangle& tile) { renderCentres(scene, tile, context, sink); };
-    return [tile = Tile(scene, context, first, extra, sink)](const PixelRectangle& place) mutable {
+    return [tile = Tile(scene, context, first, small, sink)](const PixelRectangle& place) mutable {
         tile.render(place);
     };
 }

@@ -9,11 +9,10 @@
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 // Makes a function that renders one tile after another, on one thread. A pixel's colour does not depend on
-// the tile that it is in. `first` may be null; then the colours of the picture's `extra` samples are still to
-// be found.
+// the tile that it is in. `first` may be null; then the extra samples are those at the points `small`.
 std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, const RenderContext& context,
                                                         const FirstSamples* first,
-                                                        std::span<const ExtraSample> extra, PixelSink& sink);
+                                                        std::span<const glm::dvec2> small, PixelSink& sink);
 
 // Takes the first samples of a tile.
 void renderFirst(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,

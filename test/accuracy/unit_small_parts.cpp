@@ -89,15 +89,67 @@ TEST_CASE("small parts: a wire has one in each of its pixels, to a cone's tip") 
         }
 }
 
-TEST_CASE("small parts: a wire that comes from behind the eye, and one along the view") {
+TEST_CASE("small parts: a wire that comes from behind the eye, and one that passes through its middle") {
+    for (const int axis : {0, 1, 2})
+        for (const double end : {100.0, 1000.0})
+            for (const double begin :
+                 {-end, -2 * end}) {  // in the middle of the first, all axes pass the eye
+                SceneDescription scene = emptyScene(CameraDescription::Type::Perspective);
+                const auto turned = [axis](double x, double y, double z) {
+                    glm::dvec3 place;
+                    place[axis] = -z, place[(axis + 1) % 3] = x, place[(axis + 2) % 3] = y;
+                    return place;
+                };
+                scene.camera.eye = glm::dvec3(0);
+                scene.camera.look = turned(0, 0, -1);
+                scene.camera.up = turned(0, 1, 0);
+                add(scene, ShapeType::Cube, turned(13, 3, -(begin + end) / 2),
+                    turned(0.01, 0.01, -(end - begin) / 2));
+                const auto extra = extraOf(scene);
+                std::set<int> columns;
+                for (const ExtraSample& sample : extra) {
+                    CHECK(sample.color == glm::dvec3(1));
+                    CHECK((20 - sample.point.y) / std::abs(sample.point.x - 20) == Approx(3.0 / 13));
+                    columns.insert(std::abs(static_cast<int>(sample.point.x - 20)));
+                }
+                INFO(axis << " " << begin << " to " << end);
+                for (int column = end == 100 ? 6 : 1; column < 19; ++column)
+                    CHECK((columns.contains(column) || columns.contains(column + 1)));
+            }
+}
+
+TEST_CASE("small parts: what lies in the eye's plane, before and behind it by rounding") {
+    for (const auto camera : cameras)
+        for (int degrees = 0; degrees < 45; ++degrees) {
+            SceneDescription scene = emptyScene(camera);
+            const double angle = degrees * std::acos(-1.0) / 180;
+            scene.camera.eye = glm::dvec3(0);
+            scene.camera.look = {-std::sin(angle), 0, -std::cos(angle)};
+            const glm::dvec3 u{std::cos(angle), 0, -std::sin(angle)};
+            std::string text;
+            for (int line = -9; line <= 9; ++line)
+                for (const double x : {-20.0, 20.0})
+                    for (const double y : {0.0, 0.01})
+                        text += "v " + std::to_string(x * u.x) + " " + std::to_string(line + y) + " " +
+                                std::to_string(x * u.z) + "\n";
+            for (int i = 1; i <= 4 * 19; i += 4)
+                text += "f " + std::to_string(i) + " " + std::to_string(i + 2) + " " + std::to_string(i + 3) +
+                        "\n";
+            add(scene, ShapeType::Mesh, {0, 0, 0}, glm::dvec3(1));
+            auto mesh = parseObj(text);
+            scene.shapes[0].mesh = std::make_shared<MeshData>(std::move(mesh));
+            for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})
+                CHECK(extraOf(scene, precision).size() <= 40 * 40);
+        }
+}
+
+TEST_CASE("small parts: not what is too small to show") {
     SceneDescription scene = emptyScene(CameraDescription::Type::Perspective);
-    add(scene, ShapeType::Cylinder, {13, 3, -1000}, {0.001, 0.001, 2000});
-    const auto extra = extraOf(scene);
-    CHECK(extra.size() >= 12);
-    for (const ExtraSample& sample : extra) {
-        CHECK(sample.color == glm::dvec3(1));
-        CHECK((20 - sample.point.y) / (sample.point.x - 20) == Approx(3.0 / 13));
-    }
+    for (int i = 0; i < 100; ++i)
+        add(scene, ShapeType::Sphere, {i % 10 - 5.1, i / 10 - 5.1, 0}, glm::dvec3(1e-3));
+    CHECK(extraOf(scene).empty());
+    add(scene, ShapeType::Sphere, {0.1, 0.1, 0}, glm::dvec3(1e-2));
+    CHECK(extraOf(scene).size() == 1);
 }
 
 TEST_CASE("small parts: none of what is wide, infinite, beside the picture or behind the eye") {

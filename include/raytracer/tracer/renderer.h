@@ -58,7 +58,7 @@ class Renderer {
                                 ProgressListener* progress = nullptr,
                                 const FirstSamples* first = nullptr) const = 0;
 
-    // The first sample of every pixel, and the extra samples. May throw TooManyRays for these.
+    // The first sample of every pixel, and the extra samples.
     virtual RenderCounts renderFirst(RenderOptions options, FirstSamples& first) const = 0;
 
     // The colours of samples at some points of the picture, in pixels, (0, 0) at its top left: colors[i] is
@@ -70,6 +70,10 @@ class Renderer {
     // The ray trees of such samples, always of Pass::Color: that of points[i] is RayTrees::of(i).
     virtual RenderCounts rayTrees(const RenderOptions& options, std::span<const glm::dvec2> points,
                                   RayTrees& trees) const = 0;
+
+    // Finds what adaptive pictures of this size and crop, or of parts of it, need beforehand, and keeps it. A
+    // render does that by itself: this is for one whose time counts.
+    virtual void prepare(const RenderOptions& options) const = 0;
 
     // The rays behind the centre of pixel (x, y) of the whole picture: the very rays that `render` traces for
     // it with options.samples 1 and options.pass Color.
