@@ -230,7 +230,8 @@ ByteImage readImage(const FileBytes& file) {
     Texture texture = decode(file);
     for (const std::uint32_t texel : texture.deepTexels)
         texture.texels.push_back(static_cast<std::uint8_t>((255 * texel + 32767) / 65535));
-    return {texture, std::move(texture.texels)};
+    const ImageSize& size = texture;
+    return {size, std::move(texture.texels)};
 }
 
 }  // namespace raytracer

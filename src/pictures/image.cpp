@@ -100,13 +100,18 @@ bool fitsPng(int width, int height) {
 
 }  // namespace
 
-ImageSize sizeOfWholePfm(const FileBytes& file) { return readWholePfm(file); }
+ImageSize sizeOfWholePfm(const FileBytes& file) {
+    const PfmHeader header = readWholePfm(file);
+    const ImageSize& size = header;
+    return size;
+}
 
 FloatImage readPfm(const FileBytes& file) {
     const PfmHeader header = readWholePfm(file);
     requireMemory(file.path(), pixelsInWords(header.width, header.height),
                   static_cast<double>(pixelBytes(header)));
-    FloatImage image{header, LargeVector<float>(pixelBytes(header) / sizeof(float))};
+    const ImageSize& size = header;
+    FloatImage image{size, LargeVector<float>(pixelBytes(header) / sizeof(float))};
     const std::size_t rowBytes = pixelBytes(header) / static_cast<std::size_t>(header.height);
     const char* row = header.rows.data() + pixelBytes(header);
     for (float* to = image.pixels.data(); row != header.rows.data(); to += rowBytes / sizeof(float)) {

@@ -16,10 +16,9 @@ namespace {
 constexpr Real widest = 2;
 // Pixels. A longer part is halved, so that each pixel along a wire, or its neighbour, gets a point.
 constexpr Real longest = Real(1.5);
-// Square pixels. A smaller part changes its pixel by nothing that shows.
-constexpr Real leastArea = Real(1e-4);
-// How often a part may be halved: towards the eye, or in a picture of any size.
-constexpr int mostHalvings = 32;
+// How often a part may be halved: towards the eye, or in a picture of any size. After the usual number it is
+// looked whether rounding alone moves it by pixels, so that it never gets short.
+constexpr int usualHalvings = 16, mostHalvings = 32;
 // Where shapes and triangles as long as the picture would have more parts together, their parts are longer.
 constexpr double mostParts = 1 << 26;
 
@@ -65,9 +64,10 @@ class Search {
                 onFilm.z};
     }
 
-    // In pixels; where one end is behind the eye, infinite.
-    static Real lengthOf(const Point& a, const Point& b) {
-        return a.distance > 0 && b.distance > 0 ? glm::length(b.pixel - a.pixel) : infinity;
+    // In pixels, and in the scene. Where one end is behind the eye, the first is infinite.
+    static std::pair<Real, Real> lengthOf(const Point& a, const Point& b) {
+        const bool isSeen = a.distance > 0 && b.distance > 0;
+        return {isSeen ? glm::length(b.pixel - a.pixel) : infinity, glm::length(b.place - a.place)};
     }
 
     // Two segments inside each triangle: from the ends of the side that looks longest to the centroid.
@@ -79,13 +79,14 @@ class Search {
             if (lengthOf(b, c) > lengthOf(a, b)) std::swap(a, c);
             if (lengthOf(c, a) > lengthOf(a, b)) std::swap(b, c);
             const Point middle = seen((a.place + b.place + c.place) / Real(3));
-            if (lengthOf(a, b) <= longest_) {
-                take(middle, areaOf(b.pixel - a.pixel, c.pixel - a.pixel) / 2);
+            const Vec3 side = b.place - a.place, other = c.place - a.place;
+            const Vec3 height = other - side * (glm::dot(other, side) / glm::dot(side, side));
+            if (lengthOf(a, b).first <= longest_) {
+                take(middle);
                 continue;
             }
-            const Vec3 across = (c.place - (a.place + b.place) / Real(2)) / Real(2);
-            add(a, middle, across, 0);
-            add(middle, b, across, 0);
+            add(a, middle, height / Real(2), 0);
+            add(middle, b, height / Real(2), 0);
         }
     }
 
@@ -101,9 +102,7 @@ class Search {
             half[axis] = shape.transform().linear()[axis] * ((high - low) / 2);
         }
         middle = shape.transform().pointToWorld(middle);
-        const auto length = [&](const Vec3& h) {
-            return std::pair(lengthOf(seen(middle - h), seen(middle + h)), glm::length(h));
-        };
+        const auto length = [&](const Vec3& h) { return lengthOf(seen(middle - h), seen(middle + h)); };
         const auto order = [&](Vec3& a, Vec3& b) {
             if (length(a) > length(b)) std::swap(a, b);
         };
@@ -123,27 +122,32 @@ class Search {
         if (isInFront) {
             const Vec2 along = to.pixel - from.pixel,
                        width = seen(middle.place + across).pixel - seen(middle.place - across).pixel;
-            const Real length = glm::length(along), area = areaOf(along, width);
-            if (!(area <= widest * length)) return;
-            if (length <= longest_) return take(middle, area);
+            const Real length = glm::length(along);
+            if (!(std::abs(along.x * width.y - along.y * width.x) <= widest * length)) return;
+            if (length <= longest_) return take(middle);
+            if (halvings > usualHalvings && isRounded(middle)) return;
         }
         if (halvings >= mostHalvings) return;
         add(from, middle, across, halvings + 1);
         add(middle, to, across, halvings + 1);
     }
 
-    static Real areaOf(const Vec2& a, const Vec2& b) { return std::abs(a.x * b.y - a.y * b.x); }
+    bool isRounded(const Point& point) const {
+        const Real shift = 4 * unitRoundoff * maxComponent(abs(point.place));
+        const Point beside = seen(point.place + Vec3(shift, -shift, shift));
+        return !(glm::length(beside.pixel - point.pixel) < longest / 4);
+    }
 
     bool isBeside(const Vec2& a, const Vec2& b) const {
         return max(a.x, b.x) < static_cast<Real>(place_.x0) || min(a.x, b.x) > static_cast<Real>(place_.x1) ||
                max(a.y, b.y) < static_cast<Real>(place_.y0) || min(a.y, b.y) > static_cast<Real>(place_.y1);
     }
 
-    void take(const Point& point, Real area) {
+    void take(const Point& point) {
         const glm::dvec2 pixel(point.pixel);
         const bool isInside = point.distance > 0 && pixel.x >= place_.x0 && pixel.x < place_.x1 &&
                               pixel.y >= place_.y0 && pixel.y < place_.y1;
-        if (!isInside || area < leastArea) return;
+        if (!isInside) return;
         if (parts_.size() == parts_.capacity()) makeRoom();
         parts_.push_back({pixel, point.distance});
     }

@@ -143,13 +143,41 @@ TEST_CASE("small parts: what lies in the eye's plane, before and behind it by ro
         }
 }
 
-TEST_CASE("small parts: not what is too small to show") {
-    SceneDescription scene = emptyScene(CameraDescription::Type::Perspective);
-    for (int i = 0; i < 100; ++i)
-        add(scene, ShapeType::Sphere, {i % 10 - 5.1, i / 10 - 5.1, 0}, glm::dvec3(1e-3));
-    CHECK(extraOf(scene).empty());
-    add(scene, ShapeType::Sphere, {0.1, 0.1, 0}, glm::dvec3(1e-2));
-    CHECK(extraOf(scene).size() == 1);
+TEST_CASE("small parts: a rail of two triangles, in depth and past the eye") {
+    for (const auto camera : cameras)
+        for (const double near : {20.0, 60.0}) {  // the eye is at 40
+            SceneDescription scene = emptyScene(camera);
+            add(scene, ShapeType::Mesh, {0, 0, 0}, glm::dvec3(1));
+            const std::string a = std::to_string(near), b = std::to_string(-1000);
+            scene.shapes[0].mesh =
+                std::make_shared<MeshData>(parseObj("v 13 3 " + a + "\nv 13.02 3 " + a + "\nv 1.02 3 " + b +
+                                                    "\nv 1 3 " + b + "\nf 1 2 3\nf 1 3 4\n"));
+            const auto extra = extraOf(scene);
+            std::set<int> columns;
+            for (const ExtraSample& sample : extra) columns.insert(sample.pixel().x);
+            for (int column = 21; column < 33; ++column)
+                CHECK((columns.contains(column) || columns.contains(column + 1)));
+        }
+}
+
+TEST_CASE("small parts: a wire along the view, also through the plane of an orthographic camera") {
+    for (const double middle : {-1000.0, 0.0, 40.0}) {
+        SceneDescription scene = emptyScene(CameraDescription::Type::Orthographic);
+        add(scene, ShapeType::Cube, {0.5, 9.5, middle}, {0.01, 0.01, 2000});
+        CHECK(columnsAndRows(extraOf(scene)) == std::set{std::pair(20, 10)});
+    }
+}
+
+TEST_CASE("small parts: where rounding moves a wire by pixels, the search ends") {
+    SceneDescription scene = emptyScene(CameraDescription::Type::Orthographic);
+    scene.camera.film_left = scene.camera.film_bottom = -0.1;
+    scene.camera.film_right = scene.camera.film_top = 0.1;
+    scene.camera.look = {-0.3, -0.5, -0.8};
+    for (int i = 0; i < 20; ++i) add(scene, ShapeType::Cube, {0, 0, i * 1e-3}, {0.01, 0.01, 1e6});
+    TransformDescription::Rotation turn{std::acos(0.8 / std::sqrt(0.98)) * 180 / std::acos(-1.0),
+                                        {-0.5, 0.3, 0}};
+    for (TransformDescription& transform : scene.transforms) transform.rotate = turn;
+    CHECK(extraOf(scene, Precision::Float).size() <= 40 * 40);
 }
 
 TEST_CASE("small parts: none of what is wide, infinite, beside the picture or behind the eye") {
