@@ -124,13 +124,12 @@ std::shared_ptr<const std::vector<glm::dvec2>> SceneRenderer::smallPartsOf(
     std::vector<std::vector<glm::dvec2>> found(bands.size());
     parallelFor(static_cast<std::uint32_t>(bands.size()), options.threads,
                 [&](std::uint32_t i) { found[i] = smallParts(*scene_, size, bands[i]); });
+    std::size_t count = 0;
+    for (const auto& some : found) count += some.size();
+    requireMemory({}, "what is small in the picture", static_cast<double>(sizeof(glm::dvec2) * count));
     auto all = std::make_shared<std::vector<glm::dvec2>>();
-    for (std::vector<glm::dvec2>& some : found) {
-        requireMemory({}, "what is small in the picture",
-                      static_cast<double>(sizeof(glm::dvec2) * (all->size() + some.size())));
-        all->insert(all->end(), some.begin(), some.end());
-        some = {};
-    }
+    all->reserve(count);
+    for (const auto& some : found) all->insert(all->end(), some.begin(), some.end());
     smallParts_ = std::move(all);
     sizeOfParts_ = size;
     placeOfParts_ = place;

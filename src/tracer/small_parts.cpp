@@ -19,7 +19,8 @@ constexpr Real longest = Real(1.5);
 // How often a part may be halved: towards the eye, or in a picture of any size. After the usual number it is
 // looked whether rounding alone moves it by pixels, so that it never gets short.
 constexpr int usualHalvings = 16, mostHalvings = 32;
-// Where shapes and triangles as long as the picture would have more parts together, their parts are longer.
+// There are at most about so many parts, even if all shapes and triangles are as long as the picture: where
+// there are many of them, parts get longer.
 constexpr double mostParts = 1 << 26;
 
 struct Point {
@@ -79,19 +80,19 @@ class Search {
             if (lengthOf(b, c) > lengthOf(a, b)) std::swap(a, c);
             if (lengthOf(c, a) > lengthOf(a, b)) std::swap(b, c);
             const Point middle = seen((a.place + b.place + c.place) / Real(3));
-            const Vec3 side = b.place - a.place, other = c.place - a.place;
-            const Vec3 height = other - side * (glm::dot(other, side) / glm::dot(side, side));
             if (lengthOf(a, b).first <= longest_) {
                 take(middle);
                 continue;
             }
+            const Vec3 side = b.place - a.place, other = c.place - a.place;
+            const Vec3 height = other - side * (glm::dot(other, side) / glm::dot(side, side));
             add(a, middle, height / Real(2), 0);
             add(middle, b, height / Real(2), 0);
         }
     }
 
-    // The axis of the solid's box that looks longest; of those that pass the eye, that which is. A plane has
-    // none: its numbers are infinite or NaN.
+    // One segment: the axis of the solid's box that looks longest. If several axes pass the eye, it is the
+    // one that is longest in the scene. A plane has none: its numbers are infinite or NaN.
     void addSolid(const Shape& shape) {
         Vec3 middle, half[3];
         for (int axis = 0; axis < 3; ++axis) {

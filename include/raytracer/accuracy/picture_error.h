@@ -25,8 +25,8 @@ double squaredError(const glm::dvec3& color, const glm::dvec3& truth);
 // errors are independent, so the product of the two differences has the expected value of a square: it is
 // never too small on average, though it may be negative by chance. Where the pixel is not white, the truth's
 // estimates are not clamped: of samples of 0 and 30, most means are too dark, a few far too bright. Where it
-// is white they are, for more light changes nothing. (Where all three were left out if all were white, the
-// rest was negative on average.) So it is with black.
+// is white they are, for more light changes nothing; so it is with black. A pixel of which all three are
+// white counts, too: without such pixels, the rest would be negative on average.
 double squaredError(const glm::dvec3& color, const glm::dvec3& one, const glm::dvec3& other);
 
 }  // namespace raytracer
