@@ -91,8 +91,9 @@ class Search {
         }
     }
 
-    // One segment: the axis of the solid's box that looks longest. If several axes pass the eye, it is the
-    // one that is longest in the scene. A plane has none: its numbers are infinite or NaN.
+    // The axis of the solid's box that looks longest. If several axes pass the eye, it is the one that is
+    // longest in the scene. A plate that is seen from its edge has two long axes, so its diagonal is longer
+    // than both. A plane has none: its numbers are infinite or NaN.
     void addSolid(const Shape& shape) {
         Vec3 middle, half[3];
         for (int axis = 0; axis < 3; ++axis) {
@@ -110,7 +111,11 @@ class Search {
         order(half[0], half[1]);
         order(half[1], half[2]);
         order(half[0], half[1]);
-        add(seen(middle - half[2]), seen(middle + half[2]), half[1], 0);
+        const auto addAlong = [&](const Vec3& h) { add(seen(middle - h), seen(middle + h), half[1], 0); };
+        addAlong(half[2]);
+        if (!(length(half[1]).first > widest)) return;
+        const Vec3 sum = half[2] + half[1], difference = half[2] - half[1];
+        addAlong(length(sum) > length(difference) ? sum : difference);
     }
 
     // A segment inside a shape that is as wide as from -across to across around each of its points.

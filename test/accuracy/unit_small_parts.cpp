@@ -160,6 +160,23 @@ TEST_CASE("small parts: a rail of two triangles, in depth and past the eye") {
         }
 }
 
+TEST_CASE("small parts: a plate that is seen from its edge, to its corners") {
+    for (const auto camera : cameras)
+        for (const double degrees : {45.0, 30.0, -60.0}) {
+            SceneDescription scene = emptyScene(camera);
+            add(scene, ShapeType::Cube, {0, 0.2, 0}, {8, 0.01, 8});
+            scene.camera.eye.y = 0.2;
+            scene.transforms[0].rotate = TransformDescription::Rotation{degrees, {0, 1, 0}};
+            std::set<int> columns;
+            for (const ExtraSample& sample : extraOf(scene)) columns.insert(sample.pixel().x);
+            const double angle = degrees * std::acos(-1.0) / 180;
+            const double reach = 8 * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
+            INFO(degrees << ", to " << reach);
+            for (int column = static_cast<int>(20 - reach) + 2; column < 18 + reach; ++column)
+                CHECK((columns.contains(column) || columns.contains(column + 1)));
+        }
+}
+
 TEST_CASE("small parts: a wire along the view, also through the plane of an orthographic camera") {
     for (const double middle : {-1000.0, 0.0, 40.0}) {
         SceneDescription scene = emptyScene(CameraDescription::Type::Orthographic);
