@@ -191,12 +191,22 @@ class Search {
                 if (pixel.own.error(pixel.contrast) > adaptive) samples = nextLevel(samples, mostSamples);
                 isEnd = isEnd && pixel.own.samples() == samples;
                 request(pixel.place, options_.sequence, pixel.own, samples);
+                const int others = std::max(samples, samplesUnclamped(pixel.contrast, adaptive));
                 for (const std::uint32_t i : {0, 1})
-                    request(pixel.place, pixel.others + i, pixel.truth[i],
-                            std::max(samples, nextLevel(1, mostSamples)));
+                    request(pixel.place, pixel.others + i, pixel.truth[i], others);
             }
             take();
         } while (!isEnd && !isSpent());
+    }
+
+    // How many samples a pixel of this contrast takes at least, where no colour is clamped. A white pixel
+    // stops before that. But few samples of its truths, of which one is dark by chance, would never agree
+    // with it.
+    static int samplesUnclamped(double contrast, double adaptive) {
+        int samples = nextLevel(1, mostSamples);
+        while (samples < mostSamples && PixelEstimate::errorUnclamped(contrast, samples) > adaptive)
+            samples = nextLevel(samples, mostSamples);
+        return samples;
     }
 
     void request(const PixelPlace& place, std::uint32_t number, PixelEstimate& estimate, int samples) {

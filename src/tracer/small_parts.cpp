@@ -23,9 +23,11 @@ constexpr int usualHalvings = 16, mostHalvings = 32;
 // there are many of them, parts get longer.
 constexpr double mostParts = 1 << 26;
 
+// A point inside a shape, which there reaches at least from place - across to place + across.
 struct Point {
-    Vec3 place;     // in the scene's frame
-    Vec2 pixel;     // where the picture shows it, in pixels
+    Vec3 place, across;  // in the scene's frame
+    Vec2 pixel,
+        width;      // where the picture shows place; how far it is there from one end to the other; in pixels
     Real distance;  // along the camera's axis; 0 or less: behind the eye
 };
 
@@ -48,6 +50,9 @@ class Search {
         std::vector<glm::dvec2> points;
         points.reserve(parts_.size());
         for (const Part& part : parts_) points.push_back(part.pixel);
+        if (getenv("DUMP"))
+            for (const Part& part : parts_)
+                fprintf(stderr, "P %.3f %.3f %g\n", part.pixel.x, part.pixel.y, (double)part.distance);
         return points;
     }
 
@@ -59,10 +64,16 @@ class Search {
         std::pair<int, int> place() const { return {static_cast<int>(pixel.y), static_cast<int>(pixel.x)}; }
     };
 
-    Point seen(const Vec3& place) const {
+    Point seen(const Vec3& place, const Vec3& across = Vec3(0)) const {
         const Vec3 onFilm = camera_.onFilm(place);
-        return {place, camera_.pixelOf(Vec2(onFilm), static_cast<Real>(width_), static_cast<Real>(height_)),
-                onFilm.z};
+        const Vec2 width = across == Vec3(0) ? Vec2(0)
+                                             : pixelOf(camera_.onFilm(place + across)) -
+                                                   pixelOf(camera_.onFilm(place - across));
+        return {place, across, pixelOf(onFilm), width, onFilm.z};
+    }
+
+    Vec2 pixelOf(const Vec3& onFilm) const {
+        return camera_.pixelOf(Vec2(onFilm), static_cast<Real>(width_), static_cast<Real>(height_));
     }
 
     // In pixels, and in the scene. Where one end is behind the eye, the first is infinite.
@@ -71,7 +82,8 @@ class Search {
         return {isSeen ? glm::length(b.pixel - a.pixel) : infinity, glm::length(b.place - a.place)};
     }
 
-    // Two segments inside each triangle: from the ends of the side that looks longest to the centroid.
+    // Two segments inside each triangle: from the ends of the side that looks longest, where the corners are
+    // sharp, to the centroid.
     void addMesh(const Shape& shape) {
         const auto seenCorner = [&](const Vec3& p) { return seen(shape.transform().pointToWorld(p)); };
         for (std::uint32_t i = 0; i < shape.triangles().triangleCount(); ++i) {
@@ -79,63 +91,114 @@ class Search {
             Point a = seenCorner(corners[0]), b = seenCorner(corners[1]), c = seenCorner(corners[2]);
             if (lengthOf(b, c) > lengthOf(a, b)) std::swap(a, c);
             if (lengthOf(c, a) > lengthOf(a, b)) std::swap(b, c);
-            const Point middle = seen((a.place + b.place + c.place) / Real(3));
+            const Vec3 centroid = (a.place + b.place + c.place) / Real(3);
             if (lengthOf(a, b).first <= longest_) {
-                take(middle);
+                take(seen(centroid));
                 continue;
             }
             const Vec3 side = b.place - a.place, other = c.place - a.place;
             const Vec3 height = other - side * (glm::dot(other, side) / glm::dot(side, side));
-            add(a, middle, height / Real(2), 0);
-            add(middle, b, height / Real(2), 0);
+            const Point middle = seen(centroid, height / Real(2));
+            addTip(a, middle);
+            addTip(b, middle);
         }
     }
 
-    // The axis of the solid's box that looks longest. If several axes pass the eye, it is the one that is
-    // longest in the scene. A plate that is seen from its edge has two long axes, so its diagonal is longer
-    // than both. A plane has none: its numbers are infinite or NaN.
+    // The two axes of the solid's box that look longest, and its flat faces. A plane has none: its numbers
+    // are infinite or NaN.
     void addSolid(const Shape& shape) {
         Vec3 middle, half[3];
         for (int axis = 0; axis < 3; ++axis) {
-            Vec3 n(0);
-            n[axis] = 1;
-            const Real high = support(shape.type(), nullptr, n), low = -support(shape.type(), nullptr, -n);
+            const Real high = support(shape.type(), nullptr, unit(axis)),
+                       low = -support(shape.type(), nullptr, -unit(axis));
             middle[axis] = (low + high) / 2;
             half[axis] = shape.transform().linear()[axis] * ((high - low) / 2);
         }
         middle = shape.transform().pointToWorld(middle);
-        const auto length = [&](const Vec3& h) { return lengthOf(seen(middle - h), seen(middle + h)); };
-        const auto order = [&](Vec3& a, Vec3& b) {
-            if (length(a) > length(b)) std::swap(a, b);
-        };
-        order(half[0], half[1]);
-        order(half[1], half[2]);
-        order(half[0], half[1]);
-        const auto addAlong = [&](const Vec3& h) { add(seen(middle - h), seen(middle + h), half[1], 0); };
-        addAlong(half[2]);
-        if (!(length(half[1]).first > widest)) return;
-        const Vec3 sum = half[2] + half[1], difference = half[2] - half[1];
-        addAlong(length(sum) > length(difference) ? sum : difference);
+        for (int axis = 0; axis < 3; ++axis)
+            for (const Real side : {Real(-1), Real(1)})
+                if (!isTurnedAway(shape, middle + side * half[axis], side * unit(axis)))
+                    addFace(shape.type(), middle + side * half[axis], side * unit(axis), (axis + 1) % 3,
+                            (axis + 2) % 3, half);
+        orderByLength(middle, half[0], half[1]);
+        orderByLength(middle, half[0], half[2]);
+        addRhombus(middle, half[1], half[2]);
     }
 
-    // A segment inside a shape that is as wide as from -across to across around each of its points.
-    void add(const Point& from, const Point& to, const Vec3& across, int halvings) {
+    // Whether the plane of this point with this normal, in object space, is seen from behind or from its
+    // edge.
+    bool isTurnedAway(const Shape& shape, const Vec3& point, const Vec3& normal) const {
+        const Vec3 onFilm = camera_.onFilm(point);
+        const Vec3 direction = shape.transform().toObject(camera_.getRay(Vec2(onFilm))).direction;
+        return onFilm.z * glm::dot(direction, normal) >= 0;
+    }
+
+    // A face of the box, if it is flat and not a point or a line of the solid.
+    void addFace(ShapeType type, const Vec3& middle, const Vec3& normal, int next, int last,
+                 const Vec3* half) {
+        const auto reach = [&](const Vec3& along) { return faceReach(type, normal, along); };
+        if (!(min(reach(unit(next)), reach(unit(last))) > Real(0.5))) return;
+        addRhombus(middle, half[next], half[last]);
+        // Seen almost from its edge, it has sharp ends in the direction of a diagonal.
+        const Real diagonal = reach(unit(next) + unit(last)) / 2;
+        addRhombus(middle, diagonal * (half[next] + half[last]), diagonal * (half[next] - half[last]));
+    }
+
+    static Vec3 unit(int axis) {
+        Vec3 n(0);
+        n[axis] = 1;
+        return n;
+    }
+
+    // How far the solid's farthest points in the direction n reach along this vector: the slope of the
+    // support function (Rockafellar, Convex Analysis, Corollary 23.5.3). A flat face reaches 1, other points
+    // nowhere.
+    static Real faceReach(ShapeType type, const Vec3& n, const Vec3& along) {
+        constexpr Real step = 1.0 / 1024;
+        return (support(type, nullptr, n + step * along) - support(type, nullptr, n)) / step;
+    }
+
+    // Where the axes pass the eye, the longer one is the one that is longer in the scene.
+    void orderByLength(const Vec3& middle, Vec3& shorter, Vec3& longer) const {
+        const auto length = [&](const Vec3& h) { return lengthOf(seen(middle - h), seen(middle + h)); };
+        if (length(shorter) > length(longer)) std::swap(shorter, longer);
+    }
+
+    // A rhombus with these half diagonals, which lies in a shape.
+    void addRhombus(const Vec3& middle, Vec3 across, Vec3 along) {
+        orderByLength(middle, across, along);
+        const Point center = seen(middle, across);
+        addTip(seen(middle - along), center);
+        addTip(seen(middle + along), center);
+    }
+
+    // A tip that is at least as wide as long, if both are more than `widest`, cannot be missed.
+    void addTip(const Point& tip, const Point& base) {
+        const Vec2 along = base.pixel - tip.pixel;
+        const bool isInFront = tip.distance > 0 && base.distance > 0;
+        if (!(isInFront && isWider(base, along, max(widest, glm::length(along))))) add(tip, base, 0);
+    }
+
+    // The points of a segment where its shape is thin.
+    void add(const Point& from, const Point& to, int halvings) {
         const auto [nearest, farthest] = std::minmax(from.distance, to.distance);
         if (!(farthest > 0)) return;
         const bool isInFront = nearest > 0;
         if (isInFront && isBeside(from.pixel, to.pixel)) return;
-        const Point middle = seen((from.place + to.place) / Real(2));
+        const Point middle = seen((from.place + to.place) / Real(2), (from.across + to.across) / Real(2));
         if (isInFront) {
-            const Vec2 along = to.pixel - from.pixel,
-                       width = seen(middle.place + across).pixel - seen(middle.place - across).pixel;
-            const Real length = glm::length(along);
-            if (!(std::abs(along.x * width.y - along.y * width.x) <= widest * length)) return;
-            if (length <= longest_) return take(middle);
+            const Vec2 along = to.pixel - from.pixel;
+            if (isWider(from, along, widest) && isWider(to, along, widest)) return;
+            if (glm::length(along) <= longest_) return take(middle);
             if (halvings > usualHalvings && isRounded(middle)) return;
         }
         if (halvings >= mostHalvings) return;
-        add(from, middle, across, halvings + 1);
-        add(middle, to, across, halvings + 1);
+        add(from, middle, halvings + 1);
+        add(middle, to, halvings + 1);
+    }
+
+    static bool isWider(const Point& point, const Vec2& along, Real width) {
+        return !(std::abs(along.x * point.width.y - along.y * point.width.x) <= width * glm::length(along));
     }
 
     bool isRounded(const Point& point) const {

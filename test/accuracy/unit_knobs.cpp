@@ -469,6 +469,31 @@ TEST_CASE("target-error: a search ends where no pilot pixel takes more samples, 
     CHECK(choose(1, 0.01, 2100, 0.5).setting.samples == 1);
 }
 
+TEST_CASE("target-error: white pixels whose samples are not all white do not keep the search from its end") {
+    // In each pixel a disc of brightness 1.35 covers 0.8 of it: on average it is brighter than white. But of
+    // four samples two may miss the disc.
+    SceneDescription scene;
+    constexpr int size = 20;
+    scene.camera.type = CameraDescription::Type::Orthographic;
+    scene.camera.film_left = scene.camera.film_bottom = 0;
+    scene.camera.film_right = scene.camera.film_top = size;
+    scene.lights.resize(1);
+    scene.materials.resize(1);
+    scene.materials[0].color_ambient = glm::dvec3(1.35);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            TransformDescription transform;
+            transform.translate = glm::dvec3(x + 0.5, y + 0.5, -5);
+            transform.scale = glm::dvec3(0.505);
+            scene.shapes.push_back({ShapeType::Sphere, scene.transforms.size(), 0, nullptr});
+            scene.transforms.push_back(transform);
+        }
+    const TargetChoice choice =
+        chooseSetting(*makeRenderer(scene, Precision::Double), wholePicture(scene, size), 0.02);
+    CHECK(choice.reached);
+    CHECK(choice.counts.primary < 1'000'000);
+}
+
 TEST_CASE("target-error: trees confirm the depth at most once in each pixel") {
     SceneDescription scene = facingMirrors(1, 0.1);  // the second mirror is out of view, and shows nothing
     scene.shapes.pop_back();

@@ -54,6 +54,11 @@ class PixelEstimate {
         return 2 / root * std::max(missed, shown(color(), glm::sqrt(glm::sqrt(fourthMoment())) * root / n));
     }
 
+    // The error of this many samples that agree, two or more, where no colour is clamped.
+    static double errorUnclamped(double contrast, double samples) {
+        return 2 / std::sqrt(std::sqrt(samples)) * contrast * errorOfOneSample / samples;
+    }
+
   private:
     glm::dvec3 fourthMoment() const {
         const auto n = static_cast<double>(count_);
