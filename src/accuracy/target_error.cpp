@@ -51,6 +51,7 @@ class Search {
         while (areaOf(options_.size) > mostFirst)
             options_.size = {std::max(1, options_.size.width / 2), std::max(1, options_.size.height / 2)};
         options_.crop = {0, 0, options_.size.width, options_.size.height};
+        least_ = leastContrast(options_.size);
     }
 
     // Throws TooManyRays where the pixels with the largest contrast cast many more rays than others. The
@@ -96,18 +97,18 @@ class Search {
         return {static_cast<int>(i % width), static_cast<int>(i / width)};
     }
 
-    // A pixel's weight in the drawing: the estimated error of its first sample, clamped to a few targets,
-    // since a pixel with a larger error takes more samples anyway.
+    // A pixel's weight in the drawing: what its first sample may miss, clamped to a few targets, since a
+    // pixel that may miss more takes more samples anyway.
     double weightOf(double contrast) const {
         return std::min(contrast * PixelEstimate::errorOfOneSample, errorMargin * target_);
     }
 
     void sortPixels() {
         const std::vector<double> contrast =
-            contrasts(options_.crop, choice_.first.colors, choice_.first.extra, leastContrast(options_.size));
+            contrasts(options_.crop, choice_.first.colors, choice_.first.extra);
         pixels_.reserve(contrast.size());
         for (std::uint32_t i = 0; i < contrast.size(); ++i) {
-            pixels_.emplace_back(static_cast<float>(contrast[i]), i);
+            pixels_.emplace_back(static_cast<float>(std::max(contrast[i], least_)), i);
             totalWeight_ += weightOf(static_cast<double>(pixels_.back().first));
         }
         std::ranges::sort(pixels_);
@@ -168,9 +169,8 @@ class Search {
     bool isSpent() const {
         const double most = std::min<double>(mostSamples, raysOfRandom / (target_ * target_));
         return static_cast<double>(choice_.counts.all() - before_) > most * area_ ||
-               std::ranges::all_of(pilots_, [](const PilotPixel& p) {
-                   return p.own.samples() == mostSamples || p.own.error(p.contrast) == 0;
-               });
+               std::ranges::all_of(pilots_,
+                                   [](const PilotPixel& p) { return p.own.samples() == mostSamples; });
     }
 
     // Out of rays: limits the picture's samples to the most that a pilot pixel has taken.
@@ -188,25 +188,16 @@ class Search {
             isEnd = true;
             for (PilotPixel& pixel : pilots_) {
                 int samples = pixel.own.samples();
-                if (pixel.own.error(pixel.contrast) > adaptive) samples = nextLevel(samples, mostSamples);
+                if (pixel.own.error(pixel.contrast, least_) > adaptive)
+                    samples = nextLevel(samples, mostSamples);
                 isEnd = isEnd && pixel.own.samples() == samples;
                 request(pixel.place, options_.sequence, pixel.own, samples);
-                const int others = std::max(samples, samplesUnclamped(pixel.contrast, adaptive));
                 for (const std::uint32_t i : {0, 1})
-                    request(pixel.place, pixel.others + i, pixel.truth[i], others);
+                    request(pixel.place, pixel.others + i, pixel.truth[i],
+                            std::max(samples, nextLevel(1, mostSamples)));
             }
             take();
         } while (!isEnd && !isSpent());
-    }
-
-    // How many samples a pixel of this contrast takes at least, where no colour is clamped. A white pixel
-    // stops before that. But few samples of its truths, of which one is dark by chance, would never agree
-    // with it.
-    static int samplesUnclamped(double contrast, double adaptive) {
-        int samples = nextLevel(1, mostSamples);
-        while (samples < mostSamples && PixelEstimate::errorUnclamped(contrast, samples) > adaptive)
-            samples = nextLevel(samples, mostSamples);
-        return samples;
     }
 
     void request(const PixelPlace& place, std::uint32_t number, PixelEstimate& estimate, int samples) {
@@ -235,6 +226,7 @@ class Search {
     double area_;
     DepthChoice depth_;
     TargetChoice choice_;
+    double least_;                                         // leastContrast
     std::vector<std::pair<float, std::uint32_t>> pixels_;  // contrast and index of each, sorted
     double totalWeight_ = 0;                               // of all pixels
     std::vector<PilotPixel> pilots_;

@@ -32,7 +32,7 @@ void add(const glm::dvec3& color, std::size_t x, ColorRanges& row) {
 }  // namespace
 
 std::vector<double> contrasts(const PixelRectangle& place, std::span<const glm::dvec3> colors,
-                              std::span<const ExtraSample> extra, double least) {
+                              std::span<const ExtraSample> extra) {
     const auto width = static_cast<std::size_t>(place.width()),
                height = static_cast<std::size_t>(place.height());
     std::array<ColorRanges, 3> rows;  // row y is in rows[y % 3]
@@ -57,14 +57,14 @@ std::vector<double> contrasts(const PixelRectangle& place, std::span<const glm::
             if (y > 0) range.add(rows[(y - 1) % 3][x]);
             if (y + 1 < height) range.add(rows[(y + 1) % 3][x]);
             const glm::dvec3 spread = range.high - range.low;
-            result.push_back(std::max({spread.x, spread.y, spread.z, least}));
+            result.push_back(std::max({spread.x, spread.y, spread.z}));
         }
     }
     return result;
 }
 
 double leastContrast(const ImageSize& picture) {
-    return std::min(1.0, 8 / std::sqrt(static_cast<double>(picture.width) * picture.height));
+    return std::min(1.0, 16 / std::sqrt(static_cast<double>(picture.width) * picture.height));
 }
 
 }  // namespace raytracer

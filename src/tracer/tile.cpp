@@ -63,7 +63,7 @@ class Tile {
     void findContrasts() {
         colors_.clear();
         for (const Pixel& pixel : pixels_) colors_.push_back(pixel.estimate.color());
-        contrasts_ = contrasts(sampled_, colors_, extraHere(), leastContrast(options_.size));
+        contrasts_ = contrasts(sampled_, colors_, extraHere());
     }
 
     // The extra samples in sampled_.
@@ -97,9 +97,9 @@ class Tile {
     // Drops the pixels that are done. Returns whether any others take more samples.
     bool leaveThoseDone(int taken) {
         if (options_.adaptive > 0)
-            std::erase_if(active_, [&](const PixelPlace& place) {
+            std::erase_if(active_, [&, least = leastContrast(options_.size)](const PixelPlace& place) {
                 const std::size_t i = indexOf(place);
-                return pixels_[i].estimate.error(contrasts_[i]) <= options_.adaptive;
+                return pixels_[i].estimate.error(contrasts_[i], least) <= options_.adaptive;
             });
         if (taken < options_.samples) return !active_.empty();
         if (options_.adaptive > 0) context_.counts->limited += active_.size();

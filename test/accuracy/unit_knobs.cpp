@@ -259,8 +259,8 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
             low = glm::min(low, color);
             high = glm::max(high, color);
         }
-    const double contrast = std::max({high.x - low.x, high.y - low.y, high.z - low.z,
-                                      8 / std::sqrt(static_cast<double>(size.width) * size.height)});
+    const double contrast = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    const double hidden = std::min(1.0, 16 / std::sqrt(static_cast<double>(size.width) * size.height));
     for (int n = 1;; n = std::min(limit, n == 1 ? 4 : 2 * n)) {
         const double weight = n == 1 ? 1 : std::pow(16.0 / n, 0.25);
         double bySamples = 0, byContrast = 0;  // mean squares over the channels
@@ -277,7 +277,7 @@ std::pair<int, bool> samplesTaken(const std::vector<std::vector<glm::dvec3>>& sa
             bySamples += std::pow(weight * shown(std::pow(moment, 0.25) / std::pow(n, 0.75)), 2) / 3;
             byContrast += std::pow(weight * shown(contrast / (4 * n)), 2) / 3;
         }
-        const double error = std::sqrt(std::max(bySamples, byContrast));
+        const double error = std::max(std::sqrt(std::max(bySamples, byContrast)), weight * hidden / (4 * n));
         if (error <= adaptive || n == limit) return {n, error > adaptive};
     }
 }

@@ -55,7 +55,7 @@ class Pixels {
                static_cast<double>(colors.size());
     }
 
-    static double error(const Colors& colors, double contrast) {
+    double error(const Colors& colors, double contrast) const {
         const double n = static_cast<double>(colors.size()), weight = n == 1 ? 1 : std::pow(16 / n, 0.25);
         double ofSamples = 0, ofContrast = 0;
         for (int c = 0; c < 3; ++c) {
@@ -67,7 +67,8 @@ class Pixels {
             ofContrast +=
                 std::pow(weight * shown(std::clamp(middle, -16.0, 16.0), contrast / (4 * n)), 2) / 3;
         }
-        return std::sqrt(std::max(ofSamples, ofContrast));
+        const double hidden = std::min(1.0, 16 / std::sqrt(static_cast<double>(centres_.size())));
+        return std::max(std::sqrt(std::max(ofSamples, ofContrast)), weight * hidden / (4 * n));
     }
 
     // The error as far as four times as much would show, once the value is clamped.
@@ -91,8 +92,7 @@ class Pixels {
             if (std::abs(std::floor(point.x) - x) <= 1 && std::abs(std::floor(point.y) - y) <= 1)
                 see(colorAt(point));
         const glm::dvec3 range = most - least;
-        const double hidden = 8 / std::sqrt(static_cast<double>(centres_.size()));
-        return std::max({hidden, range.r, range.g, range.b});
+        return std::max({range.r, range.g, range.b});
     }
 
     template <class Color>

@@ -66,18 +66,19 @@ TEST_CASE("a pixel may stop at 1, 4, 8, 16 ... samples and at the limit") {
 TEST_CASE("a pixel's error: by the contrast around it, and by what its samples say") {
     PixelEstimate pixel;
     pixel.add({0.5, 0.5, 0.5});
-    CHECK(pixel.error(0.2) == Approx(0.2 / 4));
+    CHECK(pixel.error(0.2, 0) == Approx(0.2 / 4));
     for (int i = 0; i < 3; ++i) pixel.add({0.5, 0.5, 0.5});
-    CHECK(pixel.error(0) == 0);
+    CHECK(pixel.error(0, 0) == 0);
     const double weight = std::sqrt(2);  // (16 / 4)^1/4
-    CHECK(pixel.error(0.2) == Approx(weight * 0.2 / 16));
+    CHECK(pixel.error(0.2, 0) == Approx(weight * 0.2 / 16));
+    CHECK(pixel.error(0.2, 0.3) == Approx(weight * 0.3 / 16));
 
     PixelEstimate mixed;
     for (const double red : {0.1, 0.1, 0.3, 0.3}) mixed.add({red, 0, 0});
     CHECK(mixed.color() == glm::dvec3(0.2, 0, 0));
     const double moment = 4 * 0.0001 / 3;  // the fourth, of four samples
-    CHECK(mixed.error(0) == Approx(weight * std::pow(moment, 0.25) / std::pow(4, 0.75) / std::sqrt(3)));
-    CHECK(mixed.error(1) == Approx(weight / 16));
+    CHECK(mixed.error(0, 0) == Approx(weight * std::pow(moment, 0.25) / std::pow(4, 0.75) / std::sqrt(3)));
+    CHECK(mixed.error(1, 0) == Approx(weight / 16));
 }
 
 TEST_CASE("a pixel's error is what it shows: of samples brighter than white") {
@@ -88,37 +89,38 @@ TEST_CASE("a pixel's error is what it shows: of samples brighter than white") {
     }
     // The fourth moment of `rare` is 30^4 / 64, so its estimated error is about that of one sample more or
     // less; the weight is sqrt(0.5).
-    CHECK(rare.error(0) == Approx(std::sqrt(0.5) * 30 / 64).epsilon(0.02));
-    CHECK(white.error(0) == 0);
-    CHECK(white.error(2) == 0);
+    CHECK(rare.error(0, 0) == Approx(std::sqrt(0.5) * 30 / 64).epsilon(0.02));
+    CHECK(white.error(0, 0) == 0);
+    CHECK(white.error(2, 0) == 0);
     PixelEstimate single;  // white, but its neighbours are not
     single.add(glm::dvec3(1.7));
-    CHECK(single.error(2.2) == Approx(2.2 / 4));
-    CHECK(single.error(0.5) == 0);
-    PixelEstimate beside;  // one sample beside something bright
+    CHECK(single.error(2.2, 0) == Approx(2.2 / 4));
+    CHECK(single.error(0.5, 0) == 0);
+    CHECK(single.error(0.5, 0.1) == Approx(0.1 / 4));  // what no neighbour shows may be dark
+    PixelEstimate beside;                              // one sample beside something bright
     beside.add(glm::dvec3(0.25));
-    CHECK(beside.error(2) == Approx(0.5));
-    CHECK(beside.error(30) == Approx(0.75));
+    CHECK(beside.error(2, 0) == Approx(0.5));
+    CHECK(beside.error(30, 0) == Approx(0.75));
 }
 
 TEST_CASE("contrast is that of the 3 x 3 colours around a pixel, in the worst channel") {
     std::vector<glm::dvec3> colors(4 * 3, glm::dvec3(0.25, 0, 1));
     colors[0] = {0.5, 0.75, 1};
-    CHECK(contrasts({0, 0, 4, 3}, colors, {}, 0) ==
+    CHECK(contrasts({0, 0, 4, 3}, colors, {}) ==
           std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 0, 0, 0, 0, 0, 0});
     colors[11] = {0.25, 0.25, 0};
-    CHECK(contrasts({0, 0, 4, 3}, colors, {}, 0) ==
+    CHECK(contrasts({0, 0, 4, 3}, colors, {}) ==
           std::vector<double>{0.75, 0.75, 0, 0, 0.75, 0.75, 1, 1, 0, 0, 1, 1});
-    CHECK(contrasts({0, 0, 12, 1}, colors, {}, 0) ==
+    CHECK(contrasts({0, 0, 12, 1}, colors, {}) ==
           std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
-    CHECK(contrasts({0, 0, 1, 12}, colors, {}, 0.5) ==
-          std::vector<double>{0.75, 0.75, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1, 1});
+    CHECK(contrasts({0, 0, 1, 12}, colors, {}) ==
+          std::vector<double>{0.75, 0.75, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1});
 }
 
 TEST_CASE("contrast: extra samples count where they lie in the picture, and at most as 16") {
     const std::vector<glm::dvec3> colors(4 * 3, glm::dvec3(0.5));
     const std::vector<ExtraSample> extra = {{{10.9, 20.1}, glm::dvec3(0.25, 0.5, 0.5)},
                                             {{13.5, 22.9}, glm::dvec3(0.5, 30, 0.5)}};
-    CHECK(contrasts({10, 20, 14, 23}, colors, extra, 0) ==
+    CHECK(contrasts({10, 20, 14, 23}, colors, extra) ==
           std::vector<double>{0.25, 0.25, 0, 0, 0.25, 0.25, 15.5, 15.5, 0, 0, 15.5, 15.5});
 }

@@ -25,13 +25,13 @@ struct ExtraSample {
 };
 
 // For each pixel of a place in the picture, row by row: the largest difference, in any channel, between the
-// colours of the 3 x 3 pixels around it, as far as they are in the place. No contrast is less than `least`.
+// colours of the 3 x 3 pixels around it, as far as they are in the place.
 // `extra`: the extra samples in the place, row by row.
 std::vector<double> contrasts(const PixelRectangle& place, std::span<const glm::dvec3> colors,
-                              std::span<const ExtraSample> extra, double least);
+                              std::span<const ExtraSample> extra);
 
 // A neighbourhood that looks flat may hide something smaller than a pixel. With this as the least contrast,
-// the least error of n samples is 2 / (n sqrt(pixels)): the RMSE of a picture with four pixels that are wrong
+// the least error of n samples is 4 / (n sqrt(pixels)): the RMSE of a picture with 16 pixels that are wrong
 // in 1/n of their area.
 double leastContrast(const ImageSize& picture);
 

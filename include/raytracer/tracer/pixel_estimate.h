@@ -41,31 +41,29 @@ class PixelEstimate {
     // them meet by about k^1/4: a few of those next to its edge (Mitchell 1996). With m the fourth root of
     // the samples' fourth central moment, that is m / n^3/4. But n samples that agree may still miss about
     // 1/n of the pixel, and that part may differ by as much as the neighbourhood does: `contrast` is that of
-    // the 3 x 3 centres around the pixel. The weight is (16 / n)^1/4 from the second sample on. It lets a
-    // pixel of many samples keep more error, since there a further sample lowers the picture's squared error,
-    // e^2, by only 1.5 e^2 / n.
-    double error(double contrast) const {
+    // the 3 x 3 centres around the pixel. By `least` it may differ anywhere, and a white pixel's part be
+    // dark, so this is not clamped (leastContrast).
+    double error(double contrast, double least) const {
         const auto n = static_cast<double>(count_);
         // As bright as contrasts count: so one bright sample beside black ones is not sure to be white.
         const glm::dvec3 bounded = glm::clamp(color(), -brightestInContrast, brightestInContrast);
-        const double missed = shown(bounded, glm::dvec3(contrast * errorOfOneSample / n));
-        if (count_ == 1) return missed;
-        const double root = std::sqrt(std::sqrt(n));
-        return 2 / root * std::max(missed, shown(color(), glm::sqrt(glm::sqrt(fourthMoment())) * root / n));
-    }
-
-    // The error of this many samples that agree, two or more, where no colour is clamped.
-    static double errorUnclamped(double contrast, double samples) {
-        return 2 / std::sqrt(std::sqrt(samples)) * contrast * errorOfOneSample / samples;
+        const glm::dvec3 spread = glm::sqrt(glm::sqrt(fourthMoment())) * std::sqrt(std::sqrt(n)) / n;
+        return weight(n) * std::max({missed(least, n), shown(bounded, glm::dvec3(missed(contrast, n))),
+                                     shown(color(), spread)});
     }
 
   private:
+    // (16 / n)^1/4 from the second sample on. It lets a pixel of many samples keep more error, since there a
+    // further sample lowers the picture's squared error, e^2, by only 1.5 e^2 / n.
+    static double weight(double n) { return n == 1 ? 1 : 2 / std::sqrt(std::sqrt(n)); }
+    static double missed(double contrast, double n) { return contrast * errorOfOneSample / n; }
+
     glm::dvec3 fourthMoment() const {
         const auto n = static_cast<double>(count_);
         const glm::dvec3 mean = powers_[0] / n, square = mean * mean;
         const glm::dvec3 sum =
             powers_[3] - 4.0 * mean * powers_[2] + 6.0 * square * powers_[1] - 3 * n * square * square;
-        return glm::max(sum, 0.0) / (n - 1);
+        return glm::max(sum, 0.0) / std::max(1.0, n - 1);
     }
 
     // The root mean square, over the channels, of an estimated error of the unclamped colour, as far as it
