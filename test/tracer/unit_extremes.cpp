@@ -288,3 +288,35 @@ TEST_CASE("a scene moved far away is what extended precision makes of it") {
         tally.check();
     }
 }
+
+TEST_CASE("a ray that leaves a glass plate as it came, parallel to a plane, does not hit that") {
+    SceneDescription scene;
+    scene.camera.type = CameraDescription::Type::Orthographic;
+    scene.camera.eye = {0, 0, 4};
+    scene.camera.film_left = scene.camera.film_bottom = -1;
+    scene.camera.film_right = scene.camera.film_top = 1;
+    scene.lights.resize(1);
+    scene.lights[0].color_ambient = glm::dvec3(1);
+    scene.materials.resize(2);
+    scene.materials[0].refractive = true;
+    scene.materials[0].color_refract = glm::dvec3(1);
+    scene.materials[0].index_of_refraction = 1.33;
+    scene.materials[1].color_ambient = glm::dvec3(1);  // of a floor below and a ceiling above
+    for (MaterialDescription& material : scene.materials)
+        material.color_diffuse = material.color_specular = glm::dvec3(0);
+    scene.transforms.resize(3);
+    scene.transforms[0].scale = {3, 3, 0.1};
+    scene.shapes.push_back({ShapeType::Cube, 0, 0, nullptr});
+    for (const std::size_t plane : {1, 2}) {
+        scene.transforms[plane].translate = {0, plane == 1 ? -4 : 4, 0};
+        scene.transforms[plane].rotate = TransformDescription::Rotation{plane == 1 ? -90.0 : 90.0, {1, 0, 0}};
+        scene.shapes.push_back({ShapeType::Plane, plane, 1, nullptr});
+    }
+    for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})
+        for (int degrees = 1; degrees < 50; ++degrees) {
+            scene.transforms[0].rotate = TransformDescription::Rotation{double(degrees), {3, 2, 1}};
+            INFO(degrees << " degrees, " << precisionName(precision));
+            CHECK(
+                std::ranges::all_of(bytesOf(scene, 4, precision).pixels, [](int byte) { return byte == 0; }));
+        }
+}

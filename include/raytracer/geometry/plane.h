@@ -16,6 +16,14 @@ struct Plane : Equation<Plane> {
         return abs(transform.pointToObject(point).z) <= transform.objectError(point, pointError).z;
     }
 
+    // What is reflected or refracted has a rounded direction, of unit length. Between parallel faces it
+    // leaves as it came, maybe parallel to this plane. Rounding must not decide that it is hit, almost
+    // infinitely far.
+    template <class T>
+    static Truth<T> isParallel(const Shape& shape, const Vec3T<T>& objectDirection) {
+        return abs(objectDirection.z) <= T(gamma(16) * shape.transform().largestDirection().z);
+    }
+
     template <class T>
     static void meet(const Shape& shape, const RayT<T>& ray, HitQueryT<T>& query) {
         if (ray.departure.shape == &shape) return;
@@ -31,7 +39,10 @@ struct Plane : Equation<Plane> {
         }
         Truth<T> hit = (t >= T(0)) & (t <= query.limit()) & !(object.direction.z == T(0));
         if (!any(hit)) return;
-        if (ray.departure.shape) hit = hit & !touches(shape, ray.origin, ray.departure.positionError);
+        if (ray.departure.shape) {
+            hit = hit & !touches(shape, ray.origin, ray.departure.positionError);
+            if (!query.isToLight()) hit = hit & !isParallel(shape, object.direction);
+        }
         query.offer(hit, t, shape, 0, object.direction.z < T(0));
     }
 

@@ -37,6 +37,9 @@ class Transform {
         return absoluteProduct(inverse_, world - Vec3T<T>(translation_));
     }
 
+    // The most that toObject makes of a direction whose coordinates are at most 1.
+    Vec3 largestDirection() const { return absoluteProduct(inverse_, Vec3(1)); }
+
     template <class T>
     Vec3T<T> pointToWorld(const Vec3T<T>& object) const {
         return product(linear_, object) + Vec3T<T>(translation_);
