@@ -127,7 +127,7 @@ PartFile::PartFile(const std::string& path) : reader_(path) {
     requireWhole(path);
 }
 
-void PartFile::requireWhole(const std::string& path) const {
+void PartFile::requireWhole(const std::string& path) {
     const std::uint64_t end = begin_ + head_.pixelBytes() * partPixels(head_);
     if (reader_.size() < end + partChecksumSize) failPart(path, "it is cut short");
     if (reader_.size() > end + partChecksumSize) failPart(path, "it goes on behind its end");

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,14 +34,11 @@ class Descriptor {
     int number_ = -1;
 };
 
-// Each platform has its own version of the next three functions.
+// Each platform has its own version of the next two functions.
 //
 // Opens a file. Returns no file, and sets errno, if that
 // fails. Opening a pipe waits for a writer only if `waits`.
 Descriptor openToRead(const std::string& path, bool waits);
-
-// Like POSIX's read, but from `offset` in the file. Returns -1, with errno, if it fails.
-std::int64_t readAt(int descriptor, std::span<char> bytes, std::uint64_t offset);
 
 // Waits until the file can be written to: another program may have made our output non-blocking.
 void waitForRoom(int descriptor);

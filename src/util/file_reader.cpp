@@ -1,35 +1,26 @@
 #include "raytracer/util/file_reader.h"
 
-#include <sys/stat.h>
+#include <filesystem>
 
-#include <cerrno>
-
-#include "descriptor.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/nearby_file.h"
 
 namespace raytracer {
 
-FileReader::FileReader(const std::string& path)
-    : path_(path), file_(std::make_unique<Descriptor>(openToRead(path, false))) {
-    struct stat status {};
-    if (!*file_ || ::fstat(file_->get(), &status) != 0)
-        throw systemError(path, "cannot read", whereLooked(path));
-    if (!S_ISREG(status.st_mode)) throw Error({path}, "cannot read: it is no regular file");
-    size_ = static_cast<std::uint64_t>(status.st_size);
+FileReader::FileReader(const std::string& path) : path_(path) {
+    std::error_code missing;
+    const std::filesystem::file_status status = std::filesystem::status(path, missing);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw Error({path}, "cannot read: it is no regular file");
+    file_.open(path, std::ios::binary | std::ios::ate);
+    if (!file_) throw systemError(path, "cannot read", whereLooked(path));
+    size_ = static_cast<std::uint64_t>(file_.tellg());
 }
 
-FileReader::~FileReader() = default;
-
-void FileReader::read(std::uint64_t offset, std::span<char> bytes) const {
-    while (!bytes.empty()) {
-        const std::int64_t count = readAt(file_->get(), bytes, offset);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) throw systemError(path_, "cannot read");
-        if (count == 0) throw Error({path_}, "cannot read: it has become shorter");
-        offset += static_cast<std::uint64_t>(count);
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
+void FileReader::read(std::uint64_t offset, std::span<char> bytes) {
+    file_.seekg(static_cast<std::streamoff>(offset)).read(bytes.data(), std::ssize(bytes));
+    if (file_.bad()) throw systemError(path_, "cannot read");
+    if (!file_) throw Error({path_}, "cannot read: it has become shorter");
 }
 
 }  // namespace raytracer

@@ -52,7 +52,7 @@ class PartFile {
                            std::span<char> bytes);
 
   private:
-    void requireWhole(const std::string& path) const;
+    void requireWhole(const std::string& path);
 
     FileReader reader_;
     PartHead head_;
