@@ -14,8 +14,7 @@ ColorSink::ColorSink(const PixelRectangle& crop) : crop_(crop) {
 }
 
 void ColorSink::write(int x, int y, std::span<const glm::dvec3> colors) {
-    const auto place = static_cast<std::ptrdiff_t>(y - crop_.y0) * crop_.width() + (x - crop_.x0);
-    std::copy(colors.begin(), colors.end(), colors_.begin() + place);
+    std::ranges::copy(colors, &colors_[crop_.indexOf(x, y)]);
 }
 
 void copyTo(PixelSink& sink, const PixelRectangle& crop, std::span<const glm::dvec3> colors) {

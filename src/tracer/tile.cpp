@@ -4,14 +4,25 @@
 #include <vector>
 
 #include "point_stream.h"
+#include "raytracer/pictures/color_sink.h"
 #include "raytracer/tracer/contrast.h"
-#include "raytracer/tracer/packet_order.h"
 #include "raytracer/tracer/pixel_estimate.h"
 #include "raytracer/tracer/sample_sequence.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
 namespace {
+
+// Calls function(x, y) for each pixel, packet by packet.
+template <class Function>
+void forEachInPacketOrder(const PixelRectangle& pixels, Function function) {
+    for (int top = pixels.y0; top < pixels.y1; top += packetHeight)
+        for (int left = pixels.x0; left < pixels.x1; left += packetWidth) {
+            const int right = std::min(left + packetWidth, pixels.x1);
+            for (int y = top; y < std::min(top + packetHeight, pixels.y1); ++y)
+                for (int x = left; x < right; ++x) function(x, y);
+        }
+}
 
 // Renders one tile after another, in the same memory: a large allocation for each would go back to the
 // system.
@@ -54,7 +65,7 @@ class Tile {
 
     void takeOver() {
         for (const auto& [x, y] : active_) {
-            Pixel& pixel = pixels_[indexOf({x, y})];
+            Pixel& pixel = pixels_[sampled_.indexOf(x, y)];
             pixel.estimate.add(first_->colors[static_cast<std::size_t>(y) * options_.size.width + x]);
             pixel.truncationBound = first_->cutoffBound;
         }
@@ -98,7 +109,7 @@ class Tile {
     bool leaveThoseDone(int taken) {
         if (options_.adaptive > 0)
             std::erase_if(active_, [&, least = leastContrast(options_.size)](const PixelPlace& place) {
-                const std::size_t i = indexOf(place);
+                const std::size_t i = sampled_.indexOf(place.x, place.y);
                 return pixels_[i].estimate.error(contrasts_[i], least) <= options_.adaptive;
             });
         if (taken < options_.samples) return !active_.empty();
@@ -122,27 +133,22 @@ class Tile {
                                pixel.estimate.add(color);
                                pixel.truncationBound += trace.truncationBound;
                            });
-        for (const PixelPlace& place : active_)
+        for (const auto& [x, y] : active_)
             for (const glm::dvec2& offset : offsets)
-                stream.add(indexOf(place), glm::dvec2(place.x, place.y) + offset);
+                stream.add(sampled_.indexOf(x, y), glm::dvec2(x, y) + offset);
         stream.finish();
     }
 
-    void write() const {
-        std::vector<glm::dvec3> row(static_cast<std::size_t>(tile_.width()));
+    void write() {
+        colors_.clear();
         double& bound = context_.counts->cutoffBound;
-        for (int y = tile_.y0; y < tile_.y1; ++y) {
+        for (int y = tile_.y0; y < tile_.y1; ++y)
             for (int x = tile_.x0; x < tile_.x1; ++x) {
-                const Pixel& pixel = pixels_[indexOf({x, y})];
-                row[static_cast<std::size_t>(x - tile_.x0)] = pixel.estimate.color();
+                const Pixel& pixel = pixels_[sampled_.indexOf(x, y)];
+                colors_.push_back(pixel.estimate.color());
                 bound = std::max(bound, pixel.truncationBound / pixel.estimate.samples());
             }
-            sink_.write(tile_.x0, y, row);
-        }
-    }
-
-    std::size_t indexOf(const PixelPlace& place) const {
-        return static_cast<std::size_t>((place.y - sampled_.y0) * sampled_.width() + place.x - sampled_.x0);
+        copyTo(sink_, tile_, colors_);
     }
 
     const Scene& scene_;
@@ -154,42 +160,34 @@ class Tile {
     SampleSequence sequence_;
     PixelRectangle tile_{}, sampled_{};
     std::vector<Pixel> pixels_;       // of sampled_
-    std::vector<glm::dvec3> colors_;  // of sampled_
+    std::vector<glm::dvec3> colors_;  // of sampled_, then of tile_
     std::vector<double> contrasts_;   // of sampled_, where adaptive
     std::vector<PixelPlace> active_;  // the pixels that take more samples
 };
 
-// Traces the first sample of each pixel, and calls take(x, y, color, trace) for it.
+// Traces the first sample of each pixel of a tile in `place`, and calls take(i, color, trace) for it: the
+// pixel is the i-th of the place, row by row.
 template <class Take>
-void traceFirst(const Scene& scene, const PixelRectangle& tile, const RenderContext& context, Take take) {
+void traceFirst(const Scene& scene, const PixelRectangle& tile, const PixelRectangle& place,
+                const RenderContext& context, Take take) {
     double& bound = context.counts->cutoffBound;
     const glm::dvec2 centre = SampleSequence(context.options->sequence)[0];
-    forEachPacket(tile, [&](const PixelRectangle& pixels) {
-        PointPacket points;
-        for (int y = pixels.y0; y < pixels.y1; ++y)
-            for (int x = pixels.x0; x < pixels.x1; ++x)
-                points.add(static_cast<Real>(x + centre.x), static_cast<Real>(y + centre.y));
-        traceAll(scene, points, context);
-        int i = 0;
-        for (int y = pixels.y0; y < pixels.y1; ++y)
-            for (int x = pixels.x0; x < pixels.x1; ++x, ++i) {
-                take(x, y, points.colorOf(i), points.samples[i]);
-                bound = std::max(bound, points.samples[i].truncationBound);
-            }
+    PointStream stream(scene, context, [&](std::size_t i, const glm::dvec3& color, const SampleTrace& trace) {
+        take(i, color, trace);
+        bound = std::max(bound, trace.truncationBound);
     });
+    forEachInPacketOrder(tile,
+                         [&](int x, int y) { stream.add(place.indexOf(x, y), glm::dvec2(x, y) + centre); });
+    stream.finish();
 }
 
 // The same as Tile with one sample a pixel, in a tenth of the instructions.
 void renderCentres(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
                    PixelSink& sink) {
-    const auto width = static_cast<std::size_t>(tile.width());
-    std::vector<glm::dvec3> colors(width * static_cast<std::size_t>(tile.height()));
-    traceFirst(scene, tile, context, [&](int x, int y, const glm::dvec3& color, const SampleTrace&) {
-        colors[static_cast<std::size_t>(y - tile.y0) * width + static_cast<std::size_t>(x - tile.x0)] = color;
-    });
-    for (int y = tile.y0; y < tile.y1; ++y)
-        sink.write(tile.x0, y,
-                   std::span(colors).subspan(static_cast<std::size_t>(y - tile.y0) * width, width));
+    std::vector<glm::dvec3> colors(tile.size().area());
+    traceFirst(scene, tile, tile, context,
+               [&](std::size_t i, const glm::dvec3& color, const SampleTrace&) { colors[i] = color; });
+    copyTo(sink, tile, colors);
 }
 
 }  // namespace
@@ -207,12 +205,11 @@ std::function<void(const PixelRectangle&)> tileRenderer(const Scene& scene, cons
 
 void renderFirst(const Scene& scene, const PixelRectangle& tile, const RenderContext& context,
                  FirstSamples& first) {
-    const auto width = static_cast<std::size_t>(context.options->size.width);
-    traceFirst(scene, tile, context, [&](int x, int y, const glm::dvec3& color, const SampleTrace& trace) {
-        const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-        first.colors[i] = color;
-        first.leftOut[i] = static_cast<float>(trace.leftOut);
-    });
+    traceFirst(scene, tile, context.options->crop, context,
+               [&](std::size_t i, const glm::dvec3& color, const SampleTrace& trace) {
+                   first.colors[i] = color;
+                   first.leftOut[i] = static_cast<float>(trace.leftOut);
+               });
 }
 
 }  // namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE

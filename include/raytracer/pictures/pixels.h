@@ -21,6 +21,10 @@ struct PixelRectangle {
     int height() const { return y1 - y0; }
     ImageSize size() const { return {width(), height()}; }
     double area() const { return static_cast<double>(width()) * height(); }  // pixels
+    std::size_t indexOf(int x, int y) const {                                // of a pixel, row by row
+        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width()) +
+               static_cast<std::size_t>(x - x0);
+    }
 };
 
 // A pixel of the whole picture.
