@@ -1,8 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "point_stream.h"
 #include "scene_renderer.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
@@ -114,14 +114,9 @@ RayExplanation SceneRenderer::explain(const RenderOptions& options, int x, int y
     Recorder recorder(*scene_);
     RenderOptions shaded = options;
     shaded.pass = Pass::Color;
-    shareOut(
-        shaded, 1, nullptr, std::numeric_limits<std::uint64_t>::max(), [&](const RenderContext& context) {
-            return [&](std::uint32_t) {
-                PointPacket centre;
-                centre.add(static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5), &recorder);
-                traceAll(*scene_, centre, context);
-            };
-        });
+    glm::dvec3 color;
+    tracePoints(shaded, std::array{glm::dvec2(x + 0.5, y + 0.5)}, {&color, 1},
+                std::numeric_limits<std::uint64_t>::max(), &recorder);
     return recorder.take();
 }
 

@@ -180,7 +180,8 @@ RenderCounts SceneRenderer::renderPoints(const RenderOptions& options, std::span
 }
 
 RenderCounts SceneRenderer::tracePoints(const RenderOptions& options, std::span<const glm::dvec2> points,
-                                        std::span<glm::dvec3> colors, std::uint64_t mostRays) const {
+                                        std::span<glm::dvec3> colors, std::uint64_t mostRays,
+                                        Observer* observer) const {
     const auto workOf = [&](const RenderContext& context) {
         const auto take = [&](std::size_t i, const glm::dvec3& color, const SampleTrace& trace) {
             colors[i] = color;
@@ -189,7 +190,7 @@ RenderCounts SceneRenderer::tracePoints(const RenderOptions& options, std::span<
         };
         return [&, take](std::uint32_t job) {
             traceBatch(
-                *scene_, context, points, job, [](std::size_t) { return nullptr; }, take);
+                *scene_, context, points, job, [&](std::size_t) { return observer; }, take);
         };
     };
     return shareOut(options, batchCount(points.size()), nullptr, mostRays, workOf);

@@ -44,9 +44,10 @@ class SceneRenderer final : public Renderer {
     // The small parts of the options' crop, or of more. They are kept for the next picture of that size.
     std::shared_ptr<const std::vector<glm::dvec2>> smallPartsOf(const RenderOptions& options) const;
 
-    // Traces points, with the limit mostRays in all.
+    // Traces points, with the limit mostRays in all. `observer`: of all of them.
     RenderCounts tracePoints(const RenderOptions& options, std::span<const glm::dvec2> points,
-                             std::span<glm::dvec3> colors, std::uint64_t mostRays) const;
+                             std::span<glm::dvec3> colors, std::uint64_t mostRays,
+                             Observer* observer = nullptr) const;
 
     std::unique_ptr<const Scene> scene_;
     mutable std::mutex mutex_;  // of what follows
