@@ -39,7 +39,7 @@ Depths depthsFor(const Renderer& renderer, const RenderOptions& options, double 
     Setting deepest{
         .max_recursion = std::min(layers, limit), .cutoff = cutoffs.front(), .bilinear = options.bilinear};
     for (;; deepest.max_recursion *= 2) {
-        Depths depths = depthsAt(renderer, options, points, deepest, cutoffs, spent);
+        Depths depths(renderer, options, points, deepest, cutoffs, spent);
         isLimited = depths.deepest().max_recursion < std::max(deepest.max_recursion, layers);
         if (isLimited) return depths;
         const double change = depths.measured(deepest.max_recursion / 2, deepest.cutoff).squaredError;
@@ -60,13 +60,24 @@ DepthChoice cheapest(const std::vector<DepthChoice>& depths, double target) {
 
 }  // namespace
 
-Depths::Depths(const Setting& deepest, std::vector<double> cutoffs)
-    : deepest_(deepest),
-      cutoffs_(std::move(cutoffs)),
-      sums_(cutoffs_.size(), std::vector<Sums>(static_cast<std::size_t>(deepest.max_recursion) + 1)) {}
+Depths::Depths(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
+               const Setting& deepest, std::vector<double> cutoffs, RenderCounts& spent,
+               std::span<const double> weights)
+    : deepest_(deepest), cutoffs_(std::move(cutoffs)), points_(static_cast<double>(points.size())) {
+    for (;; deepest_.max_recursion /= 2) {
+        sums_.assign(cutoffs_.size(),
+                     std::vector<Sums>(static_cast<std::size_t>(deepest_.max_recursion) + 1));
+        try {
+            trace(renderer, options, points, spent, weights);
+            return;
+        } catch (const TooManyRays& tooMany) {
+            spent += tooMany.cast();
+        }
+    }
+}
 
-void Depths::add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-                 RenderCounts& spent, std::span<const double> weights) {
+void Depths::trace(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
+                   RenderCounts& spent, std::span<const double> weights) {
     constexpr std::size_t together = 512;  // trees at a time: a few MB of memory
     for (std::size_t begin = 0; begin < points.size(); begin += together) {
         const auto some = points.subspan(begin, std::min(together, points.size() - begin));
@@ -76,7 +87,6 @@ void Depths::add(const Renderer& renderer, const RenderOptions& options, std::sp
             for (std::size_t i = 0; i < cutoffs_.size(); ++i)
                 measure(trees, point, weights.empty() ? 1 : weights[begin + point], cutoffs_[i], sums_[i]);
     }
-    points_ += static_cast<double>(points.size());
 }
 
 // One pass over a tree measures every max_recursion.
@@ -133,27 +143,12 @@ std::vector<DepthChoice> Depths::all() const {
     return choices;
 }
 
-Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-                Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent,
-                std::span<const double> weights) {
-    for (;; deepest.max_recursion /= 2) {
-        Depths depths(deepest, cutoffs);
-        try {
-            depths.add(renderer, options, points, spent, weights);
-            return depths;
-        } catch (const TooManyRays& tooMany) {
-            spent += tooMany.cast();
-        }
-    }
-}
-
 DepthSearch::DepthSearch(const Renderer& renderer, const RenderOptions& options, double target, double pixels,
                          RenderCounts& spent, int limit)
     : renderer_(renderer),
       options_(options),
       target_(std::min(target, 1.0)),  // no error is larger
-      spent_(spent),
-      depths_(Setting{.max_recursion = 0}, {0}) {
+      spent_(spent) {
     if (options.pass == Pass::Color) measure(pixels, limit);
     else choice_.max_recursion = Setting{}.max_recursion;  // other passes do not recurse
 }
@@ -167,11 +162,11 @@ void DepthSearch::measure(double pixels, int limit) {
     const auto few = std::span(points).first(static_cast<std::size_t>(fewest));
     depths_ = depthsFor(renderer_, options_, target_, limit, few, spent_, isLimited);
     if (points.size() > few.size()) {
-        const Setting deepest = depths_.deepest();
-        depths_ = depthsAt(renderer_, options_, points, deepest, cutoffsFor(target_), spent_);
-        isLimited = isLimited || depths_.deepest().max_recursion < deepest.max_recursion;
+        const Setting deepest = depths_->deepest();
+        depths_.emplace(renderer_, options_, points, deepest, cutoffsFor(target_), spent_);
+        isLimited = isLimited || depths_->deepest().max_recursion < deepest.max_recursion;
     }
-    choice_ = cheapest(depths_.all(), target_);
+    choice_ = cheapest(depths_->all(), target_);
     choice_.isLimited = isLimited;
 }
 
@@ -194,17 +189,16 @@ DepthChoice DepthSearch::confirmed(std::span<const float> leftOut) {
         weights.push_back(draws * step / (pixels * weight));
     });
     for (double& weight : weights) weight *= static_cast<double>(weights.size());  // Depths takes the mean
-    const Depths here =
-        depthsAt(renderer_, options_, points, depths_.deepest(), cutoffsFor(target_), spent_, weights);
+    const Depths here(renderer_, options_, points, depths_->deepest(), cutoffsFor(target_), spent_, weights);
     // Another depth takes another first sample of each pixel.
     const double enough = std::min(choice_.leftOf(target_), target_ * target_ / 2);
     std::vector<DepthChoice> choices;
     for (DepthChoice choice : here.all()) {
         if (choice.max_recursion < choice_.max_recursion) continue;
         if (choice_.cutoff > 0 && choice.cutoff > choice_.cutoff) continue;
-        choice.rays = depths_.measured(choice.max_recursion, choice.cutoff).rays;
+        choice.rays = depths_->measured(choice.max_recursion, choice.cutoff).rays;
         choice.isLimited =
-            choice_.isLimited || here.deepest().max_recursion < depths_.deepest().max_recursion;
+            choice_.isLimited || here.deepest().max_recursion < depths_->deepest().max_recursion;
         if (choice.isSameAs(choice_) && choice.leftOf(target_) >= enough) return choice;
         choices.push_back(choice);
     }

@@ -3,6 +3,8 @@
 // rays out, confirm it.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "raytracer/accuracy/picture_error.h"
@@ -41,14 +43,13 @@ struct DepthChoice {
 
 class Depths {
   public:
-    // Measures every max_recursion up to deepest.max_recursion, with each of the cutoffs. None of them may be
-    // smaller than deepest.cutoff.
-    Depths(const Setting& deepest, std::vector<double> cutoffs);
-
-    // Traces more points with the deepest setting, and adds their rays to `spent`. Throws TooManyRays.
+    // Traces these points with the deepest setting, and measures every max_recursion up to its, with each of
+    // the cutoffs. None of them may be smaller than deepest.cutoff. Where the deepest setting casts too many
+    // rays, its max_recursion is halved until it does not. Adds the rays that it casts to `spent`.
     // `weights`: of the points' squared errors; empty: 1.
-    void add(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-             RenderCounts& spent, std::span<const double> weights = {});
+    Depths(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
+           const Setting& deepest, std::vector<double> cutoffs, RenderCounts& spent,
+           std::span<const double> weights = {});
 
     DepthChoice measured(int max_recursion, double cutoff) const;
     std::vector<DepthChoice> all() const;
@@ -62,20 +63,17 @@ class Depths {
         // colour no larger max_recursion changes: they count for each larger one too.
         double squares = 0, fourths = 0, lastSquares = 0, lastFourths = 0;
     };
+    // Throws TooManyRays.
+    void trace(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
+               RenderCounts& spent, std::span<const double> weights);
     void measure(const RayTrees& trees, std::size_t point, double weight, double cutoff,
                  std::span<Sums> sums);
 
     Setting deepest_;
     std::vector<double> cutoffs_;
     std::vector<std::vector<Sums>> sums_;  // by cutoff, then by max_recursion
-    double points_ = 0;
+    double points_;
 };
-
-// Measures at these points. Where the deepest setting casts too many rays, its max_recursion is halved until
-// it does not. Adds the rays that it casts to `spent`.
-Depths depthsAt(const Renderer& renderer, const RenderOptions& options, std::span<const glm::dvec2> points,
-                Setting deepest, const std::vector<double>& cutoffs, RenderCounts& spent,
-                std::span<const double> weights = {});
 
 // Searches the depth and the cutoff with which a picture reaches the target error at the least cost. Adds the
 // rays that it casts to `spent`.
@@ -99,7 +97,7 @@ class DepthSearch {
     const RenderOptions& options_;
     double target_;
     RenderCounts& spent_;
-    Depths depths_;
+    std::optional<Depths> depths_;  // of Pass::Color
     DepthChoice choice_;
 };
 

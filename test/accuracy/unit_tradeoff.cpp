@@ -205,9 +205,8 @@ TEST_CASE("ray trees tell what every depth costs and leaves out") {
     forEveryScene(32, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
         const std::vector<glm::dvec2> points = picturePoints(options.size, 500, 3);
         const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
-        Depths depths(deepest, {0.02, 0.1, 0.5});
         RenderCounts spent;
-        depths.add(renderer, options, points, spent);
+        const Depths depths(renderer, options, points, deepest, {0.02, 0.1, 0.5}, spent);
         const auto render = [&](const Setting& setting, std::vector<glm::dvec3>& colors) {
             colors.resize(points.size());
             return renderer.renderPoints(withSetting(options, setting), points, colors).all();
