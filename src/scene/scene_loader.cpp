@@ -39,9 +39,6 @@ class SceneReader {
     }
 
   private:
-    // Makes room for what is read from a list, and for its names.
-    template <class List>
-    void reserve(List& list, JsonView view, const char* what, NameTable* names = nullptr) const;
     void readTextures(JsonView textures);
     void readMaterials(JsonView materials);
     void readTransforms(JsonView transforms);
@@ -64,19 +61,11 @@ void SceneReader::read(JsonView view) {
     description_.camera = readCamera(scene["camera"], keys_);
     if (const auto textures = scene.find("textures")) readTextures(*textures);
     readMaterials(scene["materials"]);
-    reserve(description_.lights, scene["lights"], "lights");
+    reserveMemory(description_.lights, scene["lights"].size(), path_, "lights");
     for (const JsonView light : scene["lights"].elements())
         description_.lights.push_back(readLight(light, keys_));
     readTransforms(scene["transforms"]);
     readShapes(scene["shapes"]);
-}
-
-template <class List>
-void SceneReader::reserve(List& list, JsonView view, const char* what, NameTable* names) const {
-    const std::size_t count = view.size(), each = sizeof(list[0]) + (names ? NameTable::bytesOfName : 0);
-    requireMemory(path_, std::to_string(count) + " " + what, static_cast<double>(each * count));
-    list.reserve(count);
-    if (names) names->reserve(count);
 }
 
 void SceneReader::readTextures(JsonView textures) {
@@ -89,7 +78,8 @@ void SceneReader::readTextures(JsonView textures) {
 }
 
 void SceneReader::readMaterials(JsonView materials) {
-    reserve(description_.materials, materials, "materials", &materials_);
+    reserveMemory(description_.materials, materials.size(), path_, "materials", NameTable::bytesOfName);
+    materials_.reserve(description_.materials.capacity());
     for (const JsonView json : materials.elements()) {
         MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
@@ -101,7 +91,8 @@ void SceneReader::readMaterials(JsonView materials) {
 }
 
 void SceneReader::readTransforms(JsonView transforms) {
-    reserve(description_.transforms, transforms, "transforms", &transforms_);
+    reserveMemory(description_.transforms, transforms.size(), path_, "transforms", NameTable::bytesOfName);
+    transforms_.reserve(description_.transforms.capacity());
     for (const JsonView json : transforms.elements()) {
         description_.transforms.push_back(readTransform(json, keys_));
         const JsonView name = *json.find("name");
@@ -110,7 +101,7 @@ void SceneReader::readTransforms(JsonView transforms) {
 }
 
 void SceneReader::readShapes(JsonView shapes) {
-    reserve(description_.shapes, shapes, "shapes");
+    reserveMemory(description_.shapes, shapes.size(), path_, "shapes");
     for (const JsonView json : shapes.elements()) {
         const ShapeDescription& shape = description_.shapes.emplace_back(readShape(json));
         loadTextureOf(description_.materials[shape.material]);

@@ -56,17 +56,10 @@ std::vector<std::uint32_t> orderOfMaking(const SceneDescription& description) {
     return spatialOrder(places);
 }
 
-// Makes room for what is built of a list of the description.
-template <class List>
-void reserve(List& list, std::size_t count, const char* what) {
-    requireMemory({}, std::to_string(count) + " " + what, static_cast<double>(sizeof(list[0]) * count));
-    list.reserve(count);
-}
-
 LargeVector<Shape> buildShapes(const SceneDescription& description, const SceneFrame& frame,
                                const std::vector<Material>& materials, const BuildOptions& options) {
     LargeVector<Shape> shapes;
-    reserve(shapes, description.shapes.size(), "shapes");
+    reserveMemory(shapes, description.shapes.size(), {}, "shapes");
     MeshCache meshes;
     const std::vector<std::uint32_t> order = orderOfMaking(description);
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -210,10 +203,10 @@ std::unique_ptr<const Scene> buildScene(const SceneDescription& description, con
     scene->frame = chooseFrame(description);
     scene->camera = Camera(description.camera, scene->frame);
     for (const TextureDescription& texture : description.textures) scene->textures.push_back(texture.texture);
-    reserve(scene->materials, description.materials.size(), "materials");
+    reserveMemory(scene->materials, description.materials.size(), {}, "materials");
     for (const MaterialDescription& material : description.materials)
         scene->materials.push_back(buildMaterial(material, description));
-    reserve(scene->lights, description.lights.size(), "lights");
+    reserveMemory(scene->lights, description.lights.size(), {}, "lights");
     for (const LightDescription& light : description.lights)
         scene->lights.push_back(buildLight(light, scene->frame));
     scene->shapes = buildShapes(description, scene->frame, scene->materials, options);
