@@ -121,16 +121,6 @@ void copyTile(const PixelRectangle& tile, const char* from, const PixelRectangle
         std::memcpy(image.at(tile.x0 - band.x0, y - band.y0), from, rowSize);
 }
 
-// The number of pixels that each part has in a rectangle; element 0 is unused.
-std::vector<std::uint64_t> pixelsOfParts(const PixelRectangle& rectangle, int count) {
-    const PartLattice lattice(count);
-    std::vector<std::uint64_t> pixels(static_cast<std::size_t>(count) + 1);
-    for (const PixelRectangle& band : bandsOf(rectangle, 0))
-        for (const PixelRectangle& tile : tilesOf(band))
-            pixels[static_cast<std::size_t>(lattice.partOf(tile))] += static_cast<std::uint64_t>(tile.area());
-    return pixels;
-}
-
 }  // namespace
 
 PartFiles::PartFiles(std::span<const std::string> paths, int threads) : threads_(threads) {

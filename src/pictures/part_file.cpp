@@ -78,13 +78,6 @@ PartHead headOf(JsonView json) {
     return head;
 }
 
-std::uint64_t partPixels(const PartHead& head) {
-    double pixels = 0;
-    for (const PixelRectangle& band : bandsOf(head.crop, 0))
-        for (const PixelRectangle& tile : tilesOf(band, head.part)) pixels += tile.area();
-    return static_cast<std::uint64_t>(pixels);
-}
-
 [[noreturn]] void failPart(const std::string& path, const std::string& why) {
     throw Error({path}, "broken part of a picture: " + why);
 }
@@ -128,7 +121,9 @@ PartFile::PartFile(const std::string& path) : reader_(path) {
 }
 
 void PartFile::requireWhole(const std::string& path) {
-    const std::uint64_t end = begin_ + head_.pixelBytes() * partPixels(head_);
+    const auto pixels = pixelsOfParts(head_.crop, head_.part.count);
+    const std::uint64_t end =
+        begin_ + head_.pixelBytes() * pixels[static_cast<std::size_t>(head_.part.number)];
     if (reader_.size() < end + partChecksumSize) failPart(path, "it is cut short");
     if (reader_.size() > end + partChecksumSize) failPart(path, "it goes on behind its end");
     std::vector<char> block(std::min<std::uint64_t>(end, 1 << 20));

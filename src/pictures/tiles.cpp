@@ -29,21 +29,26 @@ int PartLattice::partOf(const PixelRectangle& tile) const {
     return static_cast<int>((tile.x0 / tileEdge + row * shift_) % count_) + 1;
 }
 
-std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle) {
+std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle, const PicturePart& part) {
     std::vector<PixelRectangle> tiles;
+    const PartLattice lattice(part.count);
     for (int y = rectangle.y0 / tileEdge; y < tileEnd(rectangle.y1); ++y)
-        for (int x = rectangle.x0 / tileEdge; x < tileEnd(rectangle.x1); ++x)
-            tiles.push_back({std::max(x * tileEdge, rectangle.x0), std::max(y * tileEdge, rectangle.y0),
-                             std::min((x + 1) * tileEdge, rectangle.x1),
-                             std::min((y + 1) * tileEdge, rectangle.y1)});
+        for (int x = rectangle.x0 / tileEdge; x < tileEnd(rectangle.x1); ++x) {
+            const PixelRectangle tile{
+                std::max(x * tileEdge, rectangle.x0), std::max(y * tileEdge, rectangle.y0),
+                std::min((x + 1) * tileEdge, rectangle.x1), std::min((y + 1) * tileEdge, rectangle.y1)};
+            if (lattice.partOf(tile) == part.number) tiles.push_back(tile);
+        }
     return tiles;
 }
 
-std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle, const PicturePart& part) {
-    std::vector<PixelRectangle> tiles = tilesOf(rectangle);
-    const PartLattice lattice(part.count);
-    std::erase_if(tiles, [&](const PixelRectangle& tile) { return lattice.partOf(tile) != part.number; });
-    return tiles;
+std::vector<std::uint64_t> pixelsOfParts(const PixelRectangle& rectangle, int count) {
+    const PartLattice lattice(count);
+    std::vector<std::uint64_t> pixels(static_cast<std::size_t>(count) + 1);
+    for (const PixelRectangle& band : bandsOf(rectangle, 0))
+        for (const PixelRectangle& tile : tilesOf(band))
+            pixels[static_cast<std::size_t>(lattice.partOf(tile))] += static_cast<std::uint64_t>(tile.area());
+    return pixels;
 }
 
 PixelRectangle withRing(const PixelRectangle& tile, const ImageSize& size) {

@@ -1,6 +1,7 @@
 // The tiles of a picture: the units of work that threads, or several machines, share.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,10 @@ class PartLattice {
 
 // The tiles of a rectangle, row by row. Tiles begin at multiples of tileEdge in the whole picture; those at
 // the rectangle's edges are clipped to it.
-std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle);
-std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle, const PicturePart& part);
+std::vector<PixelRectangle> tilesOf(const PixelRectangle& rectangle, const PicturePart& part = {});
+
+// The number of pixels that each of `count` parts has in a rectangle; element 0 is unused.
+std::vector<std::uint64_t> pixelsOfParts(const PixelRectangle& rectangle, int count);
 
 // The tile with a ring of neighbouring pixels, as far as they are in the picture.
 PixelRectangle withRing(const PixelRectangle& tile, const ImageSize& size);
