@@ -71,10 +71,27 @@ void SceneReader::read(JsonView view) {
     readShapes(scene["shapes"]);
 }
 
+// What copies of the strings in these objects take beside the std::string itself.
+std::size_t bytesOfStrings(JsonView list) {
+    constexpr std::size_t within = 15, around = 17;  // of a std::string; its end, and what malloc adds
+    std::size_t bytes = 0;
+    for (const JsonView element : list.elements()) {
+        if (element.kind() != JsonDocument::Kind::Object) continue;
+        for (const JsonView member : element.members()) {
+            if (member.kind() != JsonDocument::Kind::String) continue;
+            const std::size_t size = member.string().size();
+            bytes += size > within ? size + around : 0;
+        }
+    }
+    return bytes;
+}
+
 template <class List>
 void SceneReader::reserve(List& list, JsonView view, const char* what, NameTable* names) const {
-    const std::size_t count = view.size(), each = sizeof(list[0]) + (names ? NameTable::bytesOfName : 0);
-    requireMemory(path_, std::to_string(count) + " " + what, static_cast<double>(each * count));
+    const std::size_t count = view.size(), each = sizeof(list[0]) + (names ? NameTable::bytesOfName : 0),
+                      strings = names ? bytesOfStrings(view) : 0;
+    const std::string most = strings > each * count ? "the names of" : std::to_string(count);
+    requireMemory(path_, most + " " + what, static_cast<double>(each * count + strings));
     list.reserve(count);
     if (names) names->reserve(count);
 }
