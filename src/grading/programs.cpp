@@ -69,15 +69,6 @@ std::string copyScene(const std::string& scene, const std::string& folder) {
     return (to / files::path(scene).filename()).string();
 }
 
-// A run in progress. The program's folder is inside one of this run's own: ".." has no files of other runs.
-struct ActiveRun {
-    DiskRoom roomBefore = temporaryRoom();
-    bool lacksRoom = false;    // for its picture's copy
-    bool isDisturbed = false;  // another run has filled the disk meanwhile
-    TemporaryFolder own;
-    std::string folder = own.hiddenFolder(), picture = folder + "/out.png", printed = own.file("log");
-};
-
 // The bytes of room that a program is promised: for its picture, for a copy of that, and for what it prints.
 std::size_t promisedRoom(const ProgramRun& run) {
     constexpr std::size_t printed = std::size_t{1} << 20;
@@ -85,11 +76,61 @@ std::size_t promisedRoom(const ProgramRun& run) {
     return printed + 6 * size.area();
 }
 
+// What a folder's files take from the disk.
+DiskRoom takenBy(const std::string& folder) {
+    DiskRoom taken{0, 0};
+    std::error_code error;
+    for (files::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        std::error_code isGone;
+        const bool isFile = entry->symlink_status(isGone).type() == files::file_type::regular;
+        const std::uintmax_t size = isFile ? entry->file_size(isGone) : 0;
+        taken.bytes += isGone ? 0 : size;
+        ++taken.files;
+    }
+    return taken;
+}
+
+// Whether others have taken most of the room that there was before a run, whose own files take `own`.
+bool isTakenByOthers(const DiskRoom& before, const DiskRoom& own = {0, 0}) {
+    const DiskRoom now = temporaryRoom();
+    const auto isTaken = [](std::uint64_t was, std::uint64_t taken, std::uint64_t is) {
+        return taken < was / 2 && is < was / 2 - taken;
+    };
+    return isTaken(before.bytes, own.bytes, now.bytes) || isTaken(before.files, own.files, now.files);
+}
+
+// A run in progress. The program's folder is inside one of this run's own: ".." has no files of other runs.
+struct ActiveRun {
+    explicit ActiveRun(const ProgramRun& run) : promised(promisedRoom(run)) {}
+
+    // Whether the disk may keep the program from writing its picture.
+    bool lacksRoomNow() const {
+        const DiskRoom room = temporaryRoom();
+        return room.bytes < promised || (roomBefore.files > 0 && room.files == 0);
+    }
+
+    // Looks at the disk: others may empty it again before the program ends.
+    void look() {
+        if (lacksRoom || !lacksRoomNow()) return;
+        lacksRoom = true;
+        isSqueezed = isTakenByOthers(roomBefore, takenBy(folder));
+    }
+
+    std::size_t promised;
+    DiskRoom roomBefore = temporaryRoom();
+    bool lacksRoom = false;    // for the picture, or for its copy
+    bool isSqueezed = false;   // by others, when that was seen
+    bool isDisturbed = false;  // another run has filled the disk meanwhile
+    TemporaryFolder own;
+    std::string folder = own.hiddenFolder(), picture = folder + "/out.png", printed = own.file("log");
+};
+
 // Throws Error if there is too little room for the program's
 // files, so that the program is not blamed for that.
 ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const ProgramOptions& options) {
     const std::string scene = copyScene(absolutePath(run.test->scene), active.folder);
-    active.own.requireRoom(promisedRoom(run));
+    active.own.requireRoom(active.promised);
     giveFolderTo(options.user, active.folder);
     return {commandFromHere(run.command),
             {scene, active.picture, std::to_string(run.longEdge)},
@@ -146,16 +187,8 @@ bool isReadable(const ProgramRun& run) {
 
 // Whether the disk may be why there is no picture that can be read.
 bool hasDiskFailed(const ProgramRun& run, const ActiveRun& active, const Rendered& rendered) {
-    const DiskRoom room = temporaryRoom();
-    const bool lacksRoom = active.lacksRoom || (active.roomBefore.files > 0 && room.files == 0) ||
-                           room.bytes < promisedRoom(run);
-    return (lacksRoom || active.isDisturbed) && (rendered.failed || !isReadable(run));
-}
-
-// Whether others have taken most of the room that there was before a run. Its own files are gone.
-bool isTakenByOthers(const DiskRoom& before) {
-    const DiskRoom now = temporaryRoom();
-    return now.bytes < before.bytes / 2 || now.files < before.files / 2;
+    const bool isSuspect = active.lacksRoom || active.isDisturbed || active.lacksRoomNow();
+    return isSuspect && (rendered.failed || !isReadable(run));
 }
 
 // Runs programs. One for which others leave no room on the disk runs again later, alone.
@@ -170,13 +203,16 @@ class ProgramRuns {
         isAlone_ = atOnce == 1;
         runProcesses(
             which.size(), atOnce, [&](std::size_t i) { return start(which[i]); },
-            [&](std::size_t i, const ProcessEnd& end) { take(which[i], end); });
+            [&](std::size_t i, const ProcessEnd& end) { take(which[i], end); },
+            [&] {
+                for (const auto& [number, active] : active_) active->look();
+            });
         if (!again_.empty()) run(std::exchange(again_, {}), 1);
     }
 
   private:
     ProcessStart start(std::size_t i) try {
-        active_[i] = std::make_unique<ActiveRun>();
+        active_[i] = std::make_unique<ActiveRun>(runs_[i]);
         return startOf(runs_[i], *active_[i], options_);
     } catch (const Error&) {
         active_.erase(i);
@@ -194,7 +230,7 @@ class ProgramRuns {
         Rendered rendered = renderedBy(runs_[i], *run, end);
         if (hasDiskFailed(runs_[i], *run, rendered)) {
             const DiskRoom before = run->roomBefore;
-            const bool isDisturbed = run->isDisturbed;
+            const bool isDisturbed = run->isDisturbed || (run->isSqueezed && !run->lacksRoomNow());
             const std::string folder = files::path(run->printed).parent_path().string();
             std::error_code error;
             files::remove(runs_[i].picture, error);

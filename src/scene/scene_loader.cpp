@@ -39,6 +39,9 @@ class SceneReader {
     }
 
   private:
+    // Makes room for what is read from a list, and for its names.
+    template <class List>
+    void reserve(List& list, JsonView view, const char* what, NameTable* names = nullptr) const;
     void readTextures(JsonView textures);
     void readMaterials(JsonView materials);
     void readTransforms(JsonView transforms);
@@ -61,11 +64,36 @@ void SceneReader::read(JsonView view) {
     description_.camera = readCamera(scene["camera"], keys_);
     if (const auto textures = scene.find("textures")) readTextures(*textures);
     readMaterials(scene["materials"]);
-    reserveMemory(description_.lights, scene["lights"].size(), path_, "lights");
+    reserve(description_.lights, scene["lights"], "lights");
     for (const JsonView light : scene["lights"].elements())
         description_.lights.push_back(readLight(light, keys_));
     readTransforms(scene["transforms"]);
     readShapes(scene["shapes"]);
+}
+
+// What copies of the strings in these objects take beside the std::string itself.
+std::size_t bytesOfStrings(JsonView list) {
+    constexpr std::size_t within = 15, around = 17;  // of a std::string; its end, and what malloc adds
+    std::size_t bytes = 0;
+    for (const JsonView element : list.elements()) {
+        if (element.kind() != JsonDocument::Kind::Object) continue;
+        for (const JsonView member : element.members()) {
+            if (member.kind() != JsonDocument::Kind::String) continue;
+            const std::size_t size = member.string().size();
+            bytes += size > within ? size + around : 0;
+        }
+    }
+    return bytes;
+}
+
+template <class List>
+void SceneReader::reserve(List& list, JsonView view, const char* what, NameTable* names) const {
+    const std::size_t count = view.size(), each = sizeof(list[0]) + (names ? NameTable::bytesOfName : 0),
+                      strings = names ? bytesOfStrings(view) : 0;
+    const std::string most = strings > each * count ? "the names of" : std::to_string(count);
+    requireMemory(path_, most + " " + what, static_cast<double>(each * count + strings));
+    list.reserve(count);
+    if (names) names->reserve(count);
 }
 
 void SceneReader::readTextures(JsonView textures) {
@@ -78,8 +106,7 @@ void SceneReader::readTextures(JsonView textures) {
 }
 
 void SceneReader::readMaterials(JsonView materials) {
-    reserveMemory(description_.materials, materials.size(), path_, "materials", NameTable::bytesOfName);
-    materials_.reserve(description_.materials.capacity());
+    reserve(description_.materials, materials, "materials", &materials_);
     for (const JsonView json : materials.elements()) {
         MaterialDescription& material = description_.materials.emplace_back(readMaterial(json, keys_));
         const auto name = json.find("name");
@@ -91,8 +118,7 @@ void SceneReader::readMaterials(JsonView materials) {
 }
 
 void SceneReader::readTransforms(JsonView transforms) {
-    reserveMemory(description_.transforms, transforms.size(), path_, "transforms", NameTable::bytesOfName);
-    transforms_.reserve(description_.transforms.capacity());
+    reserve(description_.transforms, transforms, "transforms", &transforms_);
     for (const JsonView json : transforms.elements()) {
         description_.transforms.push_back(readTransform(json, keys_));
         const JsonView name = *json.find("name");
@@ -101,7 +127,7 @@ void SceneReader::readTransforms(JsonView transforms) {
 }
 
 void SceneReader::readShapes(JsonView shapes) {
-    reserveMemory(description_.shapes, shapes.size(), path_, "shapes");
+    reserve(description_.shapes, shapes, "shapes");
     for (const JsonView json : shapes.elements()) {
         const ShapeDescription& shape = description_.shapes.emplace_back(readShape(json));
         loadTextureOf(description_.materials[shape.material]);

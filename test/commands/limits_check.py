@@ -197,6 +197,9 @@ def check_many(folder):
     long = scene_of(folder, "long.json", materials=[{"name": "m" * 20000000}])
     check("a long name", re.escape(f"{long}: not enough memory for this scene: ") + LEFT, long, out, 8,
           script=addresses(70000))
+    names = scene_of(folder, "names.json", materials=[{"name": str(i) + "m" * 400} for i in range(30000)])
+    check("long names", re.escape(f"{names}: not enough memory for the names of materials (22.6 MB): ") +
+          DATA_LEFT, names, out, 8, script=data(40000))
     pfm, png = folder / "black.pfm", folder / "black.png"
     pfm.write_bytes(b"PF 2000 2000 -1\n" + bytes(48000000))
     png.write_bytes(png_of_size(3000, 3000))

@@ -111,6 +111,14 @@ TEST_CASE("chord: a cone's base is where the ray's own origin sees it") {
     }
 }
 
+// One root is infinite.
+TEST_CASE("chord: a line parallel to a cone's side") {
+    const Chord<Real> chord = Cone::chordOf(ObjectRay{Vec3(-2, 0, Real(2.5)), Vec3(1, 0, -1)});
+    CHECK(chord.hit);
+    CHECK(chord.entry == Real(1.75));
+    CHECK(chord.exit == Real(2.5));
+}
+
 // The squares of its distance overflow.
 TEST_CASE("chord: a line that passes very far away does not hit") {
     const Real far = std::sqrt(std::numeric_limits<Real>::max()) * 16;

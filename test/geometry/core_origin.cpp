@@ -58,6 +58,22 @@ TEST_CASE("origin: a ray that starts on a surface meets it there") {
     for (const Kind kind : allKinds) checkOrigin(kind);
 }
 
+TEST_CASE("origin: a ray that starts on a plane, as far from zero as the plane's middle, but opposite") {
+    const Material material;
+    Random random(11);
+    int stray = 0;
+    for (int pose = 0; pose < 100; ++pose) {
+        TransformDescription description;
+        description.rotate = TransformDescription::Rotation{random.between(0, 360), random.direction()};
+        description.translate =
+            glm::dvec3(pointToWorld(compose(description), Wide(random.uniform(), random.uniform(), 0)));
+        const Affine affine = compose(description);
+        stray += strayRays(*makeShape(Kind::Plane, affine, material), affine, -Vec3(*description.translate),
+                           random);
+    }
+    CHECK(stray == 0);
+}
+
 TEST_CASE("origin: it enters or leaves by the direction alone") {
     const Material material;
     const auto cone = makeShape(Kind::Cone, Affine{}, material);

@@ -397,6 +397,64 @@ TEST_CASE("a normal is of unit length however far the ray comes from") {
         }
 }
 
+namespace {
+
+// A solid that is flat along an axis, a point of the disc that it looks like, and a way to that point.
+struct Flat {
+    Kind kind;
+    int axis;
+    Wide target, way;
+};
+const Flat flats[] = {{Kind::Sphere, 2, {0.4L, 0.3L, 0}, {-0.2L, 0.1L, -1}},
+                      {Kind::Sphere, 0, {0, 0.6L, -0.2L}, {1, -0.5L, -0.1L}},
+                      {Kind::Cylinder, 0, {0, 0.4L, 0.3L}, {-1, -0.2L, -0.1L}},
+                      {Kind::Cone, 2, {0.2L, 0.4L, 0}, {-0.1L, -0.2L, -1}},
+                      {Kind::Cone, 2, {0.2L, -0.4L, 0}, {-0.3L, -0.2L, 1}}};
+
+// A ray meets it in that point, and so does the ray that goes on inside it.
+void checkDisc(const Flat& flat, double thickness, double degrees) {
+    TransformDescription pose, turn;
+    pose.rotate = turn.rotate = TransformDescription::Rotation{degrees, {0.3, 1, 0.2}};
+    glm::dvec3 scale(1);
+    scale[flat.axis] = thickness;
+    pose.scale = scale;
+    Wide axis(0);
+    axis[flat.axis] = flat.way[flat.axis] > 0 ? -1 : 1;
+    const Affine turned = compose(turn);
+    const Wide target = pointToWorld(turned, flat.target), way = pointToWorld(turned, flat.way),
+               normal = pointToWorld(turned, axis);
+    // Of an origin that is not distant, as many digits are lost as its distance has.
+    const long double roundings = 32 + 4 * std::sqrt(static_cast<long double>(distantSquared)) +
+                                  4 * thickness / static_cast<long double>(unitRoundoff);
+
+    Material glass;
+    glass.refractive = true;
+    const auto shape = makeShape(flat.kind, compose(pose), glass);
+    const Ray ray{Vec3(target - 2.0L * way), Vec3(way), {}};
+    const Intersection in = shape->rayIntersect(ray);
+    REQUIRE(in.valid);
+    CHECK(near(in.position, target, roundings));
+    CHECK(near(in.normal, normal, roundings));
+    const ShadingPoint point(ray, in, true);
+    const Intersection out = shape->rayIntersect(point.leave(ray.direction, ShadingPoint::Side::Far));
+    REQUIRE(out.valid);
+    CHECK(near(out.position, target, roundings));
+    CHECK(near(out.normal, -normal, roundings));
+}
+
+}  // namespace
+
+// Upright and turned.
+TEST_CASE("a flat solid is met where its disc is, however thin") {
+    const int most = std::min(1000, std::numeric_limits<Real>::max_exponent - 10);
+    for (const Flat& flat : flats)
+        for (const double degrees : {0., 33.})
+            for (int exponent = 10; exponent < most; ++exponent) {
+                INFO(nameOf(flat.kind) << " of 2^-" << exponent << ", turned by " << degrees);
+                checkDisc(flat, std::scalbn(1.0, -exponent), degrees);
+            }
+}
+
 TEST_CASE("answers in the world, worked by hand") {
     const Material material;
     const auto hit = [&](Kind kind, const TransformDescription& t, const Vec3& origin,

@@ -104,6 +104,23 @@ TEST_CASE("coincidence: a cylinder on a plane") {
                 }
 }
 
+// Rays that start on a surface leave their packet; many surfaces are met at t = 0, in the tree's order.
+TEST_CASE("coincidence: of balls that touch the eye, the one listed first is seen") {
+    constexpr int balls = 48;
+    for (int first = 0; first < balls; first += 5) {
+        SceneMaker maker;
+        for (int i = 0; i < balls; ++i) {
+            const double angle = (first + i) % balls * (2 * 3.14159265358979 / balls);
+            maker.material(i == 0 ? red : green);
+            maker.shape(Type::Sphere, {"", glm::dvec3(std::cos(angle), std::sin(angle), 0), {}, {}, {}});
+        }
+        maker.light({0, 0, 20});
+        maker.scene.camera = CameraDescription{};
+        INFO("ball " << first);
+        CHECK(colorsOf(bytesOf(maker.scene, posedEdge)).red == posedEdge * posedEdge);
+    }
+}
+
 // Planes nearer to each other than t can tell, from afar: the near one is seen, and nothing shadows it.
 TEST_CASE("coincidence: planes that lie apart by less than a rounded t") {
     for (const Precision precision : {Precision::Float, Precision::Double, Precision::Extended})

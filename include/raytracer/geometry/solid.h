@@ -39,12 +39,18 @@ struct Equation {
         return true;
     }
 
+    // The computed hit.
+    template <class T>
+    static Vec3T<T> pointOf(const Shape&, const RayT<T>&, const ObjectRayT<T>& object, const HitT<T>& hit) {
+        return object.origin + hit.t * object.direction;
+    }
+
     // For rays that all hit the same face.
     template <class T>
     static IntersectionT<T> surface(const Shape& shape, const RayT<T>& ray, const HitT<T>& hit) {
         const std::uint32_t face = faceOf(hit.primitive);
         const ObjectRayT<T> object = shape.transform().toObject(ray);
-        const SurfacePoint<T> at = Kind::onSurface(Vec3T<T>(object.origin + hit.t * object.direction), face);
+        const SurfacePoint<T> at = Kind::onSurface(Kind::pointOf(shape, ray, object, hit), face);
         IntersectionT<T> intersection = shape.place(hit, at.point, at.normal);
         if (shape.wantsTexCoord()) intersection.texCoord = Kind::texCoord(at.point, face);
         return intersection;
@@ -90,6 +96,19 @@ struct Solid : Equation<Kind> {
         });
     }
 
+    template <class T>
+    static Vec3T<T> pointOf(const Shape& shape, const RayT<T>& ray, const ObjectRayT<T>& object,
+                            const HitT<T>& hit) {
+        const bool leavesThis = ray.departure.shape == &shape;
+        if (any(isDistant(object.origin)) || (leavesThis && any(hit.t <= T(0)))) {
+            const auto alone = [&](const Ray& one, const Real& t) {
+                return endOfChord(shape, one, t, hit.entering);
+            };
+            return laneByLane<Vec3T<T>>(alone, ray, hit.t);
+        }
+        return Equation<Kind>::pointOf(shape, ray, object, hit);
+    }
+
     // Finds the ray's hit by the chord of its line: the entry or the exit, but not an end at which the ray
     // starts.
     template <class T>
@@ -126,6 +145,17 @@ struct Solid : Equation<Kind> {
     }
 
   private:
+    // So is one that is no number.
+    template <class T>
+    static Truth<T> isDistant(const Vec3T<T>& origin) {
+        return !(glm::dot(origin, origin) <= T(distantSquared));
+    }
+
+    // The hit at t. The t of a distant ray is rounded by more than a thin solid is thick, and `meet` may have
+    // clamped that of a ray that leaves a thin solid. There the hit is the end of the chord, as chordOf sees
+    // it from nearby.
+    static Vec3 endOfChord(const Shape& shape, const Ray& ray, Real t, bool entering);
+
     // A camera ray that starts on the surface hits it there. The origin alone decides, so all rays from it
     // agree; the rounded t of a chord may lie on either side of 0.
     static bool meetOrigin(const Shape& shape, const Ray& ray, const ObjectRay& object, HitQuery& query) {

@@ -49,9 +49,12 @@ struct ProcessEnd {
 ProcessEnd runProcess(const ProcessStart& start);
 
 // Runs the programs start(0), ..., start(count - 1), up to `atOnce` at a time, and calls ended(i, how) after
-// program i has ended. Both functions are called on this thread. No other thread may run meanwhile.
-void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStart(std::size_t)>& start,
-                  const std::function<void(std::size_t, const ProcessEnd&)>& ended);
+// program i has ended, and meanwhile() every few milliseconds. All three functions are called on this thread.
+// No other thread may run meanwhile.
+void runProcesses(
+    std::size_t count, int atOnce, const std::function<ProcessStart(std::size_t)>& start,
+    const std::function<void(std::size_t, const ProcessEnd&)>& ended,
+    const std::function<void()>& meanwhile = [] {});
 
 // Throws Error on a platform where programs cannot be run.
 void requirePrograms();

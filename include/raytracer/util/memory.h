@@ -29,13 +29,10 @@ class OutOfMemory : public Error {
 // 18000 pixels (972 MB): ulimit -v leaves 12.3 MB".
 void requireMemory(const std::string& file, const std::string& what, double bytes);
 
-// Makes room in a list for so many elements, if there is enough memory for these and for `more` bytes with
-// each. `what`: "shapes".
+// Makes room in a list for so many elements, if there is enough memory for these. `what`: "shapes".
 template <class List>
-void reserveMemory(List& list, std::size_t count, const std::string& file, const char* what,
-                   std::size_t more = 0) {
-    requireMemory(file, std::to_string(count) + " " + what,
-                  static_cast<double>((sizeof(list[0]) + more) * count));
+void reserveMemory(List& list, std::size_t count, const std::string& file, const char* what) {
+    requireMemory(file, std::to_string(count) + " " + what, static_cast<double>(sizeof(list[0]) * count));
     list.reserve(count);
 }
 

@@ -13,7 +13,7 @@ void requirePrograms() {
 std::string signalName(int) { return {}; }
 
 void runProcesses(std::size_t, int, const std::function<ProcessStart(std::size_t)>&,
-                  const std::function<void(std::size_t, const ProcessEnd&)>&) {
+                  const std::function<void(std::size_t, const ProcessEnd&)>&, const std::function<void()>&) {
     requirePrograms();
 }
 

@@ -147,7 +147,8 @@ class Running {
 std::string signalName(int signal) { return strsignal(signal); }
 
 void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStart(std::size_t)>& start,
-                  const std::function<void(std::size_t, const ProcessEnd&)>& ended) {
+                  const std::function<void(std::size_t, const ProcessEnd&)>& ended,
+                  const std::function<void()>& meanwhile) {
     struct Numbered {
         Numbered(std::size_t i, const ProcessStart& how) : number(i), running(how) {}
         std::size_t number;
@@ -161,6 +162,7 @@ void runProcesses(std::size_t count, int atOnce, const std::function<ProcessStar
         }
         // Polled, since no portable call waits for several children with their time limits.
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        meanwhile();
         for (auto one = running.begin(); one != running.end();) {
             const auto end = one->running.end();
             if (!end) {
