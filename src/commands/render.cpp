@@ -252,7 +252,8 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
         "Keep what is there: a picture that is whole, of this size, and newer than the scene and all files "
         "that it names (of other options nothing is known); and a part that is whole and right");
     line.flag("--stats", wanted.stats,
-              "Print the setting, counts of rays and tests, times and memory, as JSON on stdout");
+              "Print the setting, counts of rays and tests, times and memory, as JSON on stdout; an object "
+              "for each frame");
     line.flag("--watch", wanted.watch,
               "Render again whenever the scene or a file that it names changes; Ctrl+C ends");
     line.alone("--print-schema", "Print the JSON schema of scenes, for editors");
