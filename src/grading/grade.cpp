@@ -1,14 +1,15 @@
 #include "raytracer/grading/grade.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/tracer/renderer.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
@@ -83,6 +84,26 @@ void planScene(GradePlan& plan, const fs::path& scene, const PicturesByName& ref
         plan.scenesWithoutReference.push_back(scene.filename().string());
 }
 
+// "1.5 : 1": the film's width and height.
+std::string filmInWords(const CameraDescription& camera) {
+    constexpr int fine = 100'000;  // more digits than are shown
+    const ImageSize size = imageSize(camera, fine);
+    const double ratio = static_cast<double>(size.width) / size.height;
+    return ratio < 1 ? formatted("1 : %.4g", 1 / ratio) : formatted("%.4g : 1", ratio);
+}
+
+// Throws Error if no picture of the scene can have the reference's size. One pixel more or less is another
+// rounding.
+void requireShape(const GradeCase& test, const CameraDescription& camera) {
+    const auto size = sizeInHeader(FileBytes(test.reference, FileKind::Regular));
+    if (!size) return;  // whoever reads it says what is wrong with it
+    const ImageSize right = imageSize(camera, std::max(size->width, size->height));
+    if (std::abs(right.width - size->width) <= 1 && std::abs(right.height - size->height) <= 1) return;
+    throw Error({test.reference}, inWords(*size) + " pixels is not the shape of " +
+                                      printable(fs::path(test.scene).filename().string()) + "'s film (" +
+                                      filmInWords(camera) + ")");
+}
+
 std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c) {
     const std::uint8_t* pixel = image.at(c.worstX, c.worstY);
     return {pixel[0], pixel[1], pixel[2]};
@@ -138,11 +159,15 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
 
 std::vector<std::string> requireGradable(const GradePlan& plan) {
     std::vector<std::string> files;
-    std::set<std::string> scenes;
+    std::map<std::string, CameraDescription> cameras;  // by the scenes' paths
     for (const GradeCase& test : plan.cases) {
         files.push_back(test.reference);
-        if (scenes.insert(test.scene).second)
-            std::ranges::move(loadScene(test.scene).files, std::back_inserter(files));
+        if (!cameras.contains(test.scene)) {
+            LoadedScene loaded = loadScene(test.scene);
+            std::ranges::move(loaded.files, std::back_inserter(files));
+            cameras[test.scene] = loaded.description.camera;
+        }
+        requireShape(test, cameras[test.scene]);
     }
     return files;
 }

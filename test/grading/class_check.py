@@ -289,7 +289,7 @@ def check_user(raytracer, folder):
                "{}/own \\; &&"
                " find . -type f | wc -l' -")
     shutil.copy("scenes/checker_horizon.json", folder / "exam")
-    shutil.copy(folder / "references/refraction.png", folder / "references/checker_horizon.png")
+    run(raytracer, "scenes/checker_horizon.json", folder / "references/checker_horizon.png", SIZE, "--quiet")
     for path in (folder / "exam").rglob("*"):
         path.chmod(0o700 if path.is_dir() else 0o600)
     done = run(raytracer, "grade", "exam", "--references", "references", "--program", program, "--user",

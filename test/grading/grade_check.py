@@ -20,7 +20,9 @@ except ImportError as error:
     sys.exit(77)
 
 GOOD = Path(__file__).parent.parent / "good"
-LEAST = json.dumps(json.loads((GOOD / "least.json").read_text()))  # in one line
+SCENE = json.loads((GOOD / "least.json").read_text())
+SCENE["camera"] |= {"film_left": -1.5, "film_right": 1.5}  # as draw_scene's pictures
+LEAST = json.dumps(SCENE)  # in one line
 failures = []
 
 
@@ -263,10 +265,32 @@ def check_files(raytracer, folder, failing):
                 r'one/a.json:1:\d+: /textures/wood: no file "one/no.png" '
                  r'\(relative to the scene file\); .*\n',
                 "one", *arguments)
+    check_shapes(raytracer, folder, failing)
     check_read(folder, failing, scene)
     check_unreadable(raytracer, folder, failing)
     check_broken_scenes(folder, failing)
     (folder / "one/a.json").write_text(LEAST)
+
+
+def check_shapes(raytracer, folder, failing):
+    """A reference that no picture of its scene can equal is the grader's fault. A rounding is none."""
+    (folder / "shapes/class/ada").mkdir(parents=True)
+    (folder / "shapes/a.json").write_text(LEAST)
+    for width, height in ((40, 40), (40, 60), (60, 42), (60, 38)):
+        Image.new("RGB", (width, height)).save(folder / "shapes/a.png")
+        line = f"shapes/a.png: {width} x {height} pixels is not the shape of a.json's film \\(1.5 : 1\\)\n"
+        for arguments in ([], ["--program", "true"], ["--submissions", "shapes/class"],
+                          ["--submissions", "shapes/class", "--program", "cp {}"]):
+            failing(f"a reference of {width} x {height}, {arguments}", line, "shapes", *arguments)
+    narrow = json.loads(LEAST)
+    narrow["camera"] |= {"film_left": -0.1, "film_right": 0.2}
+    (folder / "shapes/a.json").write_text(json.dumps(narrow))
+    failing("a film that is high", r"shapes/a.png: 60 x 38 .* film \(1 : 6.667\)\n", "shapes")
+    (folder / "shapes/a.json").write_text(LEAST)
+    for height in (39, 41):
+        Image.new("RGB", (60, height)).save(folder / "shapes/a.png")
+        done = grade(raytracer, folder, "shapes", "--submissions", "shapes/class")
+        check((done.returncode, done.stderr) == (0, ""), f"a height of {height}: {done.stderr}")
 
 
 def check_read(folder, failing, textured):

@@ -46,7 +46,8 @@ struct GradePlan {
 GradePlan planGrading(const std::string& scenes, const std::string& references);
 
 // Returns the files that are read: the references, the scenes and what these name. Throws Error if a scene,
-// or a file that it names, cannot be read: no program can be blamed for that.
+// or a file that it names, cannot be read, or if a reference has not the shape of its scene's film: no
+// program can be blamed for that.
 std::vector<std::string> requireGradable(const GradePlan& plan);
 
 // The outcome of rendering a case. It does not tell whether there is a picture.
