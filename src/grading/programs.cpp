@@ -234,4 +234,13 @@ void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& opti
     ProgramRuns(runs, options, ended).run(std::move(all), atOnce);
 }
 
+CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options) {
+    return [=](const GradeCase& test, int longEdge, const std::string& out) {
+        Rendered result;
+        runPrograms({{command, &test, longEdge, out}}, options, 1,
+                    [&](std::size_t, const Rendered& rendered) { result = rendered; });
+        return result;
+    };
+}
+
 }  // namespace raytracer

@@ -2,6 +2,7 @@
 
 Usage: grade_check.py RAYTRACER. Exit status 77 (CTest: skipped) without Pillow.
 """
+import copy
 import json
 import os
 import re
@@ -266,6 +267,7 @@ def check_files(raytracer, folder, failing):
                  r'\(relative to the scene file\); .*\n',
                 "one", *arguments)
     check_shapes(raytracer, folder, failing)
+    check_strays(raytracer, folder, copy.deepcopy(scene))
     check_read(folder, failing, scene)
     check_unreadable(raytracer, folder, failing)
     check_broken_scenes(folder, failing)
@@ -291,6 +293,28 @@ def check_shapes(raytracer, folder, failing):
         Image.new("RGB", (60, height)).save(folder / "shapes/a.png")
         done = grade(raytracer, folder, "shapes", "--submissions", "shapes/class")
         check((done.returncode, done.stderr) == (0, ""), f"a height of {height}: {done.stderr}")
+
+
+def check_strays(raytracer, folder, textured):
+    """Pictures that are named nearly as references are told; textures, and others, are not."""
+    here = folder / "strays"
+    here.mkdir()
+    textured["textures"]["wood"] = "./a-wood.png"
+    for name, scene in {"a": textured, "a-2": SCENE, "b": SCENE, "c": SCENE}.items():
+        (here / f"{name}.json").write_text(json.dumps(scene))
+    for name in ("a.png", "a-normal.png", "a-2-specula.png", "a-wood.png", "wood.png", "other.bmp", "c.png",
+                 "c.jpg", "c-2.txt", "ab-normal.png", "a-2.jpg", "b.JPG", "b-normals.tif", "b-sketch.png"):
+        shutil.copy(folder / "exam/good_one.png", here / name)
+    told = {"a-2-specula.png": 'no stage "specula"; did you mean "a-2-specular.png"?',
+            "a-2.jpg": "it is no reference: expected a-2.png",
+            "a-normal.png": 'no stage "normal"; did you mean "a-normals.png"?',
+            "b-normals.tif": "it is no reference: expected b-normals.png",
+            "b-sketch.png": 'no stage "sketch"; --help lists them',
+            "b.JPG": "it is no reference: expected b.png"}
+    for quiet in ([], ["--quiet"]):
+        done = grade(raytracer, folder, "strays", "--program", f"cp {here}/a.png \"$2\"; :", *quiet)
+        said = "" if quiet else "".join(f"warning: strays/{name}: {why}\n" for name, why in told.items())
+        check((done.returncode, done.stderr) == (0, said), f"strays: {done.returncode} {done.stderr}")
 
 
 def check_read(folder, failing, textured):

@@ -76,6 +76,9 @@ TEST_CASE("grade: the plan") {
     CHECK(plan.cases[3].stage == &completeStage());
     CHECK(plan.cases[2].scene == folder.file("cone_cube.json"));
     CHECK(plan.cases[2].reference == folder.file("cone_cube-normals.png"));
+    REQUIRE(plan.strays.size() == 1);
+    CHECK(plan.strays[0].path == folder.file("cone_cube-sketch.png"));
+    CHECK(plan.strays[0].why == "no stage \"sketch\"; --help lists them");
 }
 
 TEST_CASE("grade: references of another folder") {

@@ -36,9 +36,15 @@ struct GradeCase {
     std::string scene, reference;  // paths
 };
 
+// A picture whose name begins as a reference's, and why it is none: `no stage "normal"; did you mean ...?`.
+struct StrayPicture {
+    std::string path, why;
+};
+
 struct GradePlan {
     std::vector<GradeCase> cases;                     // sorted by name
     std::vector<std::string> scenesWithoutReference;  // file names
+    std::vector<StrayPicture> strays;                 // sorted by path; a scene's texture may be among them
 };
 
 // Plans a case for each X.json in the folder `scenes` and each X.png and X-STAGE.png in the folder
