@@ -232,6 +232,7 @@ int grade(int argc, char** argv) {
     const std::vector<std::string> inputs = requireGradable(plan);
     if (!arguments.quiet) warnOfStrays(plan, inputs);
     requireCases(plan, arguments);
+    for (const std::string& input : inputs) arguments.options.inputs.add(input);
     std::vector<Submission> submissions;
     if (!arguments.submissions.empty()) submissions = submissionsIn(arguments.submissions);
     refuseInputs(arguments, output, inputs, submissions);

@@ -109,6 +109,14 @@ void requireKept(const FileWatch& kept, const ProgramRun& run) {
                               ", or one beside it; as root, --user NAME prevents that");
 }
 
+// Throws Error if one of the files that grading reads has changed: the later scores would be of that.
+void requireInputs(const FileWatch& inputs, const ProgramRun& run, bool wasAlone) {
+    const std::string changed = inputs.changedFile();
+    if (changed.empty()) return;
+    throw Error({changed}, "it has changed while " + run.command + (wasAlone ? "" : ", or one beside it,") +
+                               " ran; as root, --user NAME prevents that");
+}
+
 // Copies a program's picture. False if it is not a regular file, if
 // the program has made it unreadable, or if there is no room for it.
 bool keepPicture(ActiveRun& active, const std::string& place) {
@@ -191,6 +199,7 @@ class ProgramRuns {
         std::unique_ptr<ActiveRun> run = std::move(found->second);
         active_.erase(found);
         requireKept(kept_, runs_[i]);
+        requireInputs(options_.inputs, runs_[i], active_.empty());
         Rendered rendered = renderedBy(runs_[i], *run, end);
         if (hasDiskFailed(runs_[i], *run, rendered)) {
             const DiskRoom before = run->roomBefore;

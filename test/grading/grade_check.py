@@ -124,6 +124,7 @@ def check_cli(program, folder):
     check_lost_folder(program, folder)
     check_isolation(program, folder)
     check_found(program, folder)
+    check_changed_inputs(program, folder)
     check_looping_link(program, folder)
 
 
@@ -425,6 +426,38 @@ FOUND = {
     "cp ex/p.sh . && sh p.sh": "p.sh",
     "mkdir ex && cp '{}/ex/p.sh' ex/q.sh && cd ex && sh q.sh": "q.sh",
 }
+
+
+def check_changed_inputs(program, folder):
+    """A program that changes what is graded with, or deletes it, ends the grading: no score is of that."""
+    here = folder / "changed"
+    textured = SCENE | {
+        "textures": {"wood": "wood.png"}, "transforms": [{"name": "t"}],
+        "materials": [{"name": "m", "use_diffuse_texture": True, "diffuse_texture": "wood"}],
+        "shapes": [{"type": "sphere", "transform": "t", "material": "m"}]}
+    for name in ("exam", "class/ada", "class/bob", "class/cyd"):
+        (here / name).mkdir(parents=True)
+
+    def check_change(body, changed, who, *arguments):
+        for name in ("a", "b"):
+            (here / f"exam/{name}.json").write_text(json.dumps(textured))
+            draw_scene(10).save(here / f"exam/{name}.png")
+        draw_scene(9).save(here / "exam/wood.png")
+        copies = f'cp {folder}/exam/good_one.png "$2"; cd {here}/exam'
+        write_program(here / "class/ada/rt", copies + "\n")
+        write_program(here / "class/bob/rt", f"{copies}; {body}\n")
+        write_program(here / "class/cyd/rt", f"{copies}; sleep 3\n")
+        done = grade(program, here, "exam", *arguments)
+        said = f"exam/{changed}: it has changed while {who} ran; as root, --user NAME prevents that\n"
+        check((done.returncode, done.stderr) == (2, said), f"{body}: {done.returncode} {done.stderr!r}")
+        check("mean" not in done.stdout, f"{body}: {done.stdout}")
+
+    each = ("--submissions", "class", "--program", "{}/rt")
+    for body, changed in {'cp "$2" a.png': "a.png", "echo >> b.png": "b.png", "rm b.json": "b.json",
+                          "touch wood.png": "wood.png", "rm *": "a.json"}.items():
+        check_change(body, changed, here / "class/bob/rt", *each)
+    check_change("sleep 1; touch b.json", "b.json", f"{here}/class/bob/rt, or one beside it,", *each, "--jobs", 3)
+    check_change("touch b.json", "b.json", "class/bob/rt", "--program", "class/bob/rt")
 
 
 def check_looping_link(program, folder):

@@ -14,6 +14,7 @@
 #include "raytracer/grading/compare.h"
 #include "raytracer/grading/diagnosis.h"
 #include "raytracer/util/child_process.h"
+#include "raytracer/util/file_watch.h"
 
 namespace raytracer {
 
@@ -71,7 +72,8 @@ using CaseRenderer = std::function<Rendered(const GradeCase& test, int longEdge,
 // How programs are run.
 struct ProgramOptions {
     ProcessLimits limits;
-    std::string user;  // the user that runs them; empty: this program's
+    std::string user;    // the user that runs them; empty: this program's
+    FileWatch inputs{};  // files that no program may change
 };
 
 // Makes a renderer that runs `command scene.json out.png longEdge` in a fresh folder. The folder has a copy
