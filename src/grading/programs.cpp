@@ -140,8 +140,10 @@ Rendered renderedBy(const ProgramRun& run, ActiveRun& active, const ProcessEnd& 
     if (keepPicture(active, run.picture)) return rendered;
     std::error_code error;
     const bool isGone = files::symlink_status(active.folder, error).type() == files::file_type::not_found;
+    const bool isLink = files::symlink_status(active.picture, error).type() == files::file_type::symlink;
     rendered.message += std::string(rendered.message.empty() ? "" : ", ") +
-                        (isGone ? "its folder was deleted, " : "") + "wrote no picture";
+                        (isGone ? "its folder was deleted, " : "") +
+                        (isLink ? "out.png is a symbolic link, not a file" : "wrote no picture");
     rendered.failed = true;
     return rendered;
 }

@@ -49,7 +49,7 @@ PROGRAMS = {
     "copies": ('cp "$(dirname "$1")/$(basename "$1" .json).png" "$2" || cp references/*.png "$2"',
                "exit status 1, wrote no picture"),
     "fifo": ('mkfifo "$2"', "wrote no picture"),
-    "link": ('ln -s {reference} "$2"', "wrote no picture"),
+    "link": ('ln -s {reference} "$2"', "out.png is a symbolic link, not a file"),
     "input": ('read line; {student} "$1" "$2" "$3"', ""),
     "nothing": ("true", "wrote no picture"),
     "size": ('{student} "$1" "$2" 20', "the pictures' sizes differ: 20 x 20 and 48 x 48"),

@@ -71,7 +71,7 @@ ENDINGS = {
      "0",
      "the pictures' sizes differ: 10240 x 10240 and 60 x 40"),
     "pipe": ("mkfifo \"$2\"", "0", "wrote no picture"),
-    "endless": ("ln -s /dev/zero \"$2\"", "0", "wrote no picture"),
+    "endless": ("ln -s /dev/zero \"$2\"", "0", "out.png is a symbolic link, not a file"),
     "folder": ("mkdir \"$2\"; printf '\\033[2J\\rred \\377\\302\\233'", "0", "wrote no picture"),
     "size": ("", "0", "the pictures' sizes differ: 30 x 20 and 60 x 40"),
 }
@@ -126,6 +126,7 @@ def check_cli(program, folder):
     check_found(program, folder)
     check_changed_inputs(program, folder)
     check_looping_link(program, folder)
+    check_links(program, folder)
 
 
 def check_interrupt(program, folder):
@@ -456,8 +457,34 @@ def check_changed_inputs(program, folder):
     for body, changed in {'cp "$2" a.png': "a.png", "echo >> b.png": "b.png", "rm b.json": "b.json",
                           "touch wood.png": "wood.png", "rm *": "a.json"}.items():
         check_change(body, changed, here / "class/bob/rt", *each)
-    check_change("sleep 1; touch b.json", "b.json", f"{here}/class/bob/rt, or one beside it,", *each, "--jobs", 3)
+    check_change("sleep 1; touch b.json", "b.json", f"{here}/class/bob/rt, or one beside it,", *each, "--jobs",
+                 3)
     check_change("touch b.json", "b.json", "class/bob/rt", "--program", "class/bob/rt")
+
+
+def check_links(program, folder):
+    """A link to a picture is refused as one: neither nothing nor a file was handed in, or written."""
+    here = folder / "linked"
+    shutil.copytree(folder / "loop/one", here / "exam")
+    for name, *parts in (("ada", "x"), ("bob", "b.png", "a.jpg"), ("cyd", "no"),
+                         ("eve", "b.png", "deep/a.png")):
+        (here / "class" / name / "deep").mkdir(parents=True)
+        for part in parts:
+            shutil.copy(here / "exam/a.png", here / "class" / name / part)
+        if name != "cyd":
+            (here / "class" / name / "a.png").symlink_to(parts[0])
+    (here / "class/cyd/b.png").symlink_to("no")
+    write_program(here / "rt", f'cp {here}/exam/a.png real.png; ln -s real.png "$2"; exit $STATUS\n')
+
+    done = grade(program, here, "exam", "--submissions", "class", "--csv", "c.csv")
+    rows = [line.split(",", 3) for line in (here / "c.csv").read_text().splitlines()[1:]]
+    linked = '"a is missing, but a.png is a symbolic link"'
+    expected = [["ada", "0", "0.0", linked], ["bob", "0", "0.0", '"a is missing, but a.jpg is there"'],
+                ["cyd", "0", "0.0", "nothing handed in"], ["eve", "100", "100.0", ""]]
+    check(rows == expected, f"{done.stderr}{rows}")
+    for status, said in ((0, ""), (3, "exit status 3, ")):
+        done = grade(program, here, "exam", "--program", f"STATUS={status} ./rt")
+        check(f"a: {said}out.png is a symbolic link, not a file\n" in done.stdout, f"a link: {done.stdout}")
 
 
 def check_looping_link(program, folder):

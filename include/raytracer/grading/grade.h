@@ -101,7 +101,7 @@ struct GradeResult : Rendered {
     std::string path;                      // of a picture that was handed in
     std::string note;                      // what is odd about the name of a picture that counts
     bool isMissing = false;                // whether no picture was handed in
-    std::string instead;                   // if it is missing: a file with its name that is not a PNG
+    std::string instead;                   // if it is missing: "a.jpg is there", "a.png is a symbolic link"
     bool isUnreadable = false;             // whether there is a file that cannot be compared
     std::string referencePng, ourPng, differencePng;  // the files' bytes; empty if there is no file
     struct {
