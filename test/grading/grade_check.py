@@ -177,6 +177,10 @@ def check_own_failures(program, folder):
     for command in ('true "', "true )"):
         failing(f"the shell's syntax, {command}",
                 "raytracer grade: --program: a shell cannot read it: sh: .*\n", "one", "--program", command)
+    for command in ("~/no-such", "python3 ~/no-such.py"):
+        file = f"{folder}/empty{command.split('~')[1]}"
+        failing(f"no file, {command}", f"raytracer grade: --program: there is no file {file}\n", "one",
+                "--program", command, HOME=f"{folder}/empty")
     for command, comment in (("#", "#"), ("true # of ada", "# of ada")):
         failing(f"a comment, {command}", "raytracer grade: --program: a comment hides the scene from it: "
                 f'leave out "{comment}"\n', "one", "--program", command)
@@ -457,8 +461,8 @@ def check_changed_inputs(program, folder):
     for body, changed in {'cp "$2" a.png': "a.png", "echo >> b.png": "b.png", "rm b.json": "b.json",
                           "touch wood.png": "wood.png", "rm *": "a.json"}.items():
         check_change(body, changed, here / "class/bob/rt", *each)
-    check_change("sleep 1; touch b.json", "b.json", f"{here}/class/bob/rt, or one beside it,", *each, "--jobs",
-                 3)
+    each = (*each, "--jobs", 3)
+    check_change("sleep 1; touch b.json", "b.json", f"{here}/class/bob/rt, or one beside it,", *each)
     check_change("touch b.json", "b.json", "class/bob/rt", "--program", "class/bob/rt")
 
 

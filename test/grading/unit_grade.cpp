@@ -208,7 +208,7 @@ TEST_CASE("grade: of a program's command, what it starts first") {
     CHECK(filesStarted("touch x.py; ./run") == Words{"touch"});
     CHECK(filesStarted("timeout 8 python3 a.py") == Words{"timeout"});
     for (const char* unsure : {"A=1 ./run", "./r*n", "(cd x && ./run)", "run() { true; }; run",
-                               "2>/dev/null run", "run || ./run", "~/run", "$A/run", "# run"})
+                               "2>/dev/null run", "run || ./run", "~me/run", "$A/run", "# run"})
         CHECK(filesStarted(unsure) == Words{});
 }
 
