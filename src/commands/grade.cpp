@@ -87,6 +87,18 @@ void requireCases(const GradePlan& plan, const GradeArguments& arguments) {
                     (hasFolder ? " in " + printable(arguments.scenes) : "; --references names their folder"));
 }
 
+// Warns of pictures that are named nearly as references. What a scene names is a texture.
+void warnOfStrays(const GradePlan& plan, std::span<const std::string> inputs) {
+    for (const StrayPicture& stray : plan.strays) {
+        const auto isStray = [&](const std::string& input) {
+            std::error_code error;
+            return std::filesystem::equivalent(stray.path, input, error);
+        };
+        if (std::ranges::none_of(inputs, isStray))
+            tell(std::string("warning: ") + Error({stray.path}, stray.why).what());
+    }
+}
+
 std::vector<GradeResult> gradeAll(const GradePlan& plan, const GradeArguments& arguments) {
     const CaseRenderer render = arguments.program.empty()
                                     ? CaseRenderer(renderHere)
@@ -217,8 +229,10 @@ int grade(int argc, char** argv) {
     if (!arguments.quiet) print("");
     const GradePlan plan = planFor(arguments);
     GradeFiles output(arguments);
-    requireCases(plan, arguments);
     const std::vector<std::string> inputs = requireGradable(plan);
+    if (!arguments.quiet) warnOfStrays(plan, inputs);
+    requireCases(plan, arguments);
+    for (const std::string& input : inputs) arguments.options.inputs.add(input);
     std::vector<Submission> submissions;
     if (!arguments.submissions.empty()) submissions = submissionsIn(arguments.submissions);
     refuseInputs(arguments, output, inputs, submissions);

@@ -25,15 +25,16 @@ void refuseBeyondType(const char* name, const std::string& text, const Range& ra
     refuse(name, limit, inQuotes(text));
 }
 
-// "; write 10" for "10s", and the like for "2%", "600px"
-// and "0,02". Empty if no number of the range is meant.
+// "; write 10" for "10s", and the like for "2%", "600px" and "0,02". Empty if no number of the range is
+// meant: a count is no percentage.
 template <class Number>
 std::string meantNumber(const std::string& text, const Range& range) {
     const std::size_t end = text.find_last_of("0123456789.") + 1;
     const std::string unit = text.substr(end);
     std::string digits = text.substr(0, end);
     if (const std::size_t comma = digits.find(','); comma != digits.npos) digits[comma] = '.';
-    const bool isKnown = unit.empty() || unit == "s" || unit == "px" || unit == "%";
+    const bool isKnown =
+        unit.empty() || unit == "s" || unit == "px" || (unit == "%" && !std::is_integral_v<Number>);
     const std::optional<double> meant = isKnown ? numberOf<double>(digits) : std::nullopt;
     const std::string write = meant && unit == "%" ? shortestNumber(*meant / 100) : digits;
     const std::optional<Number> number = meant ? numberOf<Number>(write) : std::nullopt;

@@ -1,23 +1,23 @@
 #include "raytracer/grading/grade.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
 #include "raytracer/scene/scene_loader.h"
+#include "raytracer/tracer/renderer.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
 #include "raytracer/util/nearby_file.h"
+#include "raytracer/util/nearest_name.h"
 #include "raytracer/util/stopwatch.h"
 #include "raytracer/util/temporary_folder.h"
 #include "raytracer/util/text.h"
-
-#include "programs.h"
 
 namespace raytracer {
 
@@ -83,6 +83,65 @@ void planScene(GradePlan& plan, const fs::path& scene, const PicturesByName& ref
         plan.scenesWithoutReference.push_back(scene.filename().string());
 }
 
+// "1.5 : 1": the film's width and height.
+std::string filmInWords(const CameraDescription& camera) {
+    constexpr int fine = 100'000;  // more digits than are shown
+    const ImageSize size = imageSize(camera, fine);
+    const double ratio = static_cast<double>(size.width) / size.height;
+    return ratio < 1 ? formatted("1 : %.4g", 1 / ratio) : formatted("%.4g : 1", ratio);
+}
+
+// Throws Error if no picture of the scene can have the reference's size. One pixel more or less is another
+// rounding.
+void requireShape(const GradeCase& test, const CameraDescription& camera) {
+    const auto size = sizeInHeader(FileBytes(test.reference, FileKind::Regular));
+    if (!size) return;  // whoever reads it says what is wrong with it
+    const ImageSize right = imageSize(camera, std::max(size->width, size->height));
+    if (std::abs(right.width - size->width) <= 1 && std::abs(right.height - size->height) <= 1) return;
+    throw Error({test.reference}, inWords(*size) + " pixels is not the shape of " +
+                                      printable(fs::path(test.scene).filename().string()) + "'s film (" +
+                                      filmInWords(camera) + ")");
+}
+
+bool isPicture(const fs::path& file) {
+    static constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".pfm",
+                                              ".bmp", ".gif", ".tif",  ".tiff"};
+    return std::ranges::any_of(endings, [&](const char* ending) { return endsIn(file.string(), ending); });
+}
+
+// The longest name of a scene with which the name begins, up to its end or a "-"; empty if there is none.
+std::string sceneOf(const std::string& name, const std::vector<fs::path>& scenes) {
+    std::string longest;
+    for (const fs::path& scene : scenes) {
+        const std::string known = scene.stem().string();
+        const bool isMeant = name == known || name.starts_with(known + "-");
+        if (isMeant && known.size() > longest.size()) longest = known;
+    }
+    return longest;
+}
+
+// Why a picture is no reference, although its name begins with the scene's.
+std::string whyStray(const std::string& name, const std::string& scene) {
+    const std::string stage = name.substr(std::min(name.size(), scene.size() + 1));
+    NearestName nearest(stage);
+    for (const Stage& known : stageTable) nearest.consider(known.name);
+    if (stage.empty() || nearest.name() == stage) return "it is no reference: expected " + name + ".png";
+    return "no stage " + inQuotes(stage) +
+           (nearest.found() ? didYouMean(scene + "-" + nearest.name() + ".png") : "; --help lists them");
+}
+
+std::vector<StrayPicture> strayPictures(const GradePlan& plan, const std::vector<fs::path>& scenes,
+                                        const std::string& references) {
+    std::vector<StrayPicture> strays;
+    for (const fs::path& file : filesThatEndIn("", references)) {
+        const std::string name = file.stem().string(), scene = sceneOf(name, scenes);
+        const bool isGraded = std::ranges::find(plan.cases, name, &GradeCase::name) != plan.cases.end();
+        if (isPicture(file) && !scene.empty() && !isGraded)
+            strays.push_back({file.string(), whyStray(name, scene)});
+    }
+    return strays;
+}
+
 std::array<std::uint8_t, 3> pixelOf(const ByteImage& image, const Comparison& c) {
     const std::uint8_t* pixel = image.at(c.worstX, c.worstY);
     return {pixel[0], pixel[1], pixel[2]};
@@ -129,7 +188,9 @@ const Stage& completeStage() { return *std::prev(std::end(stageTable)); }
 GradePlan planGrading(const std::string& scenes, const std::string& references) {
     GradePlan plan;
     const PicturesByName pictures = picturesIn(references);
-    for (const fs::path& scene : filesThatEndIn(".json", scenes)) planScene(plan, scene, pictures);
+    const std::vector<fs::path> sceneFiles = filesThatEndIn(".json", scenes);
+    for (const fs::path& scene : sceneFiles) planScene(plan, scene, pictures);
+    plan.strays = strayPictures(plan, sceneFiles, references);
     std::sort(plan.cases.begin(), plan.cases.end(),
               [](const GradeCase& a, const GradeCase& b) { return a.name < b.name; });
     std::sort(plan.scenesWithoutReference.begin(), plan.scenesWithoutReference.end());
@@ -138,22 +199,17 @@ GradePlan planGrading(const std::string& scenes, const std::string& references) 
 
 std::vector<std::string> requireGradable(const GradePlan& plan) {
     std::vector<std::string> files;
-    std::set<std::string> scenes;
+    std::map<std::string, CameraDescription> cameras;  // by the scenes' paths
     for (const GradeCase& test : plan.cases) {
         files.push_back(test.reference);
-        if (scenes.insert(test.scene).second)
-            std::ranges::move(loadScene(test.scene).files, std::back_inserter(files));
+        if (!cameras.contains(test.scene)) {
+            LoadedScene loaded = loadScene(test.scene);
+            std::ranges::move(loaded.files, std::back_inserter(files));
+            cameras[test.scene] = loaded.description.camera;
+        }
+        requireShape(test, cameras[test.scene]);
     }
     return files;
-}
-
-CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options) {
-    return [=](const GradeCase& test, int longEdge, const std::string& out) {
-        Rendered result;
-        runPrograms({{command, &test, longEdge, out}}, options, 1,
-                    [&](std::size_t, const Rendered& rendered) { result = rendered; });
-        return result;
-    };
 }
 
 ReferencePicture::ReferencePicture(const std::string& path) {

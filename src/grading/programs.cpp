@@ -150,6 +150,14 @@ void requireKept(const FileWatch& kept, const ProgramRun& run) {
                               ", or one beside it; as root, --user NAME prevents that");
 }
 
+// Throws Error if one of the files that grading reads has changed: the later scores would be of that.
+void requireInputs(const FileWatch& inputs, const ProgramRun& run, bool wasAlone) {
+    const std::string changed = inputs.changedFile();
+    if (changed.empty()) return;
+    throw Error({changed}, "it has changed while " + run.command + (wasAlone ? "" : ", or one beside it,") +
+                               " ran; as root, --user NAME prevents that");
+}
+
 // Copies a program's picture. False if it is not a regular file, if
 // the program has made it unreadable, or if there is no room for it.
 bool keepPicture(ActiveRun& active, const std::string& place) {
@@ -173,8 +181,10 @@ Rendered renderedBy(const ProgramRun& run, ActiveRun& active, const ProcessEnd& 
     if (keepPicture(active, run.picture)) return rendered;
     std::error_code error;
     const bool isGone = files::symlink_status(active.folder, error).type() == files::file_type::not_found;
+    const bool isLink = files::symlink_status(active.picture, error).type() == files::file_type::symlink;
     rendered.message += std::string(rendered.message.empty() ? "" : ", ") +
-                        (isGone ? "its folder was deleted, " : "") + "wrote no picture";
+                        (isGone ? "its folder was deleted, " : "") +
+                        (isLink ? "out.png is a symbolic link, not a file" : "wrote no picture");
     rendered.failed = true;
     return rendered;
 }
@@ -227,6 +237,7 @@ class ProgramRuns {
         std::unique_ptr<ActiveRun> run = std::move(found->second);
         active_.erase(found);
         requireKept(kept_, runs_[i]);
+        requireInputs(options_.inputs, runs_[i], active_.empty());
         Rendered rendered = renderedBy(runs_[i], *run, end);
         if (hasDiskFailed(runs_[i], *run, rendered)) {
             const DiskRoom before = run->roomBefore;
@@ -268,6 +279,15 @@ void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& opti
     std::vector<std::size_t> all(runs.size());
     std::iota(all.begin(), all.end(), 0);
     ProgramRuns(runs, options, ended).run(std::move(all), atOnce);
+}
+
+CaseRenderer programRenderer(const std::string& command, const ProgramOptions& options) {
+    return [=](const GradeCase& test, int longEdge, const std::string& out) {
+        Rendered result;
+        runPrograms({{command, &test, longEdge, out}}, options, 1,
+                    [&](std::size_t, const Rendered& rendered) { result = rendered; });
+        return result;
+    };
 }
 
 }  // namespace raytracer

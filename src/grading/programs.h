@@ -22,7 +22,7 @@ std::string commandFromHere(const std::string& command);
 
 // Runs the programs, up to `atOnce` at a time, and calls ended(i, how) after each. It is a failure if no
 // picture was written, if it is not a regular file, or if the program has filled the disk. Throws Error if
-// others have.
+// others have, or if one of the options' inputs has changed.
 void runPrograms(const std::vector<ProgramRun>& runs, const ProgramOptions& options, int atOnce,
                  const std::function<void(std::size_t, const Rendered&)>& ended);
 

@@ -8,9 +8,7 @@
 
 namespace raytracer {
 
-std::string GradeResult::butInstead() const {
-    return instead.empty() ? "" : ", but " + instead + " is there";
-}
+std::string GradeResult::butInstead() const { return instead.empty() ? "" : ", but " + instead; }
 
 double GradedSubmission::mean() const {
     const double sum =

@@ -20,8 +20,8 @@ namespace {
 
 namespace files = std::filesystem;
 
-// The path of a picture that was found, or of a file that may be meant instead, relative to the submission's
-// folder; and what is odd about its name.
+// The path of a picture that was found, relative to the submission's folder, and what is odd about its name;
+// or a file that may be meant instead: "a.jpg is there".
 struct FoundPicture {
     std::string path, note, instead;
 };
@@ -32,8 +32,9 @@ Error unreadable(const files::path& path, std::error_code error) {
 }
 
 // The files beneath a folder, by their names in small letters: PNG files with their ending, others without.
-// The places of each name are sorted by depth, the nearest to the top first, then by path. Throws Error if
-// anything beneath the folder cannot be read.
+// Links to PNG files are among the others: what they lead to was not handed in. The places of each name are
+// sorted by depth, the nearest to the top first, then by path. Throws Error if anything beneath the folder
+// cannot be read.
 using FilesByName = std::map<std::string, std::vector<std::pair<int, files::path>>>;
 
 FilesByName filesBeneath(const std::string& folder) {
@@ -42,8 +43,10 @@ FilesByName filesBeneath(const std::string& folder) {
     files::path path = folder;
     for (files::recursive_directory_iterator entry(path, error), end; !error && entry != end;) {
         path = entry->path();
-        if (entry->symlink_status(error).type() == files::file_type::regular) {
-            const files::path name = endsIn(path.string(), ".png") ? path.filename() : path.stem();
+        const files::file_type type = entry->symlink_status(error).type();
+        const bool isPng = endsIn(path.string(), ".png"), isFile = type == files::file_type::regular;
+        if (isFile || (isPng && type == files::file_type::symlink)) {
+            const files::path name = isPng && isFile ? path.filename() : path.stem();
             found[inLowerCase(name.string())].emplace_back(entry.depth(), path.lexically_relative(folder));
         }
         if (!error) entry.increment(error);  // opens the folder at `path`
@@ -69,13 +72,19 @@ std::string noteOn(const std::string& name, const FilesByName::mapped_type& plac
     return places[0].second.filename() == name ? "" : inside(0) + " counts as " + name;
 }
 
+// What there is instead of a picture: only its links end in .png.
+std::string insteadOf(const std::string& other) {
+    return other + (endsIn(other, ".png") ? " is a symbolic link" : " is there");
+}
+
 FoundPicture findPicture(const FilesByName& files, const GradeCase& test) {
     FoundPicture found;
     for (const std::string& name : fileNames(test)) {
         const std::string png = name + ".png";
         const auto known = files.find(inLowerCase(png)), other = files.find(inLowerCase(name));
         if (known != files.end()) return {known->second[0].second.string(), noteOn(png, known->second), ""};
-        if (other != files.end() && found.instead.empty()) found.instead = other->second[0].second.string();
+        if (other != files.end() && found.instead.empty())
+            found.instead = insteadOf(other->second[0].second.string());
     }
     return found;
 }

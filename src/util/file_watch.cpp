@@ -27,6 +27,12 @@ std::map<std::string, FileWatch::State> FileWatch::states() const {
     return now;
 }
 
+std::string FileWatch::changedFile() const {
+    for (const auto& [path, state] : files_)
+        if (stateOf(path) != state) return path;
+    return {};
+}
+
 void FileWatch::wait() const {
     constexpr std::chrono::milliseconds between{100}, moment{30};
     std::map<std::string, State> now = states();

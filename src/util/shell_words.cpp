@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 
 namespace raytracer {
 namespace {
@@ -22,6 +23,7 @@ class WordReader {
         if (isAt("#")) at_ = std::min(command_.find('\n', at_), command_.size());
         if (isEnd()) return false;
         word = {at_, at_};
+        readHome(word);
         if (isAt(joiners) || isAt(alone)) readOperator(word);
         else readWord(word);
         word.end = at_;
@@ -34,6 +36,14 @@ class WordReader {
 
     // Whether a backslash ends the line here: a shell removes both.
     bool isContinued() const { return command_.substr(std::min(at_, command_.size()), 2) == "\\\n"; }
+
+    // Reads a "~" before a slash as $HOME. What a shell makes of any other is not known here.
+    void readHome(ShellWord& word) {
+        const char* const home = std::getenv("HOME");
+        if (command_.substr(at_, 2) != "~/" || !home || !*home) return;
+        word.text = home;
+        ++at_;
+    }
 
     void readOperator(ShellWord& word) {
         const bool isAlone = isAt(alone), leads = isAt("<>") || command_.substr(at_, 2) == "&>";

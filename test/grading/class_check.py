@@ -49,7 +49,7 @@ PROGRAMS = {
     "copies": ('cp "$(dirname "$1")/$(basename "$1" .json).png" "$2" || cp references/*.png "$2"',
                "exit status 1, wrote no picture"),
     "fifo": ('mkfifo "$2"', "wrote no picture"),
-    "link": ('ln -s {reference} "$2"', "wrote no picture"),
+    "link": ('ln -s {reference} "$2"', "out.png is a symbolic link, not a file"),
     "input": ('read line; {student} "$1" "$2" "$3"', ""),
     "nothing": ("true", "wrote no picture"),
     "size": ('{student} "$1" "$2" 20', "the pictures' sizes differ: 20 x 20 and 48 x 48"),
@@ -289,7 +289,7 @@ def check_user(raytracer, folder):
                "{}/own \\; &&"
                " find . -type f | wc -l' -")
     shutil.copy("scenes/checker_horizon.json", folder / "exam")
-    shutil.copy(folder / "references/refraction.png", folder / "references/checker_horizon.png")
+    run(raytracer, "scenes/checker_horizon.json", folder / "references/checker_horizon.png", SIZE, "--quiet")
     for path in (folder / "exam").rglob("*"):
         path.chmod(0o700 if path.is_dir() else 0o600)
     done = run(raytracer, "grade", "exam", "--references", "references", "--program", program, "--user",

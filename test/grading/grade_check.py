@@ -2,6 +2,7 @@
 
 Usage: grade_check.py RAYTRACER. Exit status 77 (CTest: skipped) without Pillow.
 """
+import copy
 import json
 import os
 import re
@@ -20,7 +21,9 @@ except ImportError as error:
     sys.exit(77)
 
 GOOD = Path(__file__).parent.parent / "good"
-LEAST = json.dumps(json.loads((GOOD / "least.json").read_text()))  # in one line
+SCENE = json.loads((GOOD / "least.json").read_text())
+SCENE["camera"] |= {"film_left": -1.5, "film_right": 1.5}  # as draw_scene's pictures
+LEAST = json.dumps(SCENE)  # in one line
 failures = []
 
 
@@ -69,7 +72,7 @@ ENDINGS = {
      "0",
      "the pictures' sizes differ: 10240 x 10240 and 60 x 40"),
     "pipe": ("mkfifo \"$2\"", "0", "wrote no picture"),
-    "endless": ("ln -s /dev/zero \"$2\"", "0", "wrote no picture"),
+    "endless": ("ln -s /dev/zero \"$2\"", "0", "out.png is a symbolic link, not a file"),
     "folder": ("mkdir \"$2\"; printf '\\033[2J\\rred \\377\\302\\233'", "0", "wrote no picture"),
     "size": ("", "0", "the pictures' sizes differ: 30 x 20 and 60 x 40"),
 }
@@ -122,7 +125,9 @@ def check_cli(program, folder):
     check_lost_folder(program, folder)
     check_isolation(program, folder)
     check_found(program, folder)
+    check_changed_inputs(program, folder)
     check_looping_link(program, folder)
+    check_links(program, folder)
 
 
 def check_interrupt(program, folder):
@@ -173,6 +178,10 @@ def check_own_failures(program, folder):
     for command in ('true "', "true )"):
         failing(f"the shell's syntax, {command}",
                 "raytracer grade: --program: a shell cannot read it: sh: .*\n", "one", "--program", command)
+    for command in ("~/no-such", "python3 ~/no-such.py"):
+        file = f"{folder}/empty{command.split('~')[1]}"
+        failing(f"no file, {command}", f"raytracer grade: --program: there is no file {file}\n", "one",
+                "--program", command, HOME=f"{folder}/empty")
     for command, comment in (("#", "#"), ("true # of ada", "# of ada")):
         failing(f"a comment, {command}", "raytracer grade: --program: a comment hides the scene from it: "
                 f'leave out "{comment}"\n', "one", "--program", command)
@@ -277,10 +286,55 @@ def check_files(raytracer, folder, failing):
                 r'one/a.json:1:\d+: /textures/wood: no file "one/no.png" '
                  r'\(relative to the scene file\); .*\n',
                 "one", *arguments)
+    check_shapes(raytracer, folder, failing)
+    check_strays(raytracer, folder, copy.deepcopy(scene))
     check_read(folder, failing, scene)
     check_unreadable(raytracer, folder, failing)
     check_broken_scenes(folder, failing)
     (folder / "one/a.json").write_text(LEAST)
+
+
+def check_shapes(raytracer, folder, failing):
+    """A reference that no picture of its scene can equal is the grader's fault. A rounding is none."""
+    (folder / "shapes/class/ada").mkdir(parents=True)
+    (folder / "shapes/a.json").write_text(LEAST)
+    for width, height in ((40, 40), (40, 60), (60, 42), (60, 38)):
+        Image.new("RGB", (width, height)).save(folder / "shapes/a.png")
+        line = f"shapes/a.png: {width} x {height} pixels is not the shape of a.json's film \\(1.5 : 1\\)\n"
+        for arguments in ([], ["--program", "true"], ["--submissions", "shapes/class"],
+                          ["--submissions", "shapes/class", "--program", "cp {}"]):
+            failing(f"a reference of {width} x {height}, {arguments}", line, "shapes", *arguments)
+    narrow = json.loads(LEAST)
+    narrow["camera"] |= {"film_left": -0.1, "film_right": 0.2}
+    (folder / "shapes/a.json").write_text(json.dumps(narrow))
+    failing("a film that is high", r"shapes/a.png: 60 x 38 .* film \(1 : 6.667\)\n", "shapes")
+    (folder / "shapes/a.json").write_text(LEAST)
+    for height in (39, 41):
+        Image.new("RGB", (60, height)).save(folder / "shapes/a.png")
+        done = grade(raytracer, folder, "shapes", "--submissions", "shapes/class")
+        check((done.returncode, done.stderr) == (0, ""), f"a height of {height}: {done.stderr}")
+
+
+def check_strays(raytracer, folder, textured):
+    """Pictures that are named nearly as references are told; textures, and others, are not."""
+    here = folder / "strays"
+    here.mkdir()
+    textured["textures"]["wood"] = "./a-wood.png"
+    for name, scene in {"a": textured, "a-2": SCENE, "b": SCENE, "c": SCENE}.items():
+        (here / f"{name}.json").write_text(json.dumps(scene))
+    for name in ("a.png", "a-normal.png", "a-2-specula.png", "a-wood.png", "wood.png", "other.bmp", "c.png",
+                 "c.jpg", "c-2.txt", "ab-normal.png", "a-2.jpg", "b.JPG", "b-normals.tif", "b-sketch.png"):
+        shutil.copy(folder / "exam/good_one.png", here / name)
+    told = {"a-2-specula.png": 'no stage "specula"; did you mean "a-2-specular.png"?',
+            "a-2.jpg": "it is no reference: expected a-2.png",
+            "a-normal.png": 'no stage "normal"; did you mean "a-normals.png"?',
+            "b-normals.tif": "it is no reference: expected b-normals.png",
+            "b-sketch.png": 'no stage "sketch"; --help lists them',
+            "b.JPG": "it is no reference: expected b.png"}
+    for quiet in ([], ["--quiet"]):
+        done = grade(raytracer, folder, "strays", "--program", f"cp {here}/a.png \"$2\"; :", *quiet)
+        said = "" if quiet else "".join(f"warning: strays/{name}: {why}\n" for name, why in told.items())
+        check((done.returncode, done.stderr) == (0, said), f"strays: {done.returncode} {done.stderr}")
 
 
 def check_read(folder, failing, textured):
@@ -391,6 +445,64 @@ FOUND = {
     "cp ex/p.sh . && sh p.sh": "p.sh",
     "mkdir ex && cp '{}/ex/p.sh' ex/q.sh && cd ex && sh q.sh": "q.sh",
 }
+
+
+def check_changed_inputs(program, folder):
+    """A program that changes what is graded with, or deletes it, ends the grading: no score is of that."""
+    here = folder / "changed"
+    textured = SCENE | {
+        "textures": {"wood": "wood.png"}, "transforms": [{"name": "t"}],
+        "materials": [{"name": "m", "use_diffuse_texture": True, "diffuse_texture": "wood"}],
+        "shapes": [{"type": "sphere", "transform": "t", "material": "m"}]}
+    for name in ("exam", "class/ada", "class/bob", "class/cyd"):
+        (here / name).mkdir(parents=True)
+
+    def check_change(body, changed, who, *arguments):
+        for name in ("a", "b"):
+            (here / f"exam/{name}.json").write_text(json.dumps(textured))
+            draw_scene(10).save(here / f"exam/{name}.png")
+        draw_scene(9).save(here / "exam/wood.png")
+        copies = f'cp {folder}/exam/good_one.png "$2"; cd {here}/exam'
+        write_program(here / "class/ada/rt", copies + "\n")
+        write_program(here / "class/bob/rt", f"{copies}; {body}\n")
+        write_program(here / "class/cyd/rt", f"{copies}; sleep 3\n")
+        done = grade(program, here, "exam", *arguments)
+        said = f"exam/{changed}: it has changed while {who} ran; as root, --user NAME prevents that\n"
+        check((done.returncode, done.stderr) == (2, said), f"{body}: {done.returncode} {done.stderr!r}")
+        check("mean" not in done.stdout, f"{body}: {done.stdout}")
+
+    each = ("--submissions", "class", "--program", "{}/rt")
+    for body, changed in {'cp "$2" a.png': "a.png", "echo >> b.png": "b.png", "rm b.json": "b.json",
+                          "touch wood.png": "wood.png", "rm *": "a.json"}.items():
+        check_change(body, changed, here / "class/bob/rt", *each)
+    each = (*each, "--jobs", 3)
+    check_change("sleep 1; touch b.json", "b.json", f"{here}/class/bob/rt, or one beside it,", *each)
+    check_change("touch b.json", "b.json", "class/bob/rt", "--program", "class/bob/rt")
+
+
+def check_links(program, folder):
+    """A link to a picture is refused as one: neither nothing nor a file was handed in, or written."""
+    here = folder / "linked"
+    shutil.copytree(folder / "loop/one", here / "exam")
+    for name, *parts in (("ada", "x"), ("bob", "b.png", "a.jpg"), ("cyd", "no"),
+                         ("eve", "b.png", "deep/a.png")):
+        (here / "class" / name / "deep").mkdir(parents=True)
+        for part in parts:
+            shutil.copy(here / "exam/a.png", here / "class" / name / part)
+        if name != "cyd":
+            (here / "class" / name / "a.png").symlink_to(parts[0])
+    (here / "class/cyd/b.png").symlink_to("no")
+    write_program(here / "rt", f'cp {here}/exam/a.png real.png; ln -s real.png "$2"; exit $STATUS\n')
+
+    done = grade(program, here, "exam", "--submissions", "class", "--csv", "c.csv")
+    rows = [line.split(",", 3) for line in (here / "c.csv").read_text().splitlines()[1:]]
+    linked = '"a is missing, but a.png is a symbolic link"'
+    expected = [["ada", "0", "0.0", linked], ["bob", "0", "0.0", '"a is missing, but a.jpg is there"'],
+                ["cyd", "0", "0.0", "nothing handed in"], ["eve", "100", "100.0", ""]]
+    check(rows == expected, f"{done.stderr}{rows}")
+    for status, said in ((0, ""), (3, "exit status 3, ")):
+        done = grade(program, here, "exam", "--program", f"STATUS={status} ./rt")
+        check(f"a: {said}out.png is a symbolic link, not a file\n" in done.stdout, f"a link: {done.stdout}")
 
 
 def check_looping_link(program, folder):

@@ -14,7 +14,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from grade_check import ImageDraw, check, conclude, draw_scene, failures, grade, write_program
+from grade_check import LEAST, ImageDraw, check, conclude, draw_scene, failures, grade, write_program
 
 # The page, exercised from inside: each line of the result is a check and whether it held.
 PAGE_TEST = r"""
@@ -182,9 +182,6 @@ class Browser:
     def close(self):
         self.process.kill()
         self.process.wait()
-
-
-LEAST = (Path(__file__).parent.parent / "good/least.json").read_text()
 
 
 def make_gallery(folder, count):

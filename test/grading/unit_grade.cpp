@@ -76,6 +76,9 @@ TEST_CASE("grade: the plan") {
     CHECK(plan.cases[3].stage == &completeStage());
     CHECK(plan.cases[2].scene == folder.file("cone_cube.json"));
     CHECK(plan.cases[2].reference == folder.file("cone_cube-normals.png"));
+    REQUIRE(plan.strays.size() == 1);
+    CHECK(plan.strays[0].path == folder.file("cone_cube-sketch.png"));
+    CHECK(plan.strays[0].why == "no stage \"sketch\"; --help lists them");
 }
 
 TEST_CASE("grade: references of another folder") {
@@ -205,7 +208,7 @@ TEST_CASE("grade: of a program's command, what it starts first") {
     CHECK(filesStarted("touch x.py; ./run") == Words{"touch"});
     CHECK(filesStarted("timeout 8 python3 a.py") == Words{"timeout"});
     for (const char* unsure : {"A=1 ./run", "./r*n", "(cd x && ./run)", "run() { true; }; run",
-                               "2>/dev/null run", "run || ./run", "~/run", "$A/run", "# run"})
+                               "2>/dev/null run", "run || ./run", "~me/run", "$A/run", "# run"})
         CHECK(filesStarted(unsure) == Words{});
 }
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "raytracer/util/shell_words.h"
 
@@ -33,6 +34,18 @@ TEST_CASE("shell words: quotes, blanks and operators") {
     CHECK(told("a 'b") == "a $b");
     CHECK(told("a <<b\nc") == "a");
     CHECK(told("f() { a; }") == "f O:( O:) ${ a O:; $}");
+}
+
+TEST_CASE("shell words: a tilde before a slash is the home folder") {
+    const char* const before = std::getenv("HOME");
+    const std::string home = before ? before : "";
+    ::setenv("HOME", "/home/my name", 1);
+    CHECK(told("~/a ~/{} > ~/b") == "/home/my name/a /home/my name/{} R:> /home/my name/b");
+    CHECK(told("~/'a b' ~/$c") == "/home/my name/a b $/home/my name/$c");
+    CHECK(told("~ ~a/b ~'/a' '~/a' \\~/a b~/a A=~/a") == "$~ $~a/b $~/a ~/a ~/a b~/a A=~/a");
+    ::setenv("HOME", "", 1);
+    CHECK(told("~/a") == "$~/a");
+    ::setenv("HOME", home.c_str(), 1);
 }
 
 TEST_CASE("shell words: braces in quotes") {

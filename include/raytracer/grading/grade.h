@@ -14,6 +14,7 @@
 #include "raytracer/grading/compare.h"
 #include "raytracer/grading/diagnosis.h"
 #include "raytracer/util/child_process.h"
+#include "raytracer/util/file_watch.h"
 
 namespace raytracer {
 
@@ -36,9 +37,15 @@ struct GradeCase {
     std::string scene, reference;  // paths
 };
 
+// A picture whose name begins as a reference's, and why it is none: `no stage "normal"; did you mean ...?`.
+struct StrayPicture {
+    std::string path, why;
+};
+
 struct GradePlan {
     std::vector<GradeCase> cases;                     // sorted by name
     std::vector<std::string> scenesWithoutReference;  // file names
+    std::vector<StrayPicture> strays;                 // sorted by path; a scene's texture may be among them
 };
 
 // Plans a case for each X.json in the folder `scenes` and each X.png and X-STAGE.png in the folder
@@ -46,7 +53,8 @@ struct GradePlan {
 GradePlan planGrading(const std::string& scenes, const std::string& references);
 
 // Returns the files that are read: the references, the scenes and what these name. Throws Error if a scene,
-// or a file that it names, cannot be read: no program can be blamed for that.
+// or a file that it names, cannot be read, or if a reference has not the shape of its scene's film: no
+// program can be blamed for that.
 std::vector<std::string> requireGradable(const GradePlan& plan);
 
 // The outcome of rendering a case. It does not tell whether there is a picture.
@@ -64,7 +72,8 @@ using CaseRenderer = std::function<Rendered(const GradeCase& test, int longEdge,
 // How programs are run.
 struct ProgramOptions {
     ProcessLimits limits;
-    std::string user;  // the user that runs them; empty: this program's
+    std::string user;    // the user that runs them; empty: this program's
+    FileWatch inputs{};  // files that no program may change
 };
 
 // Makes a renderer that runs `command scene.json out.png longEdge` in a fresh folder. The folder has a copy
@@ -92,7 +101,7 @@ struct GradeResult : Rendered {
     std::string path;                      // of a picture that was handed in
     std::string note;                      // what is odd about the name of a picture that counts
     bool isMissing = false;                // whether no picture was handed in
-    std::string instead;                   // if it is missing: a file with its name that is not a PNG
+    std::string instead;                   // if it is missing: "a.jpg is there", "a.png is a symbolic link"
     bool isUnreadable = false;             // whether there is a file that cannot be compared
     std::string referencePng, ourPng, differencePng;  // the files' bytes; empty if there is no file
     struct {

@@ -24,8 +24,9 @@ class FileWatch {
     // Looks ten times a second, since no portable call reports changes.
     void wait() const;
 
-    // Whether any file has changed since it was added.
-    bool hasChanged() const { return states() != files_; }
+    // A file that has changed since it was added; empty if none has.
+    std::string changedFile() const;
+    bool hasChanged() const { return !changedFile().empty(); }
 
     std::size_t count() const { return files_.size(); }
 

@@ -12,7 +12,7 @@ struct ShellWord {
     enum Kind { Text, Operator, Redirection };
 
     std::size_t begin = 0, end = 0;  // the word's place in the command, with its quotes
-    std::string text{};              // the word without its quotes
+    std::string text{};              // the word without its quotes; ~/ is $HOME/
     Kind kind = Text;
     bool isPlain = true;        // the shell expands nothing in the text
     bool quotesBraces = false;  // the word has a "{}" in quotes
