@@ -50,8 +50,6 @@ class Search {
         std::vector<glm::dvec2> points;
         points.reserve(parts_.size());
         for (const Part& part : parts_) points.push_back(part.pixel);
-            for (const Part& part : parts_)
-                fprintf(stderr, "P %.3f %.3f %g\n", part.pixel.x, part.pixel.y, (double)part.distance);
         return points;
     }
 
