@@ -134,7 +134,7 @@ class Search {
 
     bool isHalved() const { return areaOf(options_.size) < area_; }
 
-    // Whether no pixel of the picture takes a second sample. No error is above 1.
+    // Whether no pixel of the picture takes a second sample. No error of one sample is above 1.
     bool needsOneSample() const {
         const auto contrast = static_cast<double>(pixels_.back().first);  // the largest
         const double most = isHalved() ? 1 : std::min(1.0, contrast * PixelEstimate::errorOfOneSample);
@@ -165,7 +165,7 @@ class Search {
         }
     }
 
-    // Whether no more samples come: the rays are spent, or no pilot pixel takes any more.
+    // Whether no more samples come: the rays are spent, or every pilot pixel has the most samples.
     bool isSpent() const {
         const double most = std::min<double>(mostSamples, raysOfRandom / (target_ * target_));
         return static_cast<double>(choice_.counts.all() - before_) > most * area_ ||

@@ -132,7 +132,7 @@ ColorT<T> Scene::reflectedColor(const ShadingPointT<T>& point, LaneBits active, 
         return ColorT<T>(T(0));
     }
     count(context.counts->reflection, countLanes<T>(active), context);
-    const RayT<T> reflected = point.leave(reflectedDirection(point), ShadingPointT<T>::Side::Near);
+    const RayT<T> reflected = point.leave(reflectedDirection(point), ShadingPointT<T>::Side::Near, true);
     return ColorT<T>(material.color_reflect) * withinBrightest(rayColor(reflected, active, onwards, context));
 }
 
@@ -154,7 +154,7 @@ ColorT<T> Scene::refractedColor(const ShadingPointT<T>& point, LaneBits active, 
     if (passing == 0 || reason != TerminationReason::None) return ColorT<T>(T(0));
     count(context.counts->refraction, countLanes<T>(passing), context);
     if (passing != allLanesOf<T>) direction = filled(direction, passing);
-    const RayT<T> refracted = point.leave(direction, ShadingPointT<T>::Side::Far);
+    const RayT<T> refracted = point.leave(direction, ShadingPointT<T>::Side::Far, true);
     return select(
         maskOf<T>(passing),
         ColorT<T>(material.color_refract) * withinBrightest(rayColor(refracted, passing, onwards, context)),

@@ -33,7 +33,7 @@ Hit Scene::firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& c
         if (coincident.apart() <= passed) return coincident.nearest();
         HitQuery before = HitQuery::upTo(nearest.t * coincidenceWindow);
         const ShadingPoint point(ray, place, false);
-        tree.meet(point.leave(-ray.direction, ShadingPoint::Side::Near), before);
+        tree.meet(point.leave(-ray.direction, ShadingPoint::Side::Near, ray.departure.isScattered), before);
         context.counts->tests += before.tests;
         if (!before.found()) return coincident.nearest();
         HitQuery ahead = HitQuery::upTo(nearest.t * (1 + coincidenceWindow));

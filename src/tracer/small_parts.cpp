@@ -22,6 +22,7 @@ constexpr int usualHalvings = 16, mostHalvings = 32;
 // There are at most about so many parts, even if all shapes and triangles are as long as the picture: where
 // there are many of them, parts get longer.
 constexpr double mostParts = 1 << 26;
+constexpr double linesOfSolid = 7;  // at most: one inside, and two in each of three faces that are seen
 
 // A point inside a shape, which there reaches at least from place - across to place + across.
 struct Point {
@@ -37,7 +38,7 @@ class Search {
         : camera_(scene.camera), width_(size.width), height_(size.height), place_(place) {
         double count = 0;
         for (const Shape& shape : scene.shapes)
-            count += shape.type() == ShapeType::Mesh ? shape.triangles().triangleCount() : 1;
+            count += shape.type() == ShapeType::Mesh ? shape.triangles().triangleCount() : linesOfSolid;
         longest_ = max(longest, static_cast<Real>(count * std::hypot(size.width, size.height) / mostParts));
         for (const Shape& shape : scene.shapes)
             if (shape.type() == ShapeType::Mesh) addMesh(shape);
@@ -69,23 +70,34 @@ class Search {
         return {place, across, pixelOf(onFilm), width, onFilm.z};
     }
 
+    // Begins a shape or triangle with the distance of its farthest point. An orthographic camera shows at the
+    // same pixel what is before and behind a point, so all of it counts as seen if a part of it is in front.
+    void begin(Real farthest) { behind_ = !camera_.isPerspective() && farthest > 0 ? -infinity : 0; }
+
+    Real distanceOf(const Vec3& place) const { return camera_.onFilm(place).z; }
+
     Vec2 pixelOf(const Vec3& onFilm) const {
         return camera_.pixelOf(Vec2(onFilm), static_cast<Real>(width_), static_cast<Real>(height_));
     }
 
+    // Whether what lies between these points is seen as the segment between their pixels.
+    bool isSegment(const Point& a, const Point& b) const {
+        return !camera_.isPerspective() || (a.distance > 0 && b.distance > 0);
+    }
+
     // In pixels, and in the scene. Where one end is behind the eye, the first is infinite.
-    static std::pair<Real, Real> lengthOf(const Point& a, const Point& b) {
-        const bool isSeen = a.distance > 0 && b.distance > 0;
-        return {isSeen ? glm::length(b.pixel - a.pixel) : infinity, glm::length(b.place - a.place)};
+    std::pair<Real, Real> lengthOf(const Point& a, const Point& b) const {
+        return {isSegment(a, b) ? glm::length(b.pixel - a.pixel) : infinity, glm::length(b.place - a.place)};
     }
 
     // Two segments inside each triangle: from the ends of the side that looks longest, where the corners are
     // sharp, to the centroid.
     void addMesh(const Shape& shape) {
-        const auto seenCorner = [&](const Vec3& p) { return seen(shape.transform().pointToWorld(p)); };
         for (std::uint32_t i = 0; i < shape.triangles().triangleCount(); ++i) {
-            const auto corners = shape.triangles().corners<Real>(i);
-            Point a = seenCorner(corners[0]), b = seenCorner(corners[1]), c = seenCorner(corners[2]);
+            auto corners = shape.triangles().corners<Real>(i);
+            for (Vec3& corner : corners) corner = shape.transform().pointToWorld(corner);
+            begin(max(max(distanceOf(corners[0]), distanceOf(corners[1])), distanceOf(corners[2])));
+            Point a = seen(corners[0]), b = seen(corners[1]), c = seen(corners[2]);
             if (lengthOf(b, c) > lengthOf(a, b)) std::swap(a, c);
             if (lengthOf(c, a) > lengthOf(a, b)) std::swap(b, c);
             const Vec3 centroid = (a.place + b.place + c.place) / Real(3);
@@ -93,16 +105,14 @@ class Search {
                 take(seen(centroid));
                 continue;
             }
-            const Vec3 side = b.place - a.place, other = c.place - a.place;
-            const Vec3 height = other - side * (glm::dot(other, side) / glm::dot(side, side));
-            const Point middle = seen(centroid, height / Real(2));
-            addTip(a, middle);
-            addTip(b, middle);
+            // The chords through the centroid that are parallel to the sides opposite to a and to b.
+            addTip(a, seen(centroid, (c.place - b.place) / Real(3)));
+            addTip(b, seen(centroid, (c.place - a.place) / Real(3)));
         }
     }
 
-    // The two axes of the solid's box that look longest, and its flat faces. A plane has none: its numbers
-    // are infinite or NaN.
+    // The two axes of the solid's box that look longest, and those of its flat faces that are seen from
+    // outside. A plane has none: its numbers are infinite or NaN.
     void addSolid(const Shape& shape) {
         Vec3 middle, half[3];
         for (int axis = 0; axis < 3; ++axis) {
@@ -112,6 +122,9 @@ class Search {
             half[axis] = shape.transform().linear()[axis] * ((high - low) / 2);
         }
         middle = shape.transform().pointToWorld(middle);
+        Real farthest = distanceOf(middle);
+        for (const Vec3& h : half) farthest += abs(distanceOf(middle + h) - distanceOf(middle));
+        begin(farthest);
         for (int axis = 0; axis < 3; ++axis)
             for (const Real side : {Real(-1), Real(1)})
                 if (!isTurnedAway(shape, middle + side * half[axis], side * unit(axis)))
@@ -122,15 +135,14 @@ class Search {
         addRhombus(middle, half[1], half[2]);
     }
 
-    // Whether the plane of this point with this normal, in object space, is seen from behind or from its
-    // edge.
+    // Whether the plane through a point of the scene, with this normal in object space, is seen from behind
+    // or from its edge.
     bool isTurnedAway(const Shape& shape, const Vec3& point, const Vec3& normal) const {
-        const Vec3 onFilm = camera_.onFilm(point);
-        const Vec3 direction = shape.transform().toObject(camera_.getRay(Vec2(onFilm))).direction;
-        return onFilm.z * glm::dot(direction, normal) >= 0;
+        const Vec3 view = shape.transform().toObject(Ray{point, camera_.viewOf(point), {}}).direction;
+        return glm::dot(view, normal) >= 0;
     }
 
-    // A face of the box, if it is flat and not a point or a line of the solid.
+    // Adds a side of the box, unless the solid touches that only in a point or in a line.
     void addFace(ShapeType type, const Vec3& middle, const Vec3& normal, int next, int last,
                  const Vec3* half) {
         const auto reach = [&](const Vec3& along) { return faceReach(type, normal, along); };
@@ -169,24 +181,23 @@ class Search {
         addTip(seen(middle + along), center);
     }
 
-    // A tip that is at least as wide as long, if both are more than `widest`, cannot be missed.
+    // A tip that is at least as wide as long is not sharp: the pixels beside it show it.
     void addTip(const Point& tip, const Point& base) {
         const Vec2 along = base.pixel - tip.pixel;
-        const bool isInFront = tip.distance > 0 && base.distance > 0;
-        if (!(isInFront && isWider(base, along, max(widest, glm::length(along))))) add(tip, base, 0);
+        const bool isBlunt = isSegment(tip, base) && isWider(base, along, max(widest, glm::length(along)));
+        if (!isBlunt) add(tip, base, 0);
     }
 
     // The points of a segment where its shape is thin.
     void add(const Point& from, const Point& to, int halvings) {
         const auto [nearest, farthest] = std::minmax(from.distance, to.distance);
-        if (!(farthest > 0)) return;
-        const bool isInFront = nearest > 0;
-        if (isInFront && isBeside(from.pixel, to.pixel)) return;
+        if (!(farthest > behind_)) return;
         const Point middle = seen((from.place + to.place) / Real(2), (from.across + to.across) / Real(2));
-        if (isInFront) {
+        if (isSegment(from, to)) {
+            if (isBeside(from.pixel, to.pixel)) return;
             const Vec2 along = to.pixel - from.pixel;
             if (isWider(from, along, widest) && isWider(to, along, widest)) return;
-            if (glm::length(along) <= longest_) return take(middle);
+            if (nearest > behind_ && glm::length(along) <= longest_) return take(middle);
             if (halvings > usualHalvings && isRounded(middle)) return;
         }
         if (halvings >= mostHalvings) return;
@@ -211,11 +222,11 @@ class Search {
 
     void take(const Point& point) {
         const glm::dvec2 pixel(point.pixel);
-        const bool isInside = point.distance > 0 && pixel.x >= place_.x0 && pixel.x < place_.x1 &&
+        const bool isInside = point.distance > behind_ && pixel.x >= place_.x0 && pixel.x < place_.x1 &&
                               pixel.y >= place_.y0 && pixel.y < place_.y1;
         if (!isInside) return;
         if (parts_.size() == parts_.capacity()) makeRoom();
-        parts_.push_back({pixel, point.distance});
+        parts_.push_back({pixel, point.distance > 0 ? point.distance : infinity});
     }
 
     void makeRoom() {
@@ -243,6 +254,7 @@ class Search {
     int width_, height_;
     PixelRectangle place_;
     Real longest_;
+    Real behind_ = 0;  // the least distance that is seen is above this
     std::vector<Part> parts_;
 };
 

@@ -54,9 +54,6 @@ class HitQueryT {
     // Hits beyond this t do not matter, so a traversal may cull by it. Below 0 in a lane that wants no hit.
     const T& limit() const { return limit_; }
 
-    // Whether the ray ends at a light. Then its direction was not reflected or refracted.
-    bool isToLight() const { return end_ != nullptr; }
-
     // Whether no further hit can change the answer.
     bool done() const { return any_ && found_ == active_; }
 

@@ -16,9 +16,9 @@ struct Plane : Equation<Plane> {
         return abs(transform.pointToObject(point).z) <= transform.objectError(point, pointError).z;
     }
 
-    // What is reflected or refracted has a rounded direction, of unit length. Between parallel faces it
-    // leaves as it came, maybe parallel to this plane. Rounding must not decide that it is hit, almost
-    // infinitely far.
+    // Between parallel faces of glass a ray leaves as it came, maybe parallel to this plane. Its rounded
+    // direction must not decide that it hits the plane, almost infinitely far away. The bound is some four
+    // roundings for each of the operations that make a scattered direction.
     template <class T>
     static Truth<T> isParallel(const Shape& shape, const Vec3T<T>& objectDirection) {
         return abs(objectDirection.z) <= T(gamma(16) * shape.transform().largestDirection().z);
@@ -41,7 +41,7 @@ struct Plane : Equation<Plane> {
         if (!any(hit)) return;
         if (ray.departure.shape) {
             hit = hit & !touches(shape, ray.origin, ray.departure.positionError);
-            if (!query.isToLight()) hit = hit & !isParallel(shape, object.direction);
+            if (ray.departure.isScattered) hit = hit & !isParallel(shape, object.direction);
         }
         query.offer(hit, t, shape, 0, object.direction.z < T(0));
     }

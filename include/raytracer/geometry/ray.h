@@ -15,7 +15,8 @@ template <class T>
 struct DepartureT {
     const Shape* shape = nullptr;  // null for a ray from the camera: every hit with t >= 0 counts
     Primitive<T> primitive{};      // of that shape: face or triangle
-    bool inside = false;  // the ray runs on the inner side of that surface (against its exterior normal)
+    bool inside = false;       // the ray runs on the inner side of that surface (against its exterior normal)
+    bool isScattered = false;  // the direction was reflected or refracted: rounded, of unit length
     Vec3T<T> positionError{0};  // bound on |origin - surface|, for each axis, in world units
 };
 
@@ -36,7 +37,7 @@ Ray laneOf(const RayT<T>& ray, int lane) {
     const DepartureT<T>& departure = ray.departure;
     return {laneOf(ray.origin, lane),
             laneOf(ray.direction, lane),
-            {departure.shape, laneOf(departure.primitive, lane), departure.inside,
+            {departure.shape, laneOf(departure.primitive, lane), departure.inside, departure.isScattered,
              laneOf(departure.positionError, lane)}};
 }
 
@@ -45,7 +46,7 @@ RayT<T> filled(const RayT<T>& ray, LaneBits used) {
     const DepartureT<T>& departure = ray.departure;
     return {filled(ray.origin, used),
             filled(ray.direction, used),
-            {departure.shape, filled(departure.primitive, used), departure.inside,
+            {departure.shape, filled(departure.primitive, used), departure.inside, departure.isScattered,
              filled(departure.positionError, used)}};
 }
 

@@ -39,7 +39,7 @@ struct Equation {
         return true;
     }
 
-    // The computed hit.
+    // The hit's point in object space, before onSurface projects it.
     template <class T>
     static Vec3T<T> pointOf(const Shape&, const RayT<T>&, const ObjectRayT<T>& object, const HitT<T>& hit) {
         return object.origin + hit.t * object.direction;
@@ -145,15 +145,15 @@ struct Solid : Equation<Kind> {
     }
 
   private:
-    // So is one that is no number.
+    // True for NaN, too.
     template <class T>
     static Truth<T> isDistant(const Vec3T<T>& origin) {
         return !(glm::dot(origin, origin) <= T(distantSquared));
     }
 
-    // The hit at t. The t of a distant ray is rounded by more than a thin solid is thick, and `meet` may have
-    // clamped that of a ray that leaves a thin solid. There the hit is the end of the chord, as chordOf sees
-    // it from nearby.
+    // The hit at t. The t of a distant ray is rounded by more than a thin solid is thick, and `meet` clamps
+    // to 0 the t of a ray that leaves a thin solid. There the hit is the end of the chord, as chordOf sees it
+    // from nearby.
     static Vec3 endOfChord(const Shape& shape, const Ray& ray, Real t, bool entering);
 
     // A camera ray that starts on the surface hits it there. The origin alone decides, so all rays from it

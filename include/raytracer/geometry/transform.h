@@ -37,7 +37,7 @@ class Transform {
         return absoluteProduct(inverse_, world - Vec3T<T>(translation_));
     }
 
-    // The most that toObject makes of a direction whose coordinates are at most 1.
+    // A bound, for each axis, on what toObject makes of a direction whose coordinates are at most 1.
     Vec3 largestDirection() const { return absoluteProduct(inverse_, Vec3(1)); }
 
     template <class T>

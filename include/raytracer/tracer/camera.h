@@ -44,6 +44,10 @@ class Camera {
     // The first two; nothing where the point is not in the picture.
     std::optional<Vec2> uvOf(const Vec3& point) const;
 
+    bool isPerspective() const { return perspective_; }
+    // From the eye to a point; orthographic: the direction of all rays.
+    Vec3 viewOf(const Vec3& point) const { return perspective_ ? point - eye_ : forward_; }
+
     // The largest coordinate, along any axis, of the points where rays start.
     Real farthest() const;
 

@@ -41,8 +41,8 @@ class PixelEstimate {
     // them meet by about k^1/4: a few of those next to its edge (Mitchell 1996). With m the fourth root of
     // the samples' fourth central moment, that is m / n^3/4. But n samples that agree may still miss about
     // 1/n of the pixel, and that part may differ by as much as the neighbourhood does: `contrast` is that of
-    // the 3 x 3 centres around the pixel. By `least` it may differ anywhere, and a white pixel's part be
-    // dark, so this is not clamped (leastContrast).
+    // the 3 x 3 centres around the pixel. `least` is the contrast that any neighbourhood may hide
+    // (leastContrast). It counts in white pixels, too, which may hide something dark: it is not clamped.
     double error(double contrast, double least) const {
         const auto n = static_cast<double>(count_);
         // As bright as contrasts count: so one bright sample beside black ones is not sure to be white.
@@ -68,7 +68,7 @@ class PixelEstimate {
 
     // The root mean square, over the channels, of an estimated error of the unclamped colour, as far as it
     // shows. The true error may be several times the estimate, so only where four times the estimate shows
-    // nothing, since all is white, there is no error.
+    // nothing, since all is white, this error is 0.
     static double shown(const glm::dvec3& mean, const glm::dvec3& error) {
         const auto clamped = [](const glm::dvec3& unclamped) { return glm::clamp(unclamped, 0.0, 1.0); };
         const glm::dvec3 here = clamped(mean), most = error / errorOfOneSample;

@@ -28,9 +28,9 @@ struct ShadingPointT {
     ColorT<T> K_D;  // color_diffuse times the texture's colour
 
     // The only maker of secondary rays: from this point, on the side that the ray came from (Near) or on the
-    // other one (Far).
+    // other one (Far). isScattered: the direction was reflected or refracted, and has unit length.
     enum class Side { Near, Far };
-    RayT<T> leave(const Vec3T<T>& direction, Side side) const;
+    RayT<T> leave(const Vec3T<T>& direction, Side side, bool isScattered = false) const;
 };
 using ShadingPoint = ShadingPointT<Real>;
 
@@ -78,9 +78,9 @@ ShadingPointT<T>::ShadingPointT(const RayT<T>& ray, const IntersectionT<T>& inte
 }
 
 template <class T>
-RayT<T> ShadingPointT<T>::leave(const Vec3T<T>& direction, Side side) const {
+RayT<T> ShadingPointT<T>::leave(const Vec3T<T>& direction, Side side, bool isScattered) const {
     const bool inside = entering == (side == Side::Far);
-    return {hit->position, direction, {hit->shape, hit->primitive, inside, hit->positionError}};
+    return {hit->position, direction, {hit->shape, hit->primitive, inside, isScattered, hit->positionError}};
 }
 
 template <class T>
