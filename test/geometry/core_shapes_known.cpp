@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "../support/core_support.h"
+#include "raytracer/tracer/shading.h"
 
 using namespace raytracer;
 using namespace raytracer::test;
