@@ -23,7 +23,9 @@ std::string inWords(const ImageSize& size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
-std::string rgbInWords(const std::uint8_t* rgb) { return formatted("(%d, %d, %d)", rgb[0], rgb[1], rgb[2]); }
+std::string rgbInWords(const std::uint8_t* pixel) {
+    return formatted("(%d, %d, %d)", pixel[0], pixel[1], pixel[2]);
+}
 
 std::string pixelsInWords(int width, int height) {
     return std::to_string(width) + " × " + std::to_string(height) + " pixels";
