@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 #include "../support/core_support.h"
-#include "raytracer/tracer/shading.h"
 
 using namespace raytracer;
 using namespace raytracer::test;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raytracer/geometry/shapes.h"
+#include "raytracer/tracer/shading.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 namespace test {
