@@ -58,8 +58,7 @@ constexpr int smallEdge = 48;  // pixels
 SceneDescription facingMirrors(double reflect, double ambient) {
     SceneDescription scene;
     scene.camera.look = {0.05, 0.03, -1};
-    scene.camera.film_left = scene.camera.film_bottom = -0.1;
-    scene.camera.film_right = scene.camera.film_top = 0.1;
+    setFilm(scene, -0.1, 0.1);
     MaterialDescription mirror;
     mirror.color_ambient = glm::dvec3(ambient);
     mirror.color_diffuse = mirror.color_specular = glm::dvec3(0);
@@ -377,8 +376,7 @@ TEST_CASE("target-error: a reflection in few pixels of a small picture is seen")
     // Two small mirrors show each other in some pixels; the rest is black.
     SceneDescription scene = facingMirrors(1, 0.5);
     for (std::size_t i = 0; i < 2; ++i) scene.shapes[i].type = ShapeType::Sphere;
-    scene.camera.film_left = scene.camera.film_bottom = -1;
-    scene.camera.film_right = scene.camera.film_top = 1;
+    setFilm(scene, -1, 1);
     scene.camera.eye = {0, 0, 12};
     scene.camera.look = {0, 0, -1};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -420,8 +418,7 @@ TEST_CASE("target-error: a small window of three clear panes is seen, wherever i
     SceneDescription scene;
     scene.camera.type = CameraDescription::Type::Orthographic;
     scene.camera.eye = {0, 0, 9};
-    scene.camera.film_left = scene.camera.film_bottom = -3;
-    scene.camera.film_right = scene.camera.film_top = 3;
+    setFilm(scene, -3, 3);
     MaterialDescription wall, clear;
     wall.color_diffuse = glm::dvec3(1);
     wall.color_specular = clear.color_diffuse = clear.color_specular = glm::dvec3(0);
@@ -451,8 +448,7 @@ TEST_CASE("target-error: a search ends where no pilot pixel takes more samples, 
     // A bright spot at the only pixel's centre: its first sample is white, and no other one meets the spot.
     SceneDescription scene;
     scene.camera.type = CameraDescription::Type::Orthographic;
-    scene.camera.film_left = scene.camera.film_bottom = -1;
-    scene.camera.film_right = scene.camera.film_top = 1;
+    setFilm(scene, -1, 1);
     scene.materials.resize(1);
     scene.lights.resize(1);
     scene.transforms.resize(1);
@@ -475,8 +471,7 @@ TEST_CASE("target-error: white pixels whose samples are not all white do not kee
     SceneDescription scene;
     constexpr int size = 20;
     scene.camera.type = CameraDescription::Type::Orthographic;
-    scene.camera.film_left = scene.camera.film_bottom = 0;
-    scene.camera.film_right = scene.camera.film_top = size;
+    setFilm(scene, 0, size);
     scene.lights.resize(1);
     scene.materials.resize(1);
     scene.materials[0].color_ambient = glm::dvec3(1.35);

@@ -24,8 +24,7 @@ SceneDescription emptyScene(CameraDescription::Type type) {
     scene.camera.type = type;
     scene.camera.eye = {0, 0, edge};
     scene.camera.focal_length = edge;
-    scene.camera.film_left = scene.camera.film_bottom = -edge / 2;
-    scene.camera.film_right = scene.camera.film_top = edge / 2;
+    setFilm(scene, -edge / 2, edge / 2);
     scene.lights.resize(1);
     scene.lights[0].color_ambient = glm::dvec3(1);
     return scene;
@@ -54,6 +53,19 @@ std::set<std::pair<int, int>> columnsAndRows(const std::vector<ExtraSample>& ext
     std::set<std::pair<int, int>> places;
     for (const ExtraSample& sample : extra) places.insert({sample.pixel().x, sample.pixel().y});
     return places;
+}
+
+std::set<int> columnsOf(const std::vector<ExtraSample>& extra) {
+    std::set<int> columns;
+    for (const ExtraSample& sample : extra) columns.insert(sample.pixel().x);
+    return columns;
+}
+
+// Whether each of these columns, or the next one, is among them.
+bool cover(const std::set<int>& columns, int first, int end) {
+    for (int column = first; column < end; ++column)
+        if (!columns.contains(column) && !columns.contains(column + 1)) return false;
+    return true;
 }
 
 const auto cameras = {CameraDescription::Type::Perspective, CameraDescription::Type::Orthographic};
@@ -114,8 +126,7 @@ TEST_CASE("small parts: a wire that comes from behind the eye, and one that pass
                     columns.insert(std::abs(static_cast<int>(sample.point.x - 20)));
                 }
                 INFO(axis << " " << begin << " to " << end);
-                for (int column = end == 100 ? 6 : 1; column < 19; ++column)
-                    CHECK((columns.contains(column) || columns.contains(column + 1)));
+                CHECK(cover(columns, end == 100 ? 6 : 1, 19));
             }
 }
 
@@ -154,10 +165,7 @@ TEST_CASE("small parts: a rail of two triangles, in depth and past the eye") {
                 std::make_shared<MeshData>(parseObj("v 13 3 " + a + "\nv 13.02 3 " + a + "\nv 1.02 3 " + b +
                                                     "\nv 1 3 " + b + "\nf 1 2 3\nf 1 3 4\n"));
             const auto extra = extraOf(scene);
-            std::set<int> columns;
-            for (const ExtraSample& sample : extra) columns.insert(sample.pixel().x);
-            for (int column = 21; column < 33; ++column)
-                CHECK((columns.contains(column) || columns.contains(column + 1)));
+            CHECK(cover(columnsOf(extra), 21, 33));
         }
 }
 
@@ -168,13 +176,11 @@ TEST_CASE("small parts: a plate that is seen from its edge, to its corners") {
             add(scene, ShapeType::Cube, {0, 0.2, 0}, {8, 0.01, 8});
             scene.camera.eye.y = 0.2;
             scene.transforms[0].rotate = TransformDescription::Rotation{degrees, {0, 1, 0}};
-            std::set<int> columns;
-            for (const ExtraSample& sample : extraOf(scene)) columns.insert(sample.pixel().x);
+            const std::set<int> columns = columnsOf(extraOf(scene));
             const double angle = degrees * std::acos(-1.0) / 180;
             const double reach = 8 * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
             INFO(degrees << ", to " << reach);
-            for (int column = static_cast<int>(20 - reach) + 2; column < 18 + reach; ++column)
-                CHECK((columns.contains(column) || columns.contains(column + 1)));
+            CHECK(cover(columns, static_cast<int>(20 - reach) + 2, static_cast<int>(std::ceil(18 + reach))));
         }
 }
 
@@ -197,8 +203,7 @@ TEST_CASE("small parts: the sharp corners of a plate, and of a triangle, that ar
                 if (std::abs(sample.point.y - 20) < 0.5)  // the others are on the plate's rim
                     columns.insert(std::abs(static_cast<int>(sample.point.x - 20)));
             }
-            for (const int column : {10, 11, 12})
-                CHECK((columns.contains(column) || columns.contains(column + 1)));
+            CHECK(cover(columns, 10, 13));
         }
 }
 
@@ -216,8 +221,7 @@ TEST_CASE("small parts: a bright rim of a wide, black plate") {
         std::set<int> columns;
         for (const ExtraSample& sample : extraOf(scene))
             if (sample.color.x > 0.5) columns.insert(static_cast<int>(sample.point.x));
-        for (int column = 11; column < 29; ++column)
-            CHECK((columns.contains(column) || columns.contains(column + 1)));
+        CHECK(cover(columns, 11, 29));
     }
 }
 
@@ -234,25 +238,18 @@ TEST_CASE("small parts: a sliver whose longest side in the picture is not the lo
     // Seen almost along its two long sides it is 28 pixels long and 0.13 high.
     scene.shapes[0].mesh = std::make_shared<MeshData>(parseObj("v 0 0 0\nv 1 0 0\nv 40 0 -39.5\nf 1 2 3\n"));
     const double tilt = 6e-5, r = std::sqrt(0.5);
-    scene.camera.film_left = scene.camera.film_bottom = -0.5;
-    scene.camera.film_right = scene.camera.film_top = 0.5;
+    setFilm(scene, -0.5, 0.5);
     scene.camera.look = {r, -tilt, -r};
     scene.camera.up = {tilt * r, 1, -tilt * r};
     scene.camera.eye = glm::dvec3(0.25, 0, 0.25) - 20.0 * scene.camera.look;
-    std::set<int> columns;
-    for (const ExtraSample& sample : extraOf(scene)) columns.insert(sample.pixel().x);
-    for (int column = 8; column < 32; ++column)
-        CHECK((columns.contains(column) || columns.contains(column + 1)));
+    CHECK(cover(columnsOf(extraOf(scene)), 8, 32));
 }
 
 TEST_CASE("small parts: a strip before and behind the plane of an orthographic camera") {
     for (const double middle : {-1000.0, 0.0, 39.0}) {
         SceneDescription scene = emptyScene(CameraDescription::Type::Orthographic);
         add(scene, ShapeType::Cube, {0, 9.6, middle}, {15, 0.01, 2000});
-        std::set<int> columns;
-        for (const ExtraSample& sample : extraOf(scene)) columns.insert(sample.pixel().x);
-        for (int column = 6; column < 34; ++column)
-            CHECK((columns.contains(column) || columns.contains(column + 1)));
+        CHECK(cover(columnsOf(extraOf(scene)), 6, 34));
     }
 }
 
@@ -266,8 +263,7 @@ TEST_CASE("small parts: a wire along the view, also through the plane of an orth
 
 TEST_CASE("small parts: where rounding moves a wire by pixels, the search ends") {
     SceneDescription scene = emptyScene(CameraDescription::Type::Orthographic);
-    scene.camera.film_left = scene.camera.film_bottom = -0.1;
-    scene.camera.film_right = scene.camera.film_top = 0.1;
+    setFilm(scene, -0.1, 0.1);
     scene.camera.look = {-0.3, -0.5, -0.8};
     for (int i = 0; i < 20; ++i) add(scene, ShapeType::Cube, {0, 0, i * 1e-3}, {0.01, 0.01, 1e6});
     TransformDescription::Rotation turn{std::acos(0.8 / std::sqrt(0.98)) * 180 / std::acos(-1.0),

@@ -165,8 +165,7 @@ TEST_CASE("a solid from which rays are distant and near is the same with and wit
             scene.camera.type = CameraDescription::Type::Orthographic;
             scene.camera.eye = limit * glm::dvec3(-1, 0, 1);
             scene.camera.look = {1, 0.1, -1};
-            scene.camera.film_left = scene.camera.film_bottom = -limit;
-            scene.camera.film_right = scene.camera.film_top = limit;
+            setFilm(scene, -limit, limit);
             for (LightDescription& light : scene.lights) light.position *= limit;
             addShape(scene, type, {"", {}, {}, glm::dvec3(limit, limit, 1), {}}, 0);
             checkAll(scene, 36);

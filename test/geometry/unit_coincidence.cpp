@@ -55,8 +55,7 @@ SceneDescription posed(SceneDescription scene, const TransformDescription& pose)
 void lookFrom(SceneDescription& scene, const glm::dvec3& eye, const glm::dvec3& look, const glm::dvec3& up,
               double film) {
     scene.camera.eye = eye, scene.camera.look = look, scene.camera.up = up;
-    scene.camera.film_left = scene.camera.film_bottom = -film;
-    scene.camera.film_right = scene.camera.film_top = film;
+    setFilm(scene, -film, film);
 }
 
 // How many pixels of the picture show each colour.

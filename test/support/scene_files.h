@@ -20,6 +20,12 @@ inline std::vector<std::string> sceneFiles() {
     return files;
 }
 
+// A square film.
+inline void setFilm(SceneDescription& scene, double low, double high) {
+    scene.camera.film_left = scene.camera.film_bottom = low;
+    scene.camera.film_right = scene.camera.film_top = high;
+}
+
 inline RenderOptions wholePicture(const SceneDescription& scene, int longEdge) {
     RenderOptions options;
     options.size = imageSize(scene.camera, longEdge);

@@ -293,8 +293,7 @@ TEST_CASE("a ray that leaves a glass plate as it came, parallel to a plane, does
     SceneDescription scene;
     scene.camera.type = CameraDescription::Type::Orthographic;
     scene.camera.eye = {0, 0, 4};
-    scene.camera.film_left = scene.camera.film_bottom = -1;
-    scene.camera.film_right = scene.camera.film_top = 1;
+    setFilm(scene, -1, 1);
     scene.lights.resize(1);
     scene.lights[0].color_ambient = glm::dvec3(1);
     scene.materials.resize(2);

@@ -16,9 +16,10 @@ struct Plane : Equation<Plane> {
         return abs(transform.pointToObject(point).z) <= transform.objectError(point, pointError).z;
     }
 
-    // Between parallel faces of glass a ray leaves as it came, maybe parallel to this plane. Its rounded
-    // direction must not decide that it hits the plane, almost infinitely far away. The bound is some four
-    // roundings for each of the operations that make a scattered direction.
+    // Whether a reflected or refracted ray is parallel to this plane, up to rounding. Between parallel faces
+    // of glass a ray leaves as it came, maybe parallel to the plane. Rounding must not decide that it hits
+    // the plane, almost infinitely far away. gamma_16: some eight roundings of the direction, at each of two
+    // faces.
     template <class T>
     static Truth<T> isParallel(const Shape& shape, const Vec3T<T>& objectDirection) {
         return abs(objectDirection.z) <= T(gamma(16) * shape.transform().largestDirection().z);
