@@ -46,7 +46,8 @@ FilesByName filesBeneath(const std::string& folder) {
         const files::file_type type = entry->symlink_status(error).type();
         const bool isPng = endsIn(path.string(), ".png"), isFile = type == files::file_type::regular;
         if (isFile || (isPng && type == files::file_type::symlink)) {
-            const files::path name = isPng && isFile ? path.filename() : path.stem();
+            files::path name = isPng && isFile ? path.filename() : path.stem();
+            if (!isPng && endsIn(name.string(), ".png")) name = name.stem();  // a.png.zip is no a.png
             found[inLowerCase(name.string())].emplace_back(entry.depth(), path.lexically_relative(folder));
         }
         if (!error) entry.increment(error);  // opens the folder at `path`

@@ -73,7 +73,7 @@ void SceneReader::read(JsonView view) {
 
 // What copies of the strings in these objects take beside the std::string itself.
 std::size_t bytesOfStrings(JsonView list) {
-    constexpr std::size_t within = 15, around = 17;  // of a std::string; its end, and what malloc adds
+    constexpr std::size_t within = 15, around = 17;  // of libstdc++; the end, and what glibc adds
     std::size_t bytes = 0;
     for (const JsonView element : list.elements()) {
         if (element.kind() != JsonDocument::Kind::Object) continue;

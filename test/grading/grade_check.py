@@ -481,15 +481,15 @@ def check_changed_inputs(program, folder):
 
 
 def check_links(program, folder):
-    """A link to a picture is refused as one: neither nothing nor a file was handed in, or written."""
+    """A link to a picture, or a picture with one more ending, is no picture: and that is said."""
     here = folder / "linked"
     shutil.copytree(folder / "loop/one", here / "exam")
     for name, *parts in (("ada", "x"), ("bob", "b.png", "a.jpg"), ("cyd", "no"),
-                         ("eve", "b.png", "deep/a.png")):
+                         ("eve", "b.png", "deep/a.png"), ("fay", "a.png.zip")):
         (here / "class" / name / "deep").mkdir(parents=True)
         for part in parts:
             shutil.copy(here / "exam/a.png", here / "class" / name / part)
-        if name != "cyd":
+        if name not in ("cyd", "fay"):
             (here / "class" / name / "a.png").symlink_to(parts[0])
     (here / "class/cyd/b.png").symlink_to("no")
     write_program(here / "rt", f'cp {here}/exam/a.png real.png; ln -s real.png "$2"; exit $STATUS\n')
@@ -498,7 +498,8 @@ def check_links(program, folder):
     rows = [line.split(",", 3) for line in (here / "c.csv").read_text().splitlines()[1:]]
     linked = '"a is missing, but a.png is a symbolic link"'
     expected = [["ada", "0", "0.0", linked], ["bob", "0", "0.0", '"a is missing, but a.jpg is there"'],
-                ["cyd", "0", "0.0", "nothing handed in"], ["eve", "100", "100.0", ""]]
+                ["cyd", "0", "0.0", "nothing handed in"], ["eve", "100", "100.0", ""],
+                ["fay", "0", "0.0", '"a is missing, but a.png.zip is there"']]
     check(rows == expected, f"{done.stderr}{rows}")
     for status, said in ((0, ""), (3, "exit status 3, ")):
         done = grade(program, here, "exam", "--program", f"STATUS={status} ./rt")
