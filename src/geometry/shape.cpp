@@ -57,22 +57,24 @@ Intersection Shape::rayIntersect(const Ray& ray) const {
     return query.found() ? surface(ray, query.nearest()) : Intersection{};
 }
 
-// The box is widened by a bound on the error of a hit that `intersect` computes.
-bool Shape::bounds(FloatBox& box) const {
-    constexpr Real worst = 1 << 20;  // a worse one would widen every ray in the tree: this shape has no box
-    const Real conditioning = transform_.conditioning();
-    if (!(conditioning <= worst)) return false;
+Vec3 Shape::margin() const {
     // A hit may be off the surface by the square root of the roundoff (at a cone's apex), relative to the
     // shape's size, and by some roundings of the coordinates that place the shape.
-    const Box object = boxAround(*this, Mat3(1), Vec3(0)),
-              world = boxAround(*this, transform_.linear(), transform_.translation());
+    const Box object = boxAround(*this, Mat3(1), Vec3(0));
     const Mat3 sizes = abs(transform_.linear());
     const Vec3 size = sizes * (object.high / Real(2) - object.low / Real(2));
     const Vec3 far = abs(transform_.translation()) + sizes * glm::max(abs(object.low), abs(object.high));
-    const Vec3 margin = 16 * coincidenceWindow * size + gamma(32) * conditioning * maxComponent(far);
+    return 16 * coincidenceWindow * size + gamma(32) * transform_.conditioning() * maxComponent(far);
+}
+
+bool Shape::bounds(FloatBox& box) const {
+    constexpr Real worst = 1 << 20;  // a worse one would widen every ray in the tree: this shape has no box
+    if (!(transform_.conditioning() <= worst)) return false;
+    const Box world = boxAround(*this, transform_.linear(), transform_.translation());
+    const Vec3 error = margin();
     for (int axis = 0; axis < 3; ++axis) {
-        box.low[axis] = floatBelow(static_cast<double>(world.low[axis] - margin[axis]));
-        box.high[axis] = floatAbove(static_cast<double>(world.high[axis] + margin[axis]));
+        box.low[axis] = floatBelow(static_cast<double>(world.low[axis] - error[axis]));
+        box.high[axis] = floatAbove(static_cast<double>(world.high[axis] + error[axis]));
     }
     box.ball = isUniform(transform_.linear()) && visit(type_, [](auto kind) { return kind.isBall; });
     return Bvh::usable(box);

@@ -1,6 +1,7 @@
 #include "raytracer/geometry/shape_tree.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -8,6 +9,10 @@ namespace {
 
 // Up to this many boxed shapes a list is as fast as a tree (Notes.txt).
 constexpr std::size_t mostListedShapes = 3;
+
+// Shadow rays from points farther away than this, in sizes of the scene, are tested with all shapes: the
+// slack of a direction buffer grows with that distance.
+constexpr Real farAway = 1024;
 
 }  // namespace
 
@@ -24,6 +29,16 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const BuildOptions& options)
         boxes.push_back(box);
         conditioning = std::max(conditioning, shapes[i].transform().conditioning());
     }
+    slackFactor_ = gamma(32) * conditioning;
+    if (options.accelerator == Accelerator::Bvh && shapes.size() <= DirectionBuffer::mostShapes) {
+        unbounded_ = list_;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            few_.push_back({&shapes[boxed_[i]], boxes[i]});
+            for (int axis = 0; axis < 3; ++axis)
+                extent_ = std::max({extent_, static_cast<Real>(boxes[i].high[axis]),
+                                    static_cast<Real>(-boxes[i].low[axis])});
+        }
+    }
     if (options.accelerator == Accelerator::None || boxes.size() <= mostListedShapes) {
         boxed_.clear();
         list_.clear();
@@ -31,7 +46,18 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const BuildOptions& options)
         return;
     }
     bvh_ = Bvh::ofBoxes(boxes, boxed_, options);
-    slackFactor_ = gamma(32) * conditioning;
+}
+
+DirectionBuffer ShapeTree::fromEye(const Vec3& eye) const {
+    if (few_.empty()) return {};
+    const Real slack = slackFactor_ * (maxComponent(abs(eye)) + extent_);
+    return {eye, few_, unbounded_, std::numeric_limits<Real>::max(), slack};
+}
+
+DirectionBuffer ShapeTree::toLight(const Vec3& light) const {
+    if (few_.empty()) return {};
+    const Real extent = maxComponent(abs(light)) + extent_, reach = farAway * extent;
+    return {light, few_, unbounded_, reach, slackFactor_ * (extent + reach)};
 }
 
 void ShapeTree::intersectBoxed(const Ray& ray, HitQuery& query) const { meetBoxed(ray, query); }

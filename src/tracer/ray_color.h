@@ -24,7 +24,7 @@ ColorT<T> Scene::rayColor(const RayT<T>& ray, LaneBits active, const RayPath& pa
                           const RenderContext& context) const {
     observe<T>(active, context, [&](Observer& o, int lane) { o.enter(laneOf(ray, lane), path); });
     HitQueryT<T> query(active);
-    closestHits(ray, query, context);
+    closestHits(ray, query, path.kind == RayKind::Primary ? &fromEye : nullptr, context);
     ColorT<T> color(T(0));  // of a miss
     for (LaneBits left = query.found(); left != 0;) {
         const LaneBits coherent = query.coherent(left);
@@ -38,8 +38,10 @@ ColorT<T> Scene::rayColor(const RayT<T>& ray, LaneBits active, const RayPath& pa
 // Finds the nearest hit of each active lane; where other hits are within rounding of it, the first listed of
 // those at the same point.
 template <class T>
-void Scene::closestHits(const RayT<T>& ray, HitQueryT<T>& query, const RenderContext& context) const {
-    tree.meet(ray, query);
+void Scene::closestHits(const RayT<T>& ray, HitQueryT<T>& query, const DirectionBuffer* buffer,
+                        const RenderContext& context) const {
+    if (buffer && !buffer->empty()) buffer->meet(ray, query);
+    else tree.meet(ray, query);
     context.counts->tests += query.tests;
     forEach<T>(query.contended(), [&](int lane) {
         query.set(lane, firstOfCoincident(laneOf(ray, lane), query.nearest(lane), context));
@@ -109,7 +111,9 @@ ColorT<T> Scene::shadow(const ShadingPointT<T>& point, const Vec3T<T>& toLight, 
     const Observer* observer = context.samples->observer;
     HitQueryT<T> query(light.position, !hasRefractiveShape && !(observer && observer->asksWhatShadows()),
                        active);
-    closestHits(point.leave(toLight, ShadingPointT<T>::Side::Near), query, context);
+    const auto number = static_cast<std::size_t>(&light - lights.data());
+    closestHits(point.leave(toLight, ShadingPointT<T>::Side::Near), query,
+                number < toLights.size() ? &toLights[number] : nullptr, context);
     ColorT<T> factor = select(maskOf<T>(query.found()), ColorT<T>(T(0)), ColorT<T>(T(1)));
     if (hasRefractiveShape)
         forEach<T>(query.found(), [&](int lane) {

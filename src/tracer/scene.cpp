@@ -17,7 +17,7 @@ Color Scene::hitColor(const Ray& ray, const Hit& hit, const RayPath& path,
 
 Intersection Scene::closestIntersection(const Ray& ray, const RenderContext& context) const {
     HitQuery query;
-    closestHits(ray, query, context);
+    closestHits(ray, query, nullptr, context);
     return query.found() ? query.nearest().shape->surface(ray, query.nearest()) : Intersection{};
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <span>
 
 #include "raytracer/bvh/spatial_order.h"
 #include "raytracer/tracer/packet_tracer.h"
@@ -187,6 +188,9 @@ bool fits(const Scene& scene) {
            brightestOf(scene) <= brightestFactor;
 }
 
+// A light's buffer takes up to 48 KiB; of so many the caches hold the parts in use.
+constexpr std::size_t mostBuffers = 16;
+
 // That of the best set up to this one for which Real has packets; null where there is none. The sets are
 // listed from the least to the best.
 template <InstructionSet... sets>
@@ -211,6 +215,9 @@ std::unique_ptr<const Scene> buildScene(const SceneDescription& description, con
         scene->lights.push_back(buildLight(light, scene->frame));
     scene->shapes = buildShapes(description, scene->frame, scene->materials, options);
     scene->tree = ShapeTree(scene->shapes, options);
+    if (scene->camera.isPerspective()) scene->fromEye = scene->tree.fromEye(-scene->camera.viewOf(Vec3(0)));
+    for (const Light& light : std::span(scene->lights).first(std::min(mostBuffers, scene->lights.size())))
+        scene->toLights.push_back(scene->tree.toLight(light.position));
     scene->hasRefractiveShape = std::any_of(scene->shapes.begin(), scene->shapes.end(),
                                             [](const Shape& shape) { return shape.material().refractive; });
     scene->fits = fits(*scene) && isSharp(*scene);

@@ -54,6 +54,9 @@ class HitQueryT {
     // Hits beyond this t do not matter, so a traversal may cull by it. Below 0 in a lane that wants no hit.
     const T& limit() const { return limit_; }
 
+    // Whether the rays end at a light, at t = 1.
+    bool endsAtLight() const { return end_ != nullptr; }
+
     // Whether no further hit can change the answer.
     bool done() const { return any_ && found_ == active_; }
 

@@ -102,6 +102,9 @@ class Shape {
     // there is none.
     bool bounds(FloatBox& box) const;
 
+    // A bound, for each axis, on how far from this shape `intersect` may compute a hit.
+    Vec3 margin() const;
+
     Periodic periodic(std::uint32_t primitive) const;
 
     // The assignment's interface: the nearest hit of this shape alone, complete.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "raytracer/bvh/build_options.h"
-#include "raytracer/geometry/shapes.h"
+#include "raytracer/geometry/direction_buffer.h"
 
 namespace raytracer::inline RAYTRACER_PRECISION_NAMESPACE {
 
@@ -20,6 +20,11 @@ class ShapeTree {
     template <class T>
     void meet(const RayT<T>& ray, HitQueryT<T>& query) const;
 
+    // For the rays from a perspective camera's eye, and for those to a light. Empty where there are many
+    // shapes, or no tree is wanted.
+    DirectionBuffer fromEye(const Vec3& eye) const;
+    DirectionBuffer toLight(const Vec3& light) const;
+
   private:
     void intersectBoxed(const Ray& ray, HitQuery& query) const;
     template <class T>
@@ -32,6 +37,9 @@ class ShapeTree {
     }
 
     const Shape* shapes_ = nullptr;
+    std::vector<BoxedShape> few_;  // for direction buffers: all with a box, and all without
+    std::vector<const Shape*> unbounded_;
+    Real extent_ = 0;                   // of few_: no coordinate of a box is larger
     std::vector<const Shape*> list_;    // tested first: their hits shorten the ray for the tree
     std::vector<std::uint32_t> boxed_;  // indices in shapes_ of the others: their names in the tree
     Bvh bvh_;

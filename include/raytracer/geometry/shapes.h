@@ -34,8 +34,9 @@ inline Real support(ShapeType type, const MeshData* mesh, const Vec3& n) {
     });
 }
 
+// Not inlined: it has several callers, and all shapes in it.
 template <class T>
-void Shape::meet(const RayT<T>& ray, HitQueryT<T>& query) const {
+[[gnu::noinline]] void Shape::meet(const RayT<T>& ray, HitQueryT<T>& query) const {
     visit(type_, [&](auto kind) { kind.meet(*this, ray, query); });
 }
 

@@ -66,6 +66,8 @@ struct Scene {
     LargeVector<Shape> shapes;                             // with materials as above
     std::vector<std::shared_ptr<const Texture>> textures;  // keeps alive what materials point to
     ShapeTree tree;                                        // of the shapes
+    DirectionBuffer fromEye;                               // empty for an orthographic camera
+    std::vector<DirectionBuffer> toLights;                 // of the first lights; maybe empty
     bool hasRefractiveShape = false;
     bool fits = true;                    // in Real, as numerics.h has it; where not, the picture may be wrong
     TracePacket* tracePacket = nullptr;  // null: each ray is traced alone
@@ -76,7 +78,8 @@ struct Scene {
     // The nearest intersection with t >= 0; where surfaces coincide, that with the one listed first.
     Intersection closestIntersection(const Ray& ray, const RenderContext& context) const;
 
-    // The colour seen along a ray, and along a ray whose nearest hit is known.
+    // The colour seen along a ray, and along a ray whose nearest hit is known. A path of RayKind::Primary is
+    // for a ray from the camera.
     Color rayColor(const Ray& ray, const RayPath& path, const RenderContext& context) const;
     Color hitColor(const Ray& ray, const Hit& hit, const RayPath& path, const RenderContext& context) const;
     template <class T>
@@ -89,7 +92,8 @@ struct Scene {
 
   private:
     template <class T>
-    void closestHits(const RayT<T>& ray, HitQueryT<T>& query, const RenderContext& context) const;
+    void closestHits(const RayT<T>& ray, HitQueryT<T>& query, const DirectionBuffer* buffer,
+                     const RenderContext& context) const;
     Hit firstOfCoincident(const Ray& ray, Hit nearest, const RenderContext& context) const;
     template <class T>
     ColorT<T> coherentColor(const RayT<T>& ray, const HitQueryT<T>& query, LaneBits coherent,
