@@ -193,7 +193,7 @@ std::unique_ptr<Subject> ballSubject(std::size_t count, int rounds) {
         theirs.push_back(subject->buildEmbree);
     }
     subject->buildOurs = median(ours), subject->buildEmbree = median(theirs);
-    subject->ours = [tree = &subject->tree](const Ray& ray, HitQuery& query) { tree->intersect(ray, query); };
+    subject->ours = [tree = &subject->tree](const Ray& ray, HitQuery& query) { tree->meet(ray, query); };
     return subject;
 }
 
@@ -227,7 +227,7 @@ void secondaryRays(const Subject& subject, const std::vector<Ray>& rays, std::ve
         subject.ours(ray, query);
         if (!query.found()) continue;
         const Intersection hit = query.nearest().shape->surface(ray, query.nearest());
-        const Departure departure{hit.shape, hit.primitive, false, hit.positionError};
+        const Departure departure{hit.shape, hit.primitive, false, false, hit.positionError};
         const Vec3 toLight = lightPosition - hit.position;
         if (glm::dot(toLight, hit.normal) > 0) shadow.push_back({hit.position, toLight, departure});
         const Vec3 any = glm::normalize(Vec3(normal(engine), normal(engine), normal(engine)));
