@@ -116,8 +116,6 @@ std::string mistakeOfMost(const std::vector<GradeResult>& results, const Thresho
 
 std::string GradedSubmission::fault(const Thresholds& thresholds) const {
     if (isArchive) return toUnpack;
-    const auto isNowhere = [](const GradeResult& r) { return r.isMissing && r.instead.empty(); };
-    if (!results.empty() && std::ranges::all_of(results, isNowhere)) return "nothing handed in";
     return joined({mistakeOfMost(results, thresholds), missingPictures(results)}, "; ");
 }
 

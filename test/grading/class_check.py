@@ -203,6 +203,7 @@ def check_odd(raytracer, folder):
         shutil.copy(next(right.rglob(name + ".png")), folder / "odd/capitals" / (name.title() + ".PNG"))
         (folder / "odd/jpegs" / (name + ".jpg")).write_text("a picture")
     (folder / "odd/some/spheres_cylinder.png").write_text("no picture")
+    (folder / "odd/none/refraction2.cpp").write_text("code")
     (folder / "odd/zip.zip").write_text("an archive")
     (folder / "odd/some.zip").write_text("an archive that is unpacked")
     grade = [raytracer, "grade", "exam", "--references", "references", "--submissions", "odd"]
@@ -212,8 +213,8 @@ def check_odd(raytracer, folder):
     twice = ("refraction.png is there twice: a/out/pictures/refraction.png counts, not "
              "b/out/pictures/refraction.png (so with 2 pictures)")
     four = said["none"], said["twice"], said["Zoé"], said["zip.zip"]
-    check(four == ("nothing handed in", twice, "", "an archive: unpack it into a folder"),
-          f"odd ones: {said}")
+    missing = "refraction and spheres_cylinder are missing"
+    check(four == (missing, twice, "", "an archive: unpack it into a folder"), f"odd ones: {said}")
     check(said["capitals"].startswith("Refraction.PNG counts as refraction.png"), said["capitals"])
     check(said["jpegs"].endswith(" are missing, but refraction.jpg is there"), said["jpegs"])
     answer = json.loads((folder / "odd.json").read_text("utf-8"))["submissions"]
@@ -221,7 +222,7 @@ def check_odd(raytracer, folder):
     lines, absent = done.stdout.splitlines(), 4 * len(SCENES) - 2
     names = [line[15:27].rstrip() for line in lines[1:]]
     check(names == sorted(said) and twice in lines[6], f"the table: {lines}")
-    check(lines[4][27:].startswith("nothing handed in"), f"the table's columns: {lines}")
+    check(lines[4][27:].startswith(missing), f"the table's columns: {lines}")
     check(all(line == line.rstrip() for line in lines), f"the table's ends: {lines}")
     page = (folder / "odd.html").read_text("utf-8")
     counts = page.count("not comparable"), page.count(">no picture<")

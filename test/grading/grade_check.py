@@ -498,7 +498,7 @@ def check_links(program, folder):
     rows = [line.split(",", 3) for line in (here / "c.csv").read_text().splitlines()[1:]]
     linked = '"a is missing, but a.png is a symbolic link"'
     expected = [["ada", "0", "0.0", linked], ["bob", "0", "0.0", '"a is missing, but a.jpg is there"'],
-                ["cyd", "0", "0.0", "nothing handed in"], ["eve", "100", "100.0", ""],
+                ["cyd", "0", "0.0", "a is missing"], ["eve", "100", "100.0", ""],
                 ["fay", "0", "0.0", '"a is missing, but a.png.zip is there"']]
     check(rows == expected, f"{done.stderr}{rows}")
     for status, said in ((0, ""), (3, "exit status 3, ")):
