@@ -16,8 +16,8 @@ namespace raytracer {
 // The number of pilot pixels that are sampled at first, and of points whose ray trees are traced at first.
 // More follow where they gain more than they cost, or where the target is small.
 inline constexpr double fewestPilots = 250;
-// An error of this many times the target is too large in any
-// pixel. An error of the target divided by it is negligible.
+// An error of this many times the target is too large in any pixel. An error of the target divided by it is
+// negligible.
 inline constexpr double errorMargin = 4;
 // The estimated squared error plus this many of its standard errors must be at most the target's square. The
 // margin is large since the distribution is skewed, and since the search takes the first setting that seems

@@ -46,8 +46,8 @@ class Search {
           target_(target),
           listener_(listener),
           area_(areaOf(options.size)) {
-        // Halving the picture overestimates the error, which is
-        // safe: more of a smaller picture's pixels are edges.
+        // Halving the picture overestimates the error, which is safe: more of a smaller picture's pixels are
+        // edges.
         while (areaOf(options_.size) > mostFirst)
             options_.size = {std::max(1, options_.size.width / 2), std::max(1, options_.size.height / 2)};
         options_.crop = {0, 0, options_.size.width, options_.size.height};
@@ -150,8 +150,8 @@ class Search {
             takeSamples(adaptive);
             const SquaredError error = squaredErrorOf(pilots_, count_);
             const double left = depth_.leftOf(target_) - error.mean;
-            // The search tends to stop where the mean is too small
-            // by chance: one standard error makes up for that.
+            // The search tends to stop where the mean is too small by chance: one standard error makes up for
+            // that.
             choice_.sampleError = std::min(1.0, std::sqrt(error.mean + error.margin / standardErrors));
             const bool isEnd = isSpent();
             const Samples samples = samplesOf(pilots_, count_, static_cast<double>(pixels_.size()));
@@ -180,8 +180,8 @@ class Search {
             choice_.setting.samples = std::max(choice_.setting.samples, pixel.own.samples());
     }
 
-    // Samples each pilot pixel until it stops by its own estimate,
-    // or until the rays are spent. Each takes at least one step.
+    // Samples each pilot pixel until it stops by its own estimate, or until the rays are spent. Each takes at
+    // least one step.
     void takeSamples(double adaptive) {
         bool isEnd = false;
         do {

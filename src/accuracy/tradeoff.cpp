@@ -13,8 +13,8 @@ namespace raytracer {
 
 namespace {
 
-// Renders, and adds the time to the trial's timings. It is
-// processor time, which other load on the machine hardly changes.
+// Renders, and adds the time to the trial's timings. It is processor time, which other load on the machine
+// hardly changes.
 std::vector<glm::dvec3> timedRender(const Renderer& renderer, const RenderOptions& options, Trial& trial) {
     Stopwatch stopwatch;
     RenderedColors picture = rendered(renderer, withSetting(options, trial.setting));

@@ -55,7 +55,7 @@ std::string describeReference(const SceneTradeoff& scene) {
     const std::string rate =
         scene.sampleRate ? formatted(" The sampling error falls like samples^-%.2f.", *scene.sampleRate) : "";
     return formatted(
-               "%d x %d pixels. Reference: %s, other ones than the settings'; %s. %d others give an RMSE of "
+               "%d x %d pixels. Reference: %s, samples of its own; %s. %d others give an RMSE of "
                "%.1e against it: its own error is smaller.",
                scene.size.width, scene.size.height, commandLine(reference.setting).c_str(), cutoff.c_str(),
                reference.half.samples, reference.doublingError) +

@@ -231,8 +231,9 @@ void addTargetsTo(CommandLine& line, PictureArguments& wanted) {
         "the RMSE (of 1, of linear colours) against samples and depth without end is at most this; "
         "rounding to a PNG's bytes adds 0.0011; exit status 1 where nothing is that accurate (of parts, that "
         "of assemble)");
-    line.number("--target-time", wanted.targetTime, above(0),
-                "Choose options for this time: the same, such that all takes about so many seconds here");
+    line.number(
+        "--target-time", wanted.targetTime, above(0),
+        "Choose the same options such that the whole run takes about this many seconds on this machine");
     line.exclude("--target-error", {"--samples", "--adaptive", "--max-recursion", "--cutoff"});
     line.exclude("--target-time",
                  {"--samples", "--adaptive", "--max-recursion", "--cutoff", "--target-error"});
@@ -258,7 +259,7 @@ void addTo(CommandLine& line, RenderArguments& arguments, PictureArguments& want
               "Render again whenever the scene or a file that it names changes; Ctrl+C ends");
     line.alone("--print-schema", "Print the JSON schema of scenes, for editors");
     line.alone("--print-manual", "Print the man page");
-    line.alone("--print-completion", "Print what bash, zsh or fish is to know, to complete command lines",
+    line.alone("--print-completion", "Print the completion script for bash, zsh or fish",
                {std::begin(shells), std::end(shells)});
     line.answers(comparisonMeant);
     line.exclude("--watch", {"--frames", "--part", "--skip-existing"});

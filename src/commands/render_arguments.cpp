@@ -100,8 +100,8 @@ void RenderArguments::addTo(CommandLine& line) {
     line.text("SCENE", scene, "The scene: a JSON file", ArgumentKind::Scene);
     line.texts(
         "--set", sets,
-        "Another value in the scene, or one more, before it is read: /camera/eye=[0,1,5], a JSON pointer and "
-        "JSON; '/lights/-={...}', in quotes, adds a light; may be repeated");
+        "Change or add a value in the scene before it is read: /camera/eye=[0,1,5], a JSON pointer and JSON; "
+        "'/lights/-={...}', in quotes, adds a light; may be repeated");
     line.shown("--set", "/pointer=value");
     line.rejoins("--set", joinedEdit);
     line.number("--max-recursion", options.max_recursion, {0, mostRecursion},

@@ -16,8 +16,8 @@ namespace {
 constexpr Real widest = 2;
 // Pixels. A longer part is halved, so that each pixel along a wire, or its neighbour, gets a point.
 constexpr Real longest = Real(1.5);
-// How often a part may be halved: towards the eye, or in a picture of any size. After the usual number it is
-// looked whether rounding alone moves it by pixels, so that it never gets short.
+// How often a part may be halved: towards the eye, or in a picture of any size. After the usual number, a
+// part that rounding alone moves (isRounded) is left out: it would never get short.
 constexpr int usualHalvings = 16, mostHalvings = 32;
 // There are at most about so many parts, even if all shapes and triangles are as long as the picture: where
 // there are many of them, parts get longer.
@@ -27,9 +27,9 @@ constexpr double linesOfSolid = 7;  // at most: one inside, and two in each of t
 // A point inside a shape, which there reaches at least from place - across to place + across.
 struct Point {
     Vec3 place, across;  // in the scene's frame
-    Vec2 pixel,
-        width;      // where the picture shows place; how far it is there from one end to the other; in pixels
-    Real distance;  // along the camera's axis; 0 or less: behind the eye
+    Vec2 pixel;          // where the picture shows `place`, in pixels
+    Vec2 width;          // from one end to the other there, in pixels
+    Real distance;       // along the camera's axis; 0 or less: behind the eye
 };
 
 class Search {

@@ -14,8 +14,8 @@ struct PictureError {
     double shareOff = 0;  // fraction of pixels with an error of more than 1/255 in some channel
 };
 
-// Each pixel's colour is the mean of its unclamped samples.
-// It is clamped here: as in a picture, clamping comes last.
+// Each pixel's colour is the mean of its unclamped samples. It is clamped here: as in a picture, clamping
+// comes last.
 PictureError pictureError(std::span<const glm::dvec3> colors, std::span<const glm::dvec3> truth);
 
 // The squared error of one pixel: the mean of the channels' squared differences, after clamping.

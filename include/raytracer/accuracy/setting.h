@@ -10,7 +10,7 @@
 namespace raytracer {
 
 // The default of `samples`, which depends on `adaptive`.
-inline constexpr int usualSamples(double adaptive) { return adaptive > 0 ? 256 : 1; }
+constexpr int usualSamples(double adaptive) { return adaptive > 0 ? 256 : 1; }
 
 // A copy of `options` with the setting's values.
 RenderOptions withSetting(RenderOptions options, const Setting& setting);

@@ -1,5 +1,5 @@
-// Chooses the most accurate setting whose picture takes about a given time, from pilot samples of
-// the scene itself.
+// Chooses the most accurate setting whose picture takes about a given time, from pilot samples of the scene
+// itself.
 #pragma once
 
 #include "raytracer/accuracy/setting.h"

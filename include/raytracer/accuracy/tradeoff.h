@@ -62,8 +62,8 @@ struct SceneTradeoff {
     Reference reference;
     std::vector<Trial> truncation;  // against the reference, in double; the cheapest first
     std::vector<Trial> arithmetic;  // against the same samples in extended precision
-    // The sampling error falls like (samples per pixel)^-sampleRate.
-    // Empty if fewer than two points are usable.
+    // The sampling error falls like (samples per pixel)^-sampleRate. Empty if fewer than two points are
+    // usable.
     std::optional<double> sampleRate;
     std::vector<Exhibit> exhibits;  // the cheapest first
 };

@@ -37,9 +37,9 @@ class PixelEstimate {
     int samples() const { return count_; }
 
     // A weighted estimate of the error of the colour, as it is shown: clamped to [0, 1]. While it is too
-    // large, the pixel takes more samples. n samples are spread evenly, so they miscount a part that k of
-    // them meet by about k^1/4: a few of those next to its edge (Mitchell 1996). With m the fourth root of
-    // the samples' fourth central moment, that is m / n^3/4. But n samples that agree may still miss about
+    // large, the pixel takes more samples. n samples are spread evenly: a part of the pixel that should have
+    // k of them has about k^1/4 too many or too few, next to its edge (Mitchell 1996). With m the fourth root
+    // of the samples' fourth central moment, that is m / n^3/4. But n samples that agree may still miss about
     // 1/n of the pixel, and that part may differ by as much as the neighbourhood does: `contrast` is that of
     // the 3 x 3 centres around the pixel. `least` is the contrast that any neighbourhood may hide
     // (leastContrast). It counts in white pixels, too, which may hide something dark: it is not clamped.
