@@ -57,6 +57,9 @@ using ToByte = std::uint8_t (*)(double channel);
 
 using Edit = std::function<void(SceneDescription&, RenderOptions&)>;
 
+// The largest max_recursion that is tried. With more, few scenes look different.
+inline constexpr int mostRecursionTried = 8;
+
 struct Mistake {
     std::string what, hint;  // as in NamedMistake
     std::string kind = {};   // no program makes two mistakes of one kind; empty: none

@@ -64,7 +64,7 @@ void addDepths(Mistakes& mistakes, int depth) {
                      withRecursion([](int bounces) { return bounces - 1; }));
     mistakes.add("with one bounce more" + text(depth + 1), hint, "depth",
                  withRecursion([](int bounces) { return bounces + 1; }));
-    constexpr int most = 8;  // with more, few scenes look different
+    constexpr int most = mostRecursionTried;
     for (int other = 1; other <= most; ++other)
         if (other < depth - 1 || other > depth + 1)
             mistakes.push_back({.what = "with max_recursion " + std::to_string(other) +

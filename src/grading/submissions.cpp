@@ -7,10 +7,11 @@
 #include <map>
 #include <mutex>
 
+#include "mistake.h"
 #include "programs.h"
+#include "raytracer/tracer/renderer.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/nearby_file.h"
-#include "raytracer/util/parallel.h"
 #include "raytracer/util/temporary_folder.h"
 #include "raytracer/util/text.h"
 
@@ -144,14 +145,18 @@ class ClassGrading {
         });
     }
 
-    // Grades case by case, so that only the cases in work keep what is known of their scene's mistakes.
+    // Grades case by case, so that only the cases in work keep what is known of their scene's mistakes. The
+    // threads have the stack for these: otherwise each of some thousand traces would start a thread.
     void grade(const NamerMaker& makeNamer, PictureShelf* shelf) {
         std::mutex mutex;
         std::size_t done = 0;
-        parallelFor(static_cast<std::uint32_t>(plan_.cases.size()), 0, [&](std::uint32_t c) {
-            gradeCaseOfAll(c, makeNamer, shelf);
-            const std::lock_guard lock(mutex);
-            progress_.progress(static_cast<double>(++done) / static_cast<double>(plan_.cases.size()));
+        const auto count = static_cast<std::uint32_t>(plan_.cases.size());
+        onTracingThreads(count, 0, mostRecursionTried, [&](JobQueue& queue) {
+            for (std::uint32_t c; queue.next(c);) {
+                gradeCaseOfAll(c, makeNamer, shelf);
+                const std::lock_guard lock(mutex);
+                progress_.progress(static_cast<double>(++done) / count);
+            }
         });
     }
 

@@ -3,13 +3,17 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "../support/scene_files.h"
 #include "raytracer/grading/grade_files.h"
+#include "raytracer/tracer/renderer.h"
 #include "raytracer/util/child_process.h"
 #include "raytracer/util/temporary_folder.h"
 
@@ -494,6 +498,27 @@ TEST_CASE("grade: an archive beside the submissions is one to unpack, where no f
     }
     CHECK_THAT(classTable(gradeClass(plan, submissions, {}, {}, nullptr, progress), {}),
                Contains("  0.0   0/1    Eve.zip     an archive: unpack it into a folder\n"));
+}
+
+TEST_CASE("grade: the mistakes of a class are traced on the threads that grade it") {
+    const TemporaryFolder exam, handedIn;
+    std::filesystem::create_directory(handedIn.file("ada"));
+    for (const char* name : {"a", "b", "c", "d", "e", "f"}) {
+        blackCase(exam, name);
+        writePng(handedIn.file("ada/" + std::string(name) + ".png"), flat(10, 255));
+    }
+    std::atomic<int> there = 0;  // traces on the thread itself
+    const NamerMaker makeNamer = [&](const GradeCase&, const ImageSize&) {
+        const auto here = std::this_thread::get_id();
+        onTracingThreads(1, 1, RenderOptions().max_recursion,
+                         [&](JobQueue&) { there += std::this_thread::get_id() == here; });
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));  // so that every thread takes a case
+        return std::unique_ptr<MistakeNamer>();
+    };
+    Silence progress;
+    gradeClass(planGrading(exam.file(""), exam.file("")), submissionsIn(handedIn.file("")), {}, makeNamer,
+               nullptr, progress);
+    CHECK(there == 6);
 }
 
 TEST_CASE("grade: what a program printed is in the JSON") {
