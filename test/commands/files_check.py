@@ -87,6 +87,36 @@ def check_replaced(folder):
           stat.S_IMODE((folder / "new.png").stat().st_mode))
 
 
+def access_list(*entries):
+    """(tag, permissions, user) of each entry, as Linux keeps them."""
+    return struct.pack("<I", 2) + b"".join(struct.pack("<HHI", *entry) for entry in entries)
+
+
+def permissions(file):
+    return stat.S_IMODE(file.stat().st_mode), {name: os.getxattr(file, name) for name in os.listxattr(file)}
+
+
+def check_access_lists(folder):
+    """One user more may read and write, and the group nothing, though the mode says 660."""
+    file, attribute, none = folder / "listed.png", "system.posix_acl_access", 0xffffffff
+    list_ = access_list((1, 6, none), (2, 6, 1234), (4, 0, none), (16, 6, none), (32, 0, none))
+    file.write_bytes(b"old")
+    try:
+        os.setxattr(file, attribute, list_)
+    except OSError:
+        return  # the file system has no access lists
+    check("over a file with an access list", (0, b"", ""), render(file))
+    check("keeps the list", (0o660, {attribute: list_}), permissions(file))
+    plain = folder / "plain.png"
+    plain.write_bytes(b"old")
+    plain.chmod(0o640)
+    os.setxattr(folder, "system.posix_acl_default", list_)  # what new files get
+    check("over a file without one", (0, b"", ""), render(plain))
+    check("gets none", (0o640, {}), permissions(plain))
+    render(folder / "new.png")
+    check("a new file has the folder's list", [attribute], os.listxattr(folder / "new.png"))
+
+
 def check_in_place(folder):
     with open(folder / "open", "w+b") as file:
         file.write(b"x" * 10000)
@@ -352,8 +382,9 @@ def check_same_numbers(folder):
 
 
 def main():
-    checks = [check_links, check_replaced, check_in_place, check_names, check_before_rendering,
-              check_standard_output, check_slow_reader, check_write_errors, check_signals]
+    checks = [check_links, check_replaced, check_access_lists, check_in_place, check_names,
+              check_before_rendering, check_standard_output, check_slow_reader, check_write_errors,
+              check_signals]
     if sys.argv[2:] == ["root"]:
         able = ["unshare", "-m", "--pid", "--fork", *NOBODY, RAYTRACER, "--help"]
         others_reach = all(parent.stat().st_mode & 1 for parent in pathlib.Path(RAYTRACER).parents)

@@ -12,6 +12,7 @@
 #include <random>
 #include <utility>
 
+#include "../access_list.h"
 #include "../descriptor.h"
 #include "../leftover.h"
 #include "raytracer/util/error.h"
@@ -69,13 +70,13 @@ std::string randomName() {
     return formatted(".raytracer-%08x%08x.tmp", random(), random());
 }
 
-// Gives the new file the owner and the mode of the old one. False if that is not permitted.
-bool takeOver(int descriptor, const Status& old) {
-    Status made{};
-    if (::fstat(descriptor, &made) != 0) return false;
-    const bool sameOwner = made.st_uid == old.st_uid && made.st_gid == old.st_gid;
-    if (!sameOwner && ::fchown(descriptor, old.st_uid, old.st_gid) != 0) return false;
-    return ::fchmod(descriptor, old.st_mode & 07777) == 0;
+// Gives the new file the owner, the access list and the mode of the old one. False if that is not permitted.
+bool takeOver(int made, int oldFile, const Status& old) {
+    Status status{};
+    if (::fstat(made, &status) != 0) return false;
+    const bool sameOwner = status.st_uid == old.st_uid && status.st_gid == old.st_gid;
+    if (!sameOwner && ::fchown(made, old.st_uid, old.st_gid) != 0) return false;
+    return copyAccessList(oldFile, made) && ::fchmod(made, old.st_mode & 07777) == 0;
 }
 
 }  // namespace
@@ -116,7 +117,7 @@ void OutputFile::State::open() {
     target = behind.string();
     openBeside(exists ? S_IRUSR | S_IWUSR : 0666);
     require(beside || exists);
-    if (beside && exists && !takeOver(beside.get(), old)) discardBeside();
+    if (beside && exists && !takeOver(beside.get(), inPlace.get(), old)) discardBeside();
 }
 
 void OutputFile::State::openBeside(mode_t mode) {
