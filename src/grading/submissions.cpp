@@ -35,13 +35,16 @@ Error unreadable(const files::path& path, std::error_code error) {
 // The files beneath a folder, by their names in small letters: PNG files with their ending, others without.
 // Links to PNG files are among the others: what they lead to was not handed in. The places of each name are
 // sorted by depth, the nearest to the top first, then by path. Throws Error if anything beneath the folder
-// cannot be read.
+// cannot be read, but for what lies deeper than anyone keeps files: that would end the grading of a class.
 using FilesByName = std::map<std::string, std::vector<std::pair<int, files::path>>>;
 
 FilesByName filesBeneath(const std::string& folder) {
     FilesByName found;
     std::error_code error;
     files::path path = folder;
+    constexpr int deepest =
+        100;  // folders: the walk holds each one open, and 1024 files are what it may hold
+    constexpr std::size_t longest = 3840;  // of a path, bytes: the system's limit is 4096, that of a name 255
     for (files::recursive_directory_iterator entry(path, error), end; !error && entry != end;) {
         path = entry->path();
         const files::file_type type = entry->symlink_status(error).type();
@@ -51,6 +54,7 @@ FilesByName filesBeneath(const std::string& folder) {
             if (!isPng && endsIn(name.string(), ".png")) name = name.stem();  // a.png.zip is no a.png
             found[inLowerCase(name.string())].emplace_back(entry.depth(), path.lexically_relative(folder));
         }
+        if (entry.depth() >= deepest || path.native().size() > longest) entry.disable_recursion_pending();
         if (!error) entry.increment(error);  // opens the folder at `path`
     }
     if (error) throw unreadable(path, error);

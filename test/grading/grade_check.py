@@ -128,6 +128,7 @@ def check_cli(program, folder):
     check_changed_inputs(program, folder)
     check_looping_link(program, folder)
     check_links(program, folder)
+    check_deep_folders(program, folder)
 
 
 def check_interrupt(program, folder):
@@ -504,6 +505,26 @@ def check_links(program, folder):
     for status, said in ((0, ""), (3, "exit status 3, ")):
         done = grade(program, here, "exam", "--program", f"STATUS={status} ./rt")
         check(f"a: {said}out.png is a symbolic link, not a file\n" in done.stdout, f"a link: {done.stdout}")
+
+
+def check_deep_folders(program, folder):
+    """Folders beyond a path's longest, or more than can be open at once, cost no one else's marks."""
+    here = folder / "deep"
+    shutil.copytree(folder / "loop/one", here / "exam")
+    for name in ("ada", "eve", "d" * 40):
+        (here / "class" / name).mkdir(parents=True)
+        shutil.copy(here / "exam/a.png", here / "class" / name)
+    for name in ("e", "d" * 40):
+        place = os.open(here / "class" / (name if len(name) > 1 else "eve"), os.O_RDONLY)
+        for _ in range(200):
+            os.mkdir(name, dir_fd=place)
+            above, place = place, os.open(name, os.O_RDONLY, dir_fd=place)
+            os.close(above)
+        os.close(place)
+    done = subprocess.run(["sh", "-c", 'ulimit -n 160; exec "$@"', "sh", program, "grade", "exam",
+                           "--submissions", "class"], capture_output=True, text=True, timeout=120, cwd=here)
+    rows = [line.split()[:2] for line in done.stdout.splitlines()[1:]]
+    check((done.returncode, rows, done.stderr) == (0, 3 * [["100.0", "1/1"]], ""), f"{rows}{done.stderr}")
 
 
 def check_looping_link(program, folder):
