@@ -37,6 +37,8 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     // One byte more than the size: a read that returns nothing is then the end. Files in /proc have size 0.
     resize(isRegular && status.st_size > 0 ? static_cast<std::size_t>(status.st_size) + 1 : pipeSize);
     for (;;) {
+        if (size_ == bytes_.size() && kind == FileKind::Regular && status.st_size == 0)
+            fail("cannot read: it has no size, as files in /proc, and may have no end");
         if (size_ == bytes_.size()) resize(2 * size_);
         const auto count =
             ::read(file.get(), bytes_.data() + size_, std::min(bytes_.size() - size_, mostRead));

@@ -172,6 +172,11 @@ def check_irregular(folder):
                       f"{mesh}:1:272: /shapes/0/path:"):
             check(path, re.escape(f'{place} in "{folder / path}": cannot read: it is no regular file\n'),
                   place.split(":")[0], folder / "out.png", 8)
+    endless = with_texture(folder, "/proc/self/pagemap")
+    check("an endless file in /proc",
+          re.escape(f'{endless}:1:374: /textures/x: in "/proc/self/pagemap": cannot read: it has no size, '
+                    "as files in /proc, and may have no end\n"),
+          endless, folder / "out.png", 8, script=addresses(300000))
 
 
 def check_json(folder):
