@@ -165,7 +165,8 @@ std::string whyBlack(const SceneDescription& scene, const Renderer& renderer, co
     centres.adaptive = 0;
     const std::vector<PixelPlace> pixels = pixelsThatHit(renderer, centres);
     if (pixels.empty())
-        return black + "no ray through a pixel's centre hits a shape: turn or move the camera";
+        return black + "no ray through a pixel's centre hits a shape: " +
+               (mayShowShapes(scene) ? "take more pixels, or " : "") + "turn or move the camera";
     Tally tally;
     for (const PixelPlace& pixel : pixels) {
         const RayExplanation explanation = renderer.explain(centres, pixel.x, pixel.y);

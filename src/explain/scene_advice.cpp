@@ -208,6 +208,13 @@ std::vector<std::string> sceneAdvice(const SceneDescription& scene) {
     return lines.take();
 }
 
+bool mayShowShapes(const SceneDescription& scene) {
+    const View view = viewOf(scene.camera);
+    return std::ranges::any_of(scene.shapes, [&](const ShapeDescription& shape) {
+        return !whereUnseen(placed(scene, shape), view);
+    });
+}
+
 bool hasNoArea(const ShapeDescription& shape) {
     if (!shape.mesh) return false;
     const MeshData& mesh = *shape.mesh;

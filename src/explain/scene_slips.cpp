@@ -40,9 +40,9 @@ constexpr double filmInMm = 36, leastTele = 9;
 // In white light, a surface with a color of 10 is overexposed wherever the light comes from at most 84
 // degrees beside the normal, so that its shape cannot be seen. As a byte, 10 is nearly black.
 constexpr double leastOfSurface = 10.0 / 255;
-// A light may well be ten times as bright as white, for dark surfaces or grazing light. One that is written
-// in bytes is usually white or near it.
-constexpr double leastOfLight = 0.5;
+// A light may well be ten times as bright as white, for dark surfaces or grazing light; twice that leaves a
+// margin. One that is written in bytes may be dim: an ambient light of a fifth of white is 51.
+constexpr double leastOfLight = 20.0 / 255;
 
 class SlipFinder {
   public:

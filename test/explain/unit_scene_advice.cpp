@@ -315,6 +315,12 @@ TEST_CASE("why a picture is all black") {
         scene.add(Type::Sphere, {0, 0, 3});
         CHECK(reason() == begin + "no ray through a pixel's centre hits a shape: turn or move the camera");
     }
+    SECTION("nothing hit, but a shape lies between the rays") {
+        scene.add(Type::Sphere, {0, 0, -3}, {1e-3, 1e-3, 1e-3});
+        CHECK(reason() == begin +
+                              "no ray through a pixel's centre hits a shape: "
+                              "take more pixels, or turn or move the camera");
+    }
     SECTION("all in the shadow of one shape") {
         scene.add(Type::Plane, {0, 0, -3}).add(Type::Plane, {0, 0, 5});
         CHECK(reason() == begin + "/shapes/1 shadows what is seen: move it" + end);

@@ -33,7 +33,7 @@ TEST_CASE("colors of 0 to 255 are told, bright ones are not") {
     scene.materials[0].color_specular = {3, 2, 1};
     scene.materials[0].color_ambient = {9.9, 9.9, 0};
     scene.materials[0].color_reflect = {1000, 1, 1};
-    scene.lights[0].color = {120, 120, 120};
+    scene.lights[0].color = {19.9, 10, 19.9};
     scene.lights[0].color_ambient = {1000, 1, 1};
     CHECK(sceneSlips(scene).empty());
     scene.materials[1].color_diffuse = {255, 128, 0};
@@ -42,7 +42,7 @@ TEST_CASE("colors of 0 to 255 are told, bright ones are not") {
     scene.materials[1].color_refract = {200, 0.1, 0.1};
     scene.materials[1].color_ambient = {300, 300, 300};
     scene.lights[0].color = {256, 256, 256};
-    scene.lights[0].color_ambient = {130, 130, 90.5};
+    scene.lights[0].color_ambient = {51, 20, 20};
     const std::string begin = ": colors end at 1: divide ";
     CHECK(sceneSlips(scene) ==
           Slips{"/materials/1/color_ambient" + begin + "300 300 300 by 255",

@@ -33,6 +33,10 @@ std::vector<std::string> sceneSlips(const SceneDescription& scene);
 // and a light at the origin.
 std::vector<std::string> sceneNotes(const SceneDescription& scene);
 
+// Whether a ray of the camera may hit a shape, through any point of the film. False only if it is proved that
+// none does.
+bool mayShowShapes(const SceneDescription& scene);
+
 // Whether the shape is a mesh, and each triangle's corners lie on one line. No ray hits it.
 bool hasNoArea(const ShapeDescription& shape);
 
