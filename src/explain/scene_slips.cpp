@@ -86,7 +86,7 @@ class SlipFinder {
             return material.diffuse_texture == texture.name;
         };
         if (std::ranges::none_of(scene_.materials, names))
-            lines_.add("/textures" + pointerStep(texture.name) +
+            lines_.add("/textures" + shownStep(texture.name) +
                        ": no diffuse_texture names it: name it, or delete it");
     }
 

@@ -25,7 +25,7 @@ std::string JsonDocument::pointer(std::uint32_t node) const {
         const bool isObject = kind(at) == Kind::Object;
         std::uint32_t child = at + 1 + isObject, position = 0;
         for (; end(child) <= node; ++position) child = end(child) + isObject;
-        pointer += pointerStep(isObject ? string(child - 1) : std::to_string(position));
+        pointer += shownStep(isObject ? string(child - 1) : std::to_string(position));
         at = child;
     }
     return pointer;

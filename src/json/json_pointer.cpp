@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "raytracer/util/text.h"
+
 namespace raytracer {
 namespace {
 
@@ -26,6 +28,11 @@ std::string pointerStep(std::string_view key) {
         else step += c;
     }
     return step;
+}
+
+std::string shownStep(std::string_view key) {
+    const std::string shown = inQuotes(key);
+    return shown.ends_with('"') ? pointerStep(key) : "/" + shown;  // "text" or "the beginning of a text"...
 }
 
 std::string keyOf(std::string_view step) {

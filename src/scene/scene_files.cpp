@@ -5,9 +5,17 @@
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
 #include "raytracer/util/nearby_file.h"
+#include "raytracer/util/text.h"
 
 namespace raytracer {
 namespace {
+
+// A path of usual length is shown whole. What is longer may be a picture as text:
+// "data:image/png;base64,...".
+std::string shown(const std::string& file) {
+    constexpr std::size_t longest = 400;  // five lines of a terminal
+    return inQuotes(file, longest);
+}
 
 // Throws for a file that the scene names and that is not there, with what the scene should name instead. A
 // scene from a pipe has no folder of its own.
@@ -15,10 +23,10 @@ namespace {
                               const std::string& file) {
     const bool isRelative = std::filesystem::path(path.string()).is_relative();
     if (isPipe && isRelative)
-        path.fail("no file " + inQuotes(file, file.size()) +
+        path.fail("no file " + shown(file) +
                   ": a scene from a pipe has no folder: write a path from the root");
     const std::string name = isPipe ? "" : nearbyName(folder, path.string());
-    path.fail("no file " + inQuotes(file, file.size()) + (isRelative ? " (relative to the scene file)" : "") +
+    path.fail("no file " + shown(file) + (isRelative ? " (relative to the scene file)" : "") +
               (name.empty() ? "" : "; write " + inQuotes(name)));
 }
 
@@ -45,7 +53,7 @@ auto SceneFiles::readNamed(JsonView path, const std::string& file, Read read) co
     try {
         return withMemoryFor(file, "what is in it", [&] { return read(file); });
     } catch (const Error& error) {
-        path.fail("in " + inQuotes(file, file.size()) + ": " + error.inFile());
+        path.fail("in " + shown(file) + ": " + error.inFile());
     }
 }
 

@@ -179,6 +179,18 @@ def check_irregular(folder):
           endless, folder / "out.png", 8, script=addresses(300000))
 
 
+def check_long_texts(folder):
+    """A picture as text, where a path is expected, and a long key: the message is still a line."""
+    data = "data:image/png;base64," + "A" * 100000
+    texture, mesh = with_texture(folder, data), with_mesh(folder, data)
+    for place in (f"{texture}:1:374: /textures/x:", f"{mesh}:1:272: /shapes/0/path:"):
+        told = r' in "[^"]{400}"\.{3}: cannot read: File name too long\n'
+        check("a picture as a path", re.escape(place) + told, place.split(":")[0], folder / "out.png", 8)
+    key = scene_of(folder, "key.json", textures={"k" * 100000: 1})
+    check("a long key", re.escape(f"{key}:1:") + r'\d+: /textures/"k{60}"\.{3}: expected [^\n]{1,60}\n', key,
+          folder / "out.png", 8)
+
+
 def check_json(folder):
     deep, rest = folder / "deep.json", LEAST.read_text().lstrip()[1:]
     deep.write_text('{"note":' + "[" * 255 + "]" * 255 + "," + rest)
@@ -263,8 +275,8 @@ def check_mounted(folder):
 
 
 def main():
-    checks = [check_pictures, check_bands, check_files, check_class, check_json, check_many, check_materials,
-              check_diagnoses]
+    checks = [check_pictures, check_bands, check_files, check_class, check_json, check_long_texts,
+              check_many, check_materials, check_diagnoses]
     if sys.argv[2:] == ["root"]:
         if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "none", "/mnt"],
                           capture_output=True).returncode:

@@ -222,6 +222,9 @@ TEST_CASE("json: a value's error has its line and column beside its pointer") {
     // As RFC 6901 has it, without JSON's own escapes.
     const JsonDocument odd("x.json", R"({"a\"b\\<\u0001": {"~/": 1}})");
     CHECK(odd.pointer(4) == "/a\"b\\<\x01/~0~1");
+    const std::string longest(60, 'a'), longer(61, 'b');
+    const std::string keys = "{\"" + longest + "\": {\"" + longer + "\": 1}}";
+    CHECK(JsonDocument("x.json", keys).pointer(4) == "/" + longest + "/\"" + longer.substr(1) + "\"...");
 }
 
 TEST_CASE("json: an error of meaning, found before the text has been read to its end, has a place") {

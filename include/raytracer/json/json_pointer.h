@@ -12,6 +12,9 @@ namespace raytracer {
 // The step of a pointer for a key or an index: "/" and the text, with "~0" for "~" and "~1" for "/".
 std::string pointerStep(std::string_view key);
 
+// The step as a message shows it: a key that is too long for a line is shortened, in quotes.
+std::string shownStep(std::string_view key);
+
 // The key that a step stands for. The step is given without its "/".
 std::string keyOf(std::string_view step);
 
