@@ -95,34 +95,50 @@ Chord<T> ballChord(glm::vec<n, T, glm::defaultp> origin, const glm::vec<n, T, gl
     return {hit, shift + (-b - root) / a, shift + (-b + root) / a, T(0), T(0)};
 }
 
-// Calls chordOf(origin, direction, squared length of the direction), for a direction of any length. Where the
-// squared length over- or underflows, such as of a shadow ray to a light 1e-200 away, the direction is first
-// scaled by a power of two, so that its largest component is in [1, 2). A direction that is zero or not
-// finite has no chord.
+// The chord of a line whose direction has a squared length that over- or underflows, such as that of a shadow
+// ray to a light 1e-200 away. The direction is first scaled by a power of two, so that its largest component
+// is in [1, 2). A direction that is zero or not finite has no chord.
+template <int n, class ChordOf>
+Chord<Real> scaledChord(const glm::vec<n, Real, glm::defaultp>& origin,
+                        const glm::vec<n, Real, glm::defaultp>& direction, ChordOf chordOf) {
+    Real largest = 0;
+    for (int axis = 0; axis < n; ++axis) {
+        if (!std::isfinite(direction[axis])) return {};
+        largest = std::max(largest, std::abs(direction[axis]));
+    }
+    if (largest == 0) return {};
+    const int exponent = std::ilogb(largest);
+    glm::vec<n, Real, glm::defaultp> safe;
+    for (int axis = 0; axis < n; ++axis) safe[axis] = std::scalbn(direction[axis], -exponent);
+    Chord<Real> chord = chordOf(origin, safe, glm::dot(safe, safe));
+    chord.entry = std::scalbn(chord.entry, -exponent);
+    chord.exit = std::scalbn(chord.exit, -exponent);
+    return chord;
+}
+
+// Lane by lane, where some direction's length is not safe.
 template <int n, class T, class ChordOf>
-Chord<T> inSafeUnits(const glm::vec<n, T, glm::defaultp>& origin,
-                     const glm::vec<n, T, glm::defaultp>& direction, ChordOf chordOf) {
+[[gnu::noinline, gnu::cold]] Chord<T> chordsAlone(const glm::vec<n, T, glm::defaultp>& origin,
+                                                  const glm::vec<n, T, glm::defaultp>& direction,
+                                                  ChordOf chordOf) {
     using Vector = glm::vec<n, Real, glm::defaultp>;
+    return laneByLane<Chord<T>>(
+        [chordOf](const Vector& from, const Vector& way) -> Chord<Real> {
+            const Real squared = glm::dot(way, way);
+            return isSafeSquare(squared) ? chordOf(from, way, squared) : scaledChord(from, way, chordOf);
+        },
+        origin, direction);
+}
+
+// Calls chordOf(origin, direction, squared length of the direction), for a direction of any length. Inlined:
+// the chords of eight lanes are more than the registers hold.
+template <int n, class T, class ChordOf>
+[[gnu::always_inline]] inline Chord<T> inSafeUnits(const glm::vec<n, T, glm::defaultp>& origin,
+                                                   const glm::vec<n, T, glm::defaultp>& direction,
+                                                   ChordOf chordOf) {
     const T squared = glm::dot(direction, direction);
     if (all(isSafeSquare(squared))) return chordOf(origin, direction, squared);
-    const auto alone = [chordOf](const Vector& from, const Vector& way) -> Chord<Real> {
-        const Real ownSquare = glm::dot(way, way);
-        if (isSafeSquare(ownSquare)) return chordOf(from, way, ownSquare);
-        Real largest = 0;
-        for (int axis = 0; axis < n; ++axis) {
-            if (!std::isfinite(way[axis])) return {};
-            largest = std::max(largest, std::abs(way[axis]));
-        }
-        if (largest == 0) return {};
-        const int exponent = std::ilogb(largest);
-        Vector safe;
-        for (int axis = 0; axis < n; ++axis) safe[axis] = std::scalbn(way[axis], -exponent);
-        Chord<Real> chord = chordOf(from, safe, glm::dot(safe, safe));
-        chord.entry = std::scalbn(chord.entry, -exponent);
-        chord.exit = std::scalbn(chord.exit, -exponent);
-        return chord;
-    };
-    return laneByLane<Chord<T>>(alone, origin, direction);
+    return chordsAlone(origin, direction, chordOf);
 }
 
 // Moves a distant origin to the line's point closest to zero, and returns the t of that move. squared: the

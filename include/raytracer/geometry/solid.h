@@ -84,6 +84,11 @@ struct Solid : Equation<Kind> {
     static Chord<T> chordOf(const ObjectRayT<T>& ray) {
         if (!any(glm::dot(ray.origin, ray.origin) > T(distantSquared)))
             return Kind::chord(ray.origin, ray.direction);
+        return distantChordOf(ray);
+    }
+
+    template <class T>
+    [[gnu::noinline, gnu::cold]] static Chord<T> distantChordOf(const ObjectRayT<T>& ray) {
         return inSafeUnits(ray.origin, ray.direction, [](auto origin, const auto& direction, const auto& a) {
             using Number = std::remove_cvref_t<decltype(a)>;
             const auto shift = moveCloser(origin, direction, a);
