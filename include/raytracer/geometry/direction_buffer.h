@@ -53,7 +53,7 @@ class DirectionBuffer {
 
   private:
     // The bits of the shapes that rays may hit which have these directions from the point, and the largest
-    // component of each direction.
+    // component of each direction (or a bound on it).
     template <class T>
     std::uint64_t along(const Vec3T<T>& direction, T& depth) const;
 
@@ -75,11 +75,9 @@ void DirectionBuffer::meet(const RayT<T>& ray, HitQueryT<T>& query) const {
     const bool toPoint = query.endsAtLight();
     T depth;
     std::uint64_t left = along(toPoint ? -ray.direction : ray.direction, depth);
-    Real farthest = toPoint ? greatest(depth) : 0;
     for (; left != 0 && !query.done(); left &= left - 1) {
         const Candidate& candidate = candidates_[static_cast<std::size_t>(std::countr_zero(left))];
-        if (!toPoint) farthest = greatest(query.limit() * depth);
-        if (candidate.nearest > farthest) return;
+        if (!any(T(candidate.nearest) <= (toPoint ? depth : query.limit() * depth))) return;
         candidate.shape->meet(ray, query);
     }
 }
@@ -90,7 +88,7 @@ std::uint64_t DirectionBuffer::along(const Vec3T<T>& direction, T& depth) const 
     depth = max(size.x, max(size.y, size.z));
     constexpr Real least = std::numeric_limits<Real>::min() / unitRoundoff;  // its inverse is finite
     if (!all((depth >= T(least)) & (size.x + size.y + size.z <= T(reach_)))) {
-        depth = T(infinity);
+        depth = T(std::numeric_limits<Real>::max());
         return ~std::uint64_t{0} >> (mostShapes - candidates_.size());
     }
     const Vec3 first = laneOf(size, 0);
@@ -105,15 +103,15 @@ std::uint64_t DirectionBuffer::along(const Vec3T<T>& direction, T& depth) const 
             return seen;
         }
     const Face& face = faces_[2 * axis + (negative != 0)];
+    const T inverse = T(1) / depth;
     const auto place = [&](int side, Real scale, Real offset) {
-        return clamp(direction[side] / depth * T(scale) + T(offset), 0, resolution - 1);
+        return truncated(clamp(direction[side] * inverse * T(scale) + T(offset), 0, resolution - 1));
     };
-    const T column = place(face.across, face.columns, face.firstColumn),
-            row = place(face.along, face.rows, face.firstRow);
+    const auto columns = place(face.across, face.columns, face.firstColumn),
+               rows = place(face.along, face.rows, face.firstRow);
     const std::uint64_t* const cells = &cells_[face.cells];
-    for (int lane = 0; lane < laneCountOf<T>; ++lane)
-        seen |=
-            cells[static_cast<int>(laneOf(row, lane)) * resolution + static_cast<int>(laneOf(column, lane))];
+    for (std::size_t lane = 0; lane < columns.size(); ++lane)
+        seen |= cells[rows[lane] * resolution + columns[lane]];
     return seen;
 }
 

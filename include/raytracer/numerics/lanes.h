@@ -6,6 +6,8 @@
 // This file is compiled once for each instruction set, into a namespace of its own (lane_registers.h).
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <cstring>
 
 #include "raytracer/numerics/lane_registers.h"
@@ -89,6 +91,16 @@ struct LanesOf {
         return result;
     }
     friend void store(const LanesOf& x, Number (&numbers)[laneCount]) { std::memcpy(numbers, &x, sizeof x); }
+    // Each lane as an integer, rounded towards zero.
+    friend std::array<std::int32_t, laneCount> truncated(const LanesOf& x) {
+        using Integers [[gnu::vector_size(partLanes * sizeof(std::int32_t))]] = std::int32_t;
+        std::array<std::int32_t, laneCount> result;
+        for (int i = 0; i < parts; ++i) {
+            const Integers part = __builtin_convertvector(x.part[i], Integers);
+            std::memcpy(&result[i * partLanes], &part, sizeof part);
+        }
+        return result;
+    }
     friend Number laneOf(const LanesOf& x, int lane) { return x.part[lane / partLanes][lane % partLanes]; }
     friend void setLane(LanesOf& x, int lane, Number value) {
         x.part[lane / partLanes][lane % partLanes] = value;

@@ -34,6 +34,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -108,6 +109,7 @@ inline Real copysign(Real magnitude, Real sign) { return std::copysign(magnitude
 inline Real max(Real a, Real b) { return std::max(a, b); }
 inline Real min(Real a, Real b) { return std::min(a, b); }
 inline Real greatest(Real x) { return x; }  // of all lanes
+inline std::array<std::int32_t, 1> truncated(Real x) { return {static_cast<std::int32_t>(x)}; }
 
 template <class T>
 inline constexpr int laneCountOf = 1;
