@@ -1,4 +1,6 @@
-// A set of points in a k-d tree (Bentley 1975) of two dimensions, from which points can be removed.
+// A set of points in a k-d tree (Bentley 1975) of two dimensions, from which points can be removed. Each node
+// has the box of its points: where these lie along a curve, as a polygon's corners do, their boxes are slim,
+// and a query visits few of them.
 #pragma once
 
 #include <algorithm>
@@ -21,15 +23,16 @@ class PointTree {
           order_(points_.size()),
           place_(points_.size()),
           left_(points_.size(), true),
-          count_(points_.size()) {
+          count_(points_.size()),
+          box_(points_.size()) {
         std::iota(order_.begin(), order_.end(), 0u);
-        build({0, size(), false});
+        build({0, size()});
         for (std::uint32_t i = 0; i < size(); ++i) place_[order_[i]] = i;
     }
 
     void remove(std::uint32_t point) {
         const std::uint32_t place = place_[point];
-        Node node{0, size(), false};
+        Node node{0, size()};
         for (; node.middle() != place; node = place < node.middle() ? node.lower() : node.upper())
             --count_[node.middle()];
         --count_[place];
@@ -40,50 +43,57 @@ class PointTree {
     // first one.
     template <class MayHold, class Test>
     bool any(MayHold mayHold, Test test) const {
-        constexpr std::int64_t beyond = std::int64_t{1} << 52;
-        return anyBelow({0, size(), false}, {{-beyond, -beyond}, {beyond, beyond}}, mayHold, test);
+        return anyBelow({0, size()}, mayHold, test);
     }
 
   private:
     // The points order_[begin] to order_[end - 1]. The middle one separates the others along an axis.
     struct Node {
         std::uint32_t begin, end;
-        bool byY;
         std::uint32_t middle() const { return begin + (end - begin) / 2; }
-        Node lower() const { return {begin, middle(), !byY}; }
-        Node upper() const { return {middle() + 1, end, !byY}; }
+        Node lower() const { return {begin, middle()}; }
+        Node upper() const { return {middle() + 1, end}; }
     };
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
-    static std::int64_t along(const PlanePoint& point, const Node& node) {
-        return node.byY ? point.y : point.x;
+
+    PlaneBox boxOf(const Node& node) const {
+        PlaneBox box{points_[order_[node.begin]], points_[order_[node.begin]]};
+        for (std::uint32_t i = node.begin + 1; i < node.end; ++i) {
+            const PlanePoint& point = points_[order_[i]];
+            box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
+            box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
+        }
+        return box;
     }
 
     void build(const Node& node) {
         if (node.begin == node.end) return;
+        const PlaneBox box = boxOf(node);
+        box_[node.middle()] = box;
         count_[node.middle()] = node.end - node.begin;
+        const auto axis = box.high.x - box.low.x > box.high.y - box.low.y ? &PlanePoint::x : &PlanePoint::y;
         const auto at = [&](std::uint32_t i) { return order_.begin() + i; };
         std::nth_element(at(node.begin), at(node.middle()), at(node.end),
-                         [&](auto a, auto b) { return along(points_[a], node) < along(points_[b], node); });
+                         [&](auto a, auto b) { return points_[a].*axis < points_[b].*axis; });
         build(node.lower());
         build(node.upper());
     }
 
     template <class MayHold, class Test>
-    bool anyBelow(const Node& node, const PlaneBox& box, MayHold& mayHold, Test& test) const {
-        if (node.begin == node.end || count_[node.middle()] == 0 || !mayHold(box)) return false;
-        const std::uint32_t point = order_[node.middle()];
-        if (left_[node.middle()] && test(point)) return true;
-        PlaneBox lower = box, upper = box;
-        (node.byY ? lower.high.y : lower.high.x) = along(points_[point], node);
-        (node.byY ? upper.low.y : upper.low.x) = along(points_[point], node);
-        return anyBelow(node.lower(), lower, mayHold, test) || anyBelow(node.upper(), upper, mayHold, test);
+    bool anyBelow(const Node& node, MayHold& mayHold, Test& test) const {
+        const std::uint32_t middle = node.middle();
+        if (node.begin == node.end || count_[middle] == 0 || !mayHold(box_[middle])) return false;
+        return (left_[middle] && test(order_[middle])) || anyBelow(node.lower(), mayHold, test) ||
+               anyBelow(node.upper(), mayHold, test);
     }
 
     std::vector<PlanePoint> points_;
     std::vector<std::uint32_t> order_, place_;  // place_[point]: its place in order_
     std::vector<bool> left_;                    // by place: whether the point is in the set
-    std::vector<std::uint32_t> count_;          // how many points of the set are in the node with this middle
+    // Of the node with this middle: how many points of the set are in it, and the box of all that were.
+    std::vector<std::uint32_t> count_;
+    std::vector<PlaneBox> box_;
 };
 
 }  // namespace raytracer

@@ -11,6 +11,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/vec2.hpp>
 
+#include "../../src/scene/point_tree.h"
 #include "../../src/scene/triangulate.h"
 #include "../support/slowness.h"
 
@@ -264,6 +265,19 @@ TEST_CASE("polygons of very many corners are covered, too") {
     constexpr int corners = 100'000 / test::slowness;
     for (const Outline& outline : {star(corners, random), staircase(corners / 2, random), spiral(corners)})
         checkCovered(outline, triangulateConcave(Placement{dvec3(1), {0.6, 0, 0.8}, {0, 1, 0}}(outline)));
+}
+
+TEST_CASE("points along a curve: a line across it meets few of their boxes") {
+    constexpr std::int64_t count = 60'000, x = count / 3;
+    std::vector<PlanePoint> parabola;
+    for (std::int64_t i = 0; i < count; ++i) parabola.push_back({i, i * i});
+    int boxes = 0;
+    const auto isAtX = [&](const PlaneBox& box) {
+        ++boxes;
+        return box.low.x <= x && x <= box.high.x;
+    };
+    CHECK_FALSE(PointTree(parabola).any(isAtX, [](std::uint32_t) { return false; }));
+    CHECK(boxes < 50);  // two for each of the tree's 16 levels
 }
 
 TEST_CASE("very many corners at one point take no longer than elsewhere") {
