@@ -157,7 +157,7 @@ void DepthSearch::measure(double pixels, int limit) {
     // A tiny picture gets one point per pixel.
     const double fewest = std::min(fewestPilots, double(options_.size.width) * options_.size.height);
     const std::vector<glm::dvec2> points =
-        picturePoints(options_.size, pointsFor(target_, pixels, fewest), 3);
+        picturePoints(options_.size, pointsFor(target_, pixels, fewest), PointsFor::depth);
     bool isLimited = false;
     const auto few = std::span(points).first(static_cast<std::size_t>(fewest));
     depths_ = depthsFor(renderer_, options_, target_, limit, few, spent_, isLimited);

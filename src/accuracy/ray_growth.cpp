@@ -17,7 +17,7 @@ std::optional<double> raysOf(const Renderer& renderer, RenderOptions options, in
     std::vector<glm::dvec3> colors(pilots);
     try {
         const RenderCounts counts =
-            renderer.renderPoints(options, picturePoints(options.size, pilots, 1), colors);
+            renderer.renderPoints(options, picturePoints(options.size, pilots, PointsFor::rayGrowth), colors);
         return static_cast<double>(counts.onwards()) / pilots;
     } catch (const TooManyRays&) {
         return std::nullopt;

@@ -38,7 +38,8 @@ class TimeSearch {
         const PixelRectangle& crop = options.crop;
         const auto count = static_cast<std::size_t>(
             std::ceil(std::max(fewestTiles, timedPart * crop.area() / (edge * edge))));
-        for (const glm::dvec2& point : picturePoints({crop.width(), crop.height()}, count, 4)) {
+        for (const glm::dvec2& point :
+             picturePoints({crop.width(), crop.height()}, count, PointsFor::tiles)) {
             const int x0 = crop.x0 + static_cast<int>(point.x) / edge * edge,
                       y0 = crop.y0 + static_cast<int>(point.y) / edge * edge;
             tiles_.push_back({x0, y0, std::min(x0 + edge, crop.x1), std::min(y0 + edge, crop.y1)});

@@ -23,7 +23,7 @@ struct Pilot {
 };
 
 Pilot pilotAt(const Renderer& renderer, const RenderOptions& options, const Setting& depth) {
-    const std::vector<glm::dvec2> points = picturePoints(options.size, 2000, 3);
+    const std::vector<glm::dvec2> points = picturePoints(options.size, 2000, PointsFor::depth);
     Pilot pilot{std::vector<glm::dvec3>(points.size())};
     pilot.rays =
         static_cast<double>(renderer.renderPoints(withSetting(options, depth), points, pilot.colors).all());

@@ -17,8 +17,8 @@ std::vector<DepthChoice> depthsToTry(const Renderer& renderer, const RenderOptio
     std::vector<double> cutoffs{reference.setting.cutoff};
     cutoffs.insert(cutoffs.end(), std::begin(gridCutoffs), std::end(gridCutoffs));
     RenderCounts spent;
-    const Depths depths(renderer, options, picturePoints(options.size, 2500, 5), reference.setting, cutoffs,
-                        spent);
+    const Depths depths(renderer, options, picturePoints(options.size, 2500, PointsFor::depthsOfGrid),
+                        reference.setting, cutoffs, spent);
     const std::vector<DepthChoice> all = depths.all();
     std::vector<CostAndError> points;
     points.reserve(all.size());

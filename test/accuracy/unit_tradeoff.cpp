@@ -203,7 +203,7 @@ TEST_CASE("a reference has no cutoff, but where glass would take many times the 
 
 TEST_CASE("ray trees tell what every depth costs and leaves out") {
     forEveryScene(32, [](const SceneDescription&, const Renderer& renderer, const RenderOptions& options) {
-        const std::vector<glm::dvec2> points = picturePoints(options.size, 500, 3);
+        const std::vector<glm::dvec2> points = picturePoints(options.size, 500, PointsFor::depth);
         const Setting deepest{.max_recursion = 9, .cutoff = 0.02};
         RenderCounts spent;
         const Depths depths(renderer, options, points, deepest, {0.02, 0.1, 0.5}, spent);
@@ -234,7 +234,8 @@ TEST_CASE("ray trees of huge colours stay finite") {
     const RenderOptions options = wholePicture(scene, 16);
     RayTrees trees;
     const RenderOptions deep = withSetting(options, {.max_recursion = 6, .cutoff = 0.1});
-    makeRenderer(scene, Precision::Double)->rayTrees(deep, picturePoints(options.size, 256, 0), trees);
+    makeRenderer(scene, Precision::Double)
+        ->rayTrees(deep, picturePoints(options.size, 256, PointsFor::depth), trees);
     for (const RayTreeNode& ray : trees.rays) CHECK(std::isfinite(glm::dot(ray.light, glm::dvec3(1))));
 }
 
