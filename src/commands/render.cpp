@@ -26,9 +26,9 @@ namespace {
 constexpr const char* renderFooter = R"(The other commands:
   raytracer assemble|compare|grade|explain|tradeoff --help
 
-The picture is written whole or not at all: as a new file, with the mode and the
-owner of the file that it replaces. A symbolic link is followed. A hard link is
-broken: the other names keep the old picture.
+The picture is written whole or not at all: as a new file, with the mode, the
+owner and the access list of the file that it replaces. A symbolic link is
+followed. A hard link is broken: the other names keep the old picture.
 
 Exit status: 0; 1 where --target-error is not reached, though the picture is
 written (of the parts of a picture, only assemble ends with 1); 2 for a wrong
