@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::size_t pipeSize = 1 << 16;   // of a pipe's buffer on Linux, bytes
 constexpr std::size_t mostRead = 1U << 30;  // bytes in one call
+// A pipe may have no end. Scenes and pictures of usual size stay far below this limit, and what has no end
+// reaches it within seconds.
+constexpr std::size_t mostWithoutSize = 1U << 30;
 
 }  // namespace
 
@@ -39,6 +42,8 @@ FileBytes::FileBytes(const std::string& path, FileKind kind) : path_(path) {
     for (;;) {
         if (size_ == bytes_.size() && kind == FileKind::Regular && status.st_size == 0)
             fail("cannot read: it has no size, as files in /proc, and may have no end");
+        if (size_ >= mostWithoutSize && (!isRegular || status.st_size == 0))
+            fail("cannot read: it has no size, as a pipe, and no end within 1 GiB: save it as a file");
         if (size_ == bytes_.size()) resize(2 * size_);
         const auto count =
             ::read(file.get(), bytes_.data() + size_, std::min(bytes_.size() - size_, mostRead));
