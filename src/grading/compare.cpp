@@ -53,9 +53,10 @@ Totals totalsOf(const Image& a, const Image& b) {
     return totals;
 }
 
-void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImage& b) {
+void countDifferences(Comparison& comparison, const ByteImage& a, const ByteImage& b, const NanPlaces& nans) {
     for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
-        const int difference = largestDifference(&a.pixels[i], &b.pixels[i]);
+        const bool isNan = !nans.empty() && nans[i / 3] == NanAt::OneOnly;
+        const int difference = isNan ? 255 : largestDifference(&a.pixels[i], &b.pixels[i]);
         ++comparison.pixelsByDifference[static_cast<std::size_t>(difference)];
     }
 }
@@ -68,7 +69,7 @@ void requireMemoryToCompare(const ImageSize& size, std::size_t bytesOfPixel) {
 // Compares two pictures. samplesA and samplesB are their samples; a and b are the same pictures as bytes.
 template <class Image>
 Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteImage& a, const ByteImage& b,
-                     double peak) {
+                     double peak, const NanPlaces& nans = {}) {
     requireMemoryToCompare(a, 6);  // both once more, in planes
     const Totals totals = totalsOf(samplesA, samplesB);
     const double samples = static_cast<double>(samplesA.pixels.size());
@@ -81,8 +82,8 @@ Comparison compareAs(const Image& samplesA, const Image& samplesB, const ByteIma
     result.maximum = totals.worstMaximum;
     result.worstX = static_cast<int>(totals.worstPixel % static_cast<std::size_t>(a.width));
     result.worstY = static_cast<int>(totals.worstPixel / static_cast<std::size_t>(a.width));
-    countDifferences(result, a, b);
-    result.score = neighbourhoodScore(a, b);
+    countDifferences(result, a, b, nans);
+    result.score = neighbourhoodScore(a, b, nans);
     result.speckle = speckleCount(a, b);
     return result;
 }
@@ -99,6 +100,21 @@ ByteImage quantised(const Picture& picture) {
 bool isNan(const Picture& picture, std::size_t sample) {
     const auto* const floats = std::get_if<FloatImage>(&picture);
     return floats && std::isnan(floats->pixels[sample]);
+}
+
+bool hasNan(const Picture& picture) {
+    const auto* const floats = std::get_if<FloatImage>(&picture);
+    return floats && std::ranges::any_of(floats->pixels, [](float sample) { return std::isnan(sample); });
+}
+
+NanPlaces nanPlaces(const Picture& a, const Picture& b) {
+    NanPlaces places;
+    if (!hasNan(a) && !hasNan(b)) return places;
+    places.resize(sizeOf(a).area());
+    for (std::size_t i = 0; i < 3 * places.size(); ++i)
+        if (const bool inA = isNan(a, i), inB = isNan(b, i); inA || inB)
+            places[i / 3] = std::max(places[i / 3], inA && inB ? NanAt::SameInBoth : NanAt::OneOnly);
+    return places;
 }
 
 }  // namespace
@@ -138,12 +154,13 @@ Comparison compareImages(const ByteImage& a, const ByteImage& b) {
 
 Comparison compareImages(const Picture& a, const Picture& b) {
     requireSameSize(sizeOf(a), sizeOf(b));
-    requireMemoryToCompare(sizeOf(a), 12);  // the bytes of both, and compareAs
+    requireMemoryToCompare(sizeOf(a), 13);  // the bytes of both, where NaN is, and compareAs
     const ByteImage bytesA = toBytes(a, b), bytesB = toBytes(b, a);
+    const NanPlaces nans = nanPlaces(a, b);
     const auto* floatsA = std::get_if<FloatImage>(&a);
     const auto* floatsB = std::get_if<FloatImage>(&b);
-    if (floatsA && floatsB) return compareAs(*floatsA, *floatsB, bytesA, bytesB, 1);
-    return compareAs(bytesA, bytesB, bytesA, bytesB, 255);
+    if (floatsA && floatsB) return compareAs(*floatsA, *floatsB, bytesA, bytesB, 1, nans);
+    return compareAs(bytesA, bytesB, bytesA, bytesB, 255, nans);
 }
 
 ByteImage amplifiedDifference(const ByteImage& a, const ByteImage& b) {

@@ -71,6 +71,8 @@ def pairs():
     black, nan = np.zeros((20, 30, 3), np.float32), np.full((20, 30, 3), np.nan, np.float32)
     yield "black and NaN", black, nan
     yield "NaN in both", np.where(noise(20, 30) < 99, nan, black), np.where(noise(20, 30) < 99, nan, black)
+    checkers = np.where(np.indices((20, 30)).sum(axis=0)[..., None] % 2 == 0, black, black + 1)
+    yield "NaN among extremes", np.where(noise(20, 30) < 2, nan, checkers), checkers
     yield "NaN and bytes", np.where(noise(20, 30) < 99, nan, black), noise(20, 30)
 
 
@@ -102,17 +104,20 @@ def windows(picture, outside):
     return np.stack([padded[dy:dy + height, dx:dx + width] for dy in range(3) for dx in range(3)])
 
 
-def nearest(a, b):
+def nearest(a, b, nan):
     """Per channel, the difference to the first of the nearest neighbours, the centre being looked at before
     the others."""
     order = [4, 0, 1, 2, 3, 5, 6, 7, 8]
-    differences = np.abs(a[None] - windows(b, 10000)[order])
+    differences = np.abs(a[None] - windows(np.where(nan, 10000, b), 10000)[order])
     chosen = differences.sum(axis=3).argmin(axis=0)
-    return np.take_along_axis(differences, chosen[None, ..., None], axis=0)[0]
+    return np.where(nan, np.abs(a - b), np.take_along_axis(differences, chosen[None, ..., None], axis=0)[0])
 
 
-def score(a, b):
-    there, back = nearest(a, b), nearest(b, a)
+def score(a, b, nan_a, nan_b):
+    """A pixel with a NaN is nobody's neighbour, and as far as can be from a number."""
+    nan, one_only = nan_a | nan_b, (nan_a != nan_b).any(axis=2, keepdims=True)
+    there, back = [np.where(one_only, 255, nearest(*pair, nan.any(axis=2, keepdims=True)))
+                   for pair in ((a, b), (b, a))]
     larger = np.where(back.sum(axis=2, keepdims=True) > there.sum(axis=2, keepdims=True), back, there)
     return int(round(max(0.0, 100 - np.average(larger) / 255 * 100 * 10)))
 
@@ -151,7 +156,7 @@ def expected(a, b):
         "psnr": 10 * math.log10(peak ** 2 / rmse ** 2) if rmse and math.isfinite(rmse) else None,
         "maximum": finite(samples.max()),
         "worst": [worst_x, worst_y],
-        "score": score(bytes_a, bytes_b),
+        "score": score(bytes_a, bytes_b, np.isnan(a), np.isnan(b)),
         "speckle": int((alone(bytes_a) != alone(bytes_b)).sum()),
         "within": bool((by_pixel == 0).all()),
     }

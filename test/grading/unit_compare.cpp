@@ -214,6 +214,31 @@ TEST_CASE("compare: floats") {
         CHECK(toBytes(b, Picture(flat(2, 2, 128))).pixels[5] == 0);
         CHECK(toBytes(b, b).pixels[5] == 0);
     }
+    SECTION("a NaN where the other has a number is wrong, whatever its neighbours are") {
+        FloatImage checkers = flatFloats(8, 8, 0), broken = checkers;
+        for (std::size_t i = 0; i < checkers.pixels.size(); ++i)
+            checkers.pixels[i] = (i / 3 + i / 24) % 2 == 0 ? 0 : 1;
+        broken = checkers;
+        for (std::size_t c = 0; c < 3; ++c) broken.pixels[3 * 27 + c] = std::nanf("");
+        CHECK(compareImages(broken, checkers).score == 84);  // one of 64 pixels is off by 255
+        CHECK(compareImages(checkers, broken).score == 84);
+        CHECK(compareImages(broken, broken).score == 100);
+        broken.pixels[3 * 28] = std::nanf("");
+        const FloatImage once = broken;
+        broken.pixels[3 * 28] = 0.5F;
+        CHECK(compareImages(once, broken).score == 84);  // one channel is enough
+        const FloatImage grey = flatFloats(8, 8, 0.5F);
+        broken = grey;
+        broken.pixels[0] = std::nanf("");
+        CHECK(compareImages(broken, grey).pixelsOver(254) == 1);
+        CHECK(compareImages(Picture(broken), Picture(flat(8, 8, 128))).pixelsOver(254) == 1);
+    }
+    SECTION("a NaN is nobody's neighbour") {
+        FloatImage broken = flatFloats(2, 1, 0), right = broken;
+        broken.pixels[0] = broken.pixels[1] = broken.pixels[2] = std::nanf("");
+        for (std::size_t c = 3; c < 6; ++c) right.pixels[c] = 1;
+        CHECK(compareImages(broken, right).score == 0);
+    }
     SECTION("with a PNG: as bytes") {
         const Comparison c = compareImages(Picture(a), Picture(flat(2, 2, 127)));
         CHECK(c.peak == 255);

@@ -1,8 +1,9 @@
 // Compares two pictures of the same size: as numbers, by the course's score, and as a picture.
 //
 // Counts, score and speckle are computed from bytes: a float picture is clamped and quantised first, as for a
-// PNG; a NaN differs from any number. Mean, RMSE, PSNR and maximum are computed from the file's samples:
-// bytes (0 to 255), or linear floats, which may lie outside [0, 1]. A PNG and a PFM are compared as bytes.
+// PNG; a NaN differs from any number by as much as there is. Mean, RMSE, PSNR and maximum are computed from
+// the file's samples: bytes (0 to 255), or linear floats, which may lie outside [0, 1]. A PNG and a PFM are
+// compared as bytes.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "raytracer/pictures/image.h"
 
@@ -24,6 +26,11 @@ ImageSize sizeOf(const Picture& picture);
 // The picture's bytes, for a comparison with `other`, which has the same size. A NaN has no byte: it gets the
 // one that is farthest from other's, or 0 if that is NaN, too.
 ByteImage toBytes(const Picture& picture, const Picture& other);
+
+// Where pictures have a NaN, pixel by pixel; empty if neither has any. In the same channels of both it is
+// right.
+enum class NanAt : std::uint8_t { Neither, SameInBoth, OneOnly };
+using NanPlaces = std::vector<NanAt>;
 
 struct Comparison : ImageSize {
     // Element d: the number of pixels whose largest channel difference is d of 255.
@@ -60,7 +67,10 @@ Comparison compareImages(const Picture& a, const Picture& b);
 //
 // Which of several equally distant neighbours the autograder chooses affects only its difference picture:
 // their sums are equal, and the larger distance is chosen by the sum.
-int neighbourhoodScore(const ByteImage& a, const ByteImage& b);
+//
+// A pixel with a NaN is nobody's neighbour: it is as far as can be from a number, and its distance from
+// another NaN is that at its own place.
+int neighbourhoodScore(const ByteImage& a, const ByteImage& b, const NanPlaces& nans = {});
 
 // The number of pixels that are isolated in one picture but not in the other. A few of them do not lower the
 // score. A pixel is isolated if it differs from each of its 8 neighbours (fewer at the border) by more than 8
