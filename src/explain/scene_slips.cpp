@@ -18,19 +18,22 @@ namespace {
 
 using Color = glm::dvec3;
 
+std::string shown(double number) { return formatted("%.6g", number); }
+
 std::string shown(const Color& color) { return formatted("%.6g %.6g %.6g", color.x, color.y, color.z); }
 
 double most(const Color& color) { return std::max({color.x, color.y, color.z}); }
 
 bool isNegative(const Color& color) { return std::min({color.x, color.y, color.z}) < 0; }
 
-// 255 or 65535 if the color seems to be written in bytes or in 16 bits, else
-// 0. Its largest channel must be at least `least` times that white, and at
-// most twice white, to allow for colors that are brighter than white.
-int otherWhite(const Color& color, double least) {
-    for (const int white : {255, 65535})
-        if (!isNegative(color) && most(color) >= least * white && most(color) <= 2.0 * white) return white;
-    return 0;
+// What a color that is too bright should be divided by: 255 or 65535 if it seems to be written in bytes or in
+// 16 bits, else its largest channel; 0 if it is not too bright. A color in bytes has a largest channel of at
+// least `least` times 255, and at most twice 255, to allow for colors that are brighter than white.
+double divisorOf(const Color& color, double least) {
+    if (isNegative(color) || most(color) < least * 255) return 0;
+    for (const double white : {255, 65535})
+        if (most(color) >= least * white && most(color) <= 2 * white) return white;
+    return most(color);
 }
 
 // A real camera's film is 36 mm wide, and a lens of 18 mm is a wide-angle lens. Written in mm for a film of
@@ -96,15 +99,19 @@ class SlipFinder {
 
     void lookAtSurface(const std::string& place, const Color& color) {
         lookAtSign(place, color);
-        if (const int white = otherWhite(color, leastOfSurface))
-            lines_.add(place + ": colors end at 1: divide " + shown(color) + " by " + std::to_string(white));
+        if (const double divisor = divisorOf(color, leastOfSurface); divisor > 0)
+            lines_.add(place + ": colors end at 1: divide " + shown(color) + " by " + shown(divisor));
     }
 
     void lookAtLamp(const std::string& place, const Color& color) {
         lookAtSign(place, color);
-        if (const int white = otherWhite(color, leastOfLight))
-            lines_.add(place + ": white is 1 1 1: if this is in " + (white == 255 ? "bytes" : "16 bits") +
-                       ", divide it by " + std::to_string(white));
+        const double divisor = divisorOf(color, leastOfLight);
+        if (divisor == 255 || divisor == 65535)
+            lines_.add(place + ": white is 1 1 1: if this is in " + (divisor == 255 ? "bytes" : "16 bits") +
+                       ", divide it by " + shown(divisor));
+        else if (divisor > 0)
+            lines_.add(place + ": white is 1 1 1, since no distance dims light: divide " + shown(color) +
+                       " by " + shown(divisor));
     }
 
     void lookAtMaterial(std::size_t i) {

@@ -3,6 +3,7 @@
 
 #include "raytracer/explain/scene_advice.h"
 #include "raytracer/scene/mesh_file.h"
+#include "raytracer/util/text.h"
 
 using namespace raytracer;
 
@@ -32,9 +33,7 @@ TEST_CASE("colors of 0 to 255 are told, bright ones are not") {
     scene.materials[0].color_diffuse = {1.6, 2, 0};
     scene.materials[0].color_specular = {3, 2, 1};
     scene.materials[0].color_ambient = {9.9, 9.9, 0};
-    scene.materials[0].color_reflect = {1000, 1, 1};
     scene.lights[0].color = {19.9, 10, 19.9};
-    scene.lights[0].color_ambient = {1000, 1, 1};
     CHECK(sceneSlips(scene).empty());
     scene.materials[1].color_diffuse = {255, 128, 0};
     scene.materials[1].color_specular = {12, 0, 0};
@@ -52,6 +51,21 @@ TEST_CASE("colors of 0 to 255 are told, bright ones are not") {
                 "/materials/1/color_refract" + begin + "200 0.1 0.1 by 255",
                 "/lights/0/color: white is 1 1 1: if this is in bytes, divide it by 255",
                 "/lights/0/color_ambient: white is 1 1 1: if this is in bytes, divide it by 255"});
+}
+
+TEST_CASE("colors that are too bright in any unit are told") {
+    for (const double bright : {511.0, 1000.0, 2500.0, 131071.0, 1e300}) {
+        SceneDescription scene;
+        scene.materials.resize(1);
+        scene.lights.resize(1);
+        scene.materials[0].color_reflect = {bright, 1, 1};
+        scene.lights[0].color = glm::dvec3(bright);
+        const std::string number = formatted("%.6g", bright);
+        CHECK(sceneSlips(scene) ==
+              Slips{"/materials/0/color_reflect: colors end at 1: divide " + number + " 1 1 by " + number,
+                    "/lights/0/color: white is 1 1 1, since no distance dims light: divide " + number + " " +
+                        number + " " + number + " by " + number});
+    }
 }
 
 TEST_CASE("colors of 16 bits and negative ones are told") {
