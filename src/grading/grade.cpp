@@ -103,12 +103,6 @@ void requireShape(const GradeCase& test, const CameraDescription& camera) {
                                       filmInWords(camera) + ")");
 }
 
-bool isPicture(const fs::path& file) {
-    static constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".pfm",
-                                              ".bmp", ".gif", ".tif",  ".tiff"};
-    return std::ranges::any_of(endings, [&](const char* ending) { return endsIn(file.string(), ending); });
-}
-
 // The longest name of a scene with which the name begins, up to its end or a "-"; empty if there is none.
 std::string sceneOf(const std::string& name, const std::vector<fs::path>& scenes) {
     std::string longest;
@@ -136,7 +130,7 @@ std::vector<StrayPicture> strayPictures(const GradePlan& plan, const std::vector
     for (const fs::path& file : filesThatEndIn("", references)) {
         const std::string name = file.stem().string(), scene = sceneOf(name, scenes);
         const bool isGraded = std::ranges::find(plan.cases, name, &GradeCase::name) != plan.cases.end();
-        if (isPicture(file) && !scene.empty() && !isGraded)
+        if (isPicture(file.string()) && !scene.empty() && !isGraded)
             strays.push_back({file.string(), whyStray(name, scene)});
     }
     return strays;
@@ -160,13 +154,20 @@ void requireFileFits(const std::string& picture, const ByteImage& reference) {
                                    std::to_string(most));
 }
 
+void requireSizeOf(const ReferencePicture& reference, const ImageSize& found) {
+    const ImageSize& expected = reference.image;
+    if (found != expected)
+        throw Error("expected " + inWords(expected) + " pixels, as the reference has, found " +
+                    inWords(found));
+}
+
 // Any Error here is the fault of the program's picture, but for OutOfMemory.
 ByteImage readPicture(GradeResult& result, const ReferencePicture& reference, const std::string& picture) {
     requireFileFits(picture, reference.image);
     const FileBytes file(picture, FileKind::Regular);
-    if (const auto size = sizeInHeader(file)) requireSameSize(*size, reference.image);
+    if (const auto size = sizeInHeader(file)) requireSizeOf(reference, *size);
     ByteImage ours = readImage(file);
-    requireSameSize(ours, reference.image);
+    requireSizeOf(reference, ours);
     result.ourPng = file.text();
     return ours;
 }

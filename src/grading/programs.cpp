@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_watch.h"
+#include "raytracer/util/folder_walk.h"
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/temporary_folder.h"
 #include "raytracer/util/text.h"
@@ -42,31 +44,39 @@ void removeShellsReport(std::string& output, const ProcessEnd& end) {
     if (end.signal && output.find(signalName(end.signal), start) != std::string::npos) output.erase(start);
 }
 
-// How many folders a relative path leads upwards: 1 for "../a", 2 for "a/../../../b".
-int stepsUp(const files::path& relative) {
-    int up = 0;
-    for (const files::path& part : relative.lexically_normal()) up += part == "..";
-    return up;
+// Calls take(path, type, depth) for what a program has left in its folder, as far as that can be read. In the
+// folder's place may be a link, which leads to other files.
+template <class Take>
+void walkThroughRemains(const std::string& folder, Take take) try {
+    std::error_code error;
+    if (files::symlink_status(folder, error).type() == files::file_type::directory) walkBeneath(folder, take);
+} catch (const Error&) {
+    return;
 }
 
-// Copies the scene and the files that it names, so that its relative paths lead to the copies. A file that it
-// names by an absolute path is found where it is. Returns the copy of the scene.
-std::string copyScene(const std::string& scene, const std::string& folder) {
-    const std::vector<std::string> named = loadScene(scene).files;
-    const files::path from = files::path(scene).parent_path();
-    int up = 0;
-    for (const std::string& file : named)
-        up = std::max(up, stepsUp(files::path(file).lexically_relative(from)));
-    files::path to = folder;
-    for (int i = 0; i < up; ++i) to /= "scene";
-    for (const std::string& file : named) {
-        const files::path copy = (to / files::path(file).lexically_relative(from)).lexically_normal();
-        std::error_code error;
-        files::create_directories(copy.parent_path(), error);
-        files::copy_file(file, copy, files::copy_options::overwrite_existing, error);
-        if (error) throw Error({file}, "cannot be copied for a program: " + error.message());
-    }
-    return (to / files::path(scene).filename()).string();
+// What a folder's files take from the disk.
+DiskRoom takenIn(const std::string& folder) {
+    DiskRoom taken{0, 0};
+    walkThroughRemains(folder, [&](const files::path& path, files::file_type type, int) {
+        std::error_code isGone;
+        const std::uintmax_t size = type == files::file_type::regular ? files::file_size(path, isGone) : 0;
+        taken.bytes += isGone ? 0 : size;
+        ++taken.files;
+    });
+    return taken;
+}
+
+// "output.png is there": a picture that the program has written, but not where it should. The one nearest to
+// the top, and of these the first by its path. Empty if there is none.
+std::string pictureElsewhere(const std::string& folder, const std::string& asked, const SceneCopy& scene) {
+    std::pair<int, std::string> first{std::numeric_limits<int>::max(), ""};
+    walkThroughRemains(folder, [&](const files::path& path, files::file_type type, int depth) {
+        const bool isWritten =
+            type == files::file_type::regular && path != asked && !scene.files.contains(path.string());
+        if (isWritten && isPicture(path.string()))
+            first = std::min(first, {depth, path.lexically_relative(folder).string()});
+    });
+    return first.second.empty() ? "" : first.second + " is there";
 }
 
 // The bytes of room that a program is promised: for its picture, for a copy of that, and for what it prints.
@@ -74,21 +84,6 @@ std::size_t promisedRoom(const ProgramRun& run) {
     constexpr std::size_t printed = std::size_t{1} << 20;
     const auto size = sizeInHeader(FileBytes(run.test->reference, FileKind::Regular)).value_or(ImageSize{});
     return printed + 6 * size.area();
-}
-
-// What a folder's files take from the disk.
-DiskRoom takenBy(const std::string& folder) {
-    DiskRoom taken{0, 0};
-    std::error_code error;
-    for (files::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        std::error_code isGone;
-        const bool isFile = entry->symlink_status(isGone).type() == files::file_type::regular;
-        const std::uintmax_t size = isFile ? entry->file_size(isGone) : 0;
-        taken.bytes += isGone ? 0 : size;
-        ++taken.files;
-    }
-    return taken;
 }
 
 // Whether others have taken most of the room that there was before a run, whose own files take `own`.
@@ -114,7 +109,7 @@ struct ActiveRun {
     void look() {
         if (lacksRoom || !lacksRoomNow()) return;
         lacksRoom = true;
-        isSqueezed = isTakenByOthers(roomBefore, takenBy(folder));
+        isSqueezed = isTakenByOthers(roomBefore, takenIn(folder));
     }
 
     std::size_t promised;
@@ -124,16 +119,17 @@ struct ActiveRun {
     bool isDisturbed = false;  // another run has filled the disk meanwhile
     TemporaryFolder own;
     std::string folder = own.hiddenFolder(), picture = folder + "/out.png", printed = own.file("log");
+    SceneCopy scene;  // in the folder
 };
 
 // Throws Error if there is too little room for the program's
 // files, so that the program is not blamed for that.
-ProcessStart startOf(const ProgramRun& run, const ActiveRun& active, const ProgramOptions& options) {
-    const std::string scene = copyScene(absolutePath(run.test->scene), active.folder);
+ProcessStart startOf(const ProgramRun& run, ActiveRun& active, const ProgramOptions& options) {
+    active.scene = copyScene(absolutePath(run.test->scene), active.folder);
     active.own.requireRoom(active.promised);
     giveFolderTo(options.user, active.folder);
     return {commandFromHere(run.command),
-            {scene, active.picture, std::to_string(run.longEdge)},
+            {active.scene.path, active.picture, std::to_string(run.longEdge)},
             active.printed,
             options.limits,
             active.folder,
@@ -185,6 +181,8 @@ Rendered renderedBy(const ProgramRun& run, ActiveRun& active, const ProcessEnd& 
     rendered.message += std::string(rendered.message.empty() ? "" : ", ") +
                         (isGone ? "its folder was deleted, " : "") +
                         (isLink ? "out.png is a symbolic link, not a file" : "wrote no picture");
+    if (!isLink) rendered.instead = pictureElsewhere(active.folder, active.picture, active.scene);
+    rendered.message += rendered.butInstead();
     rendered.failed = true;
     return rendered;
 }

@@ -8,7 +8,7 @@
 
 namespace raytracer {
 
-std::string GradeResult::butInstead() const { return instead.empty() ? "" : ", but " + instead; }
+std::string Rendered::butInstead() const { return instead.empty() ? "" : ", but " + instead; }
 
 double GradedSubmission::mean() const {
     const double sum =
@@ -48,8 +48,12 @@ std::string missingPictures(const std::vector<GradeResult>& results) {
            (with == results.end() ? "" : with->butInstead());
 }
 
-// Removes numbers: "too slow: 2.1 s" and "too slow: 2.2 s" are one fault.
-std::string withoutTimes(std::string message) {
+// The message without what differs from picture to picture: numbers ("too slow: 2.1 s" and "too slow: 2.2 s"
+// are one fault), and the name of what is there instead.
+std::string commonPart(const GradeResult& result) {
+    const std::string but = result.butInstead();
+    std::string message = result.message;
+    if (message.ends_with(but)) message.resize(message.size() - but.size());
     std::erase_if(message, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
     return message;
 }
@@ -101,7 +105,7 @@ std::string mistakeOfMost(const std::vector<GradeResult>& results, const Thresho
     for (const GradeResult& result : results) {
         if (result.isMissing || within(result, thresholds)) continue;
         wrong.push_back(&result);
-        if (!result.comparison) count.add(withoutTimes(result.message), result.message);
+        if (!result.comparison) count.add(commonPart(result), result.message);
         for (const std::string& mistake : result.mistakes) count.add(mistake, mistake);
     }
     if (wrong.empty()) return {};

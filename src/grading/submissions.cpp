@@ -11,6 +11,7 @@
 #include "programs.h"
 #include "raytracer/tracer/renderer.h"
 #include "raytracer/util/error.h"
+#include "raytracer/util/folder_walk.h"
 #include "raytracer/util/nearby_file.h"
 #include "raytracer/util/temporary_folder.h"
 #include "raytracer/util/text.h"
@@ -27,37 +28,20 @@ struct FoundPicture {
     std::string path, note, instead;
 };
 
-// What the grader cannot read is no fault of a student's.
-Error unreadable(const files::path& path, std::error_code error) {
-    return {{path.string()}, "cannot read: " + error.message()};
-}
-
 // The files beneath a folder, by their names in small letters: PNG files with their ending, others without.
 // Links to PNG files are among the others: what they lead to was not handed in. The places of each name are
-// sorted by depth, the nearest to the top first, then by path. Throws Error if anything beneath the folder
-// cannot be read, but for what lies deeper than anyone keeps files: that would end the grading of a class.
+// sorted by depth, the nearest to the top first, then by path. Throws Error as walkBeneath does.
 using FilesByName = std::map<std::string, std::vector<std::pair<int, files::path>>>;
 
 FilesByName filesBeneath(const std::string& folder) {
     FilesByName found;
-    std::error_code error;
-    files::path path = folder;
-    constexpr int deepest =
-        100;  // folders: the walk holds each one open, and 1024 files are what it may hold
-    constexpr std::size_t longest = 3840;  // of a path, bytes: the system's limit is 4096, that of a name 255
-    for (files::recursive_directory_iterator entry(path, error), end; !error && entry != end;) {
-        path = entry->path();
-        const files::file_type type = entry->symlink_status(error).type();
+    walkBeneath(folder, [&](const files::path& path, files::file_type type, int depth) {
         const bool isPng = endsIn(path.string(), ".png"), isFile = type == files::file_type::regular;
-        if (isFile || (isPng && type == files::file_type::symlink)) {
-            files::path name = isPng && isFile ? path.filename() : path.stem();
-            if (!isPng && endsIn(name.string(), ".png")) name = name.stem();  // a.png.zip is no a.png
-            found[inLowerCase(name.string())].emplace_back(entry.depth(), path.lexically_relative(folder));
-        }
-        if (entry.depth() >= deepest || path.native().size() > longest) entry.disable_recursion_pending();
-        if (!error) entry.increment(error);  // opens the folder at `path`
-    }
-    if (error) throw unreadable(path, error);
+        if (!isFile && !(isPng && type == files::file_type::symlink)) return;
+        files::path name = isPng && isFile ? path.filename() : path.stem();
+        if (!isPng && endsIn(name.string(), ".png")) name = name.stem();  // a.png.zip is no a.png
+        found[inLowerCase(name.string())].emplace_back(depth, path.lexically_relative(folder));
+    });
     for (auto& [name, places] : found) std::ranges::sort(places);
     return found;
 }

@@ -1,6 +1,9 @@
 #include "scene_files.h"
 
+#include <algorithm>
+
 #include "raytracer/pictures/image.h"
+#include "raytracer/scene/scene_loader.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/file_bytes.h"
 #include "raytracer/util/memory.h"
@@ -28,6 +31,13 @@ std::string shown(const std::string& file) {
     const std::string name = isPipe ? "" : nearbyName(folder, path.string());
     path.fail("no file " + shown(file) + (isRelative ? " (relative to the scene file)" : "") +
               (name.empty() ? "" : "; write " + inQuotes(name)));
+}
+
+// How many folders a relative path leads upwards: 1 for "../a", 2 for "a/../../../b".
+int stepsUp(const std::filesystem::path& relative) {
+    int up = 0;
+    for (const std::filesystem::path& part : relative.lexically_normal()) up += part == "..";
+    return up;
 }
 
 MeshData readMesh(const std::string& file, int threads) {
@@ -81,6 +91,27 @@ std::string SceneFiles::resolve(JsonView path) {
     const std::string_view written = path.string();
     if (written.empty() || written.find('\0') != written.npos) path.failExpected("the path of a file");
     return *names_.insert((folder_ / written).string()).first;
+}
+
+SceneCopy copyScene(const std::string& scene, const std::string& folder) {
+    const std::vector<std::string> named = loadScene(scene).files;
+    const std::filesystem::path from = std::filesystem::path(scene).parent_path();
+    int up = 0;
+    for (const std::string& file : named)
+        up = std::max(up, stepsUp(std::filesystem::path(file).lexically_relative(from)));
+    std::filesystem::path to = folder;
+    for (int i = 0; i < up; ++i) to /= "scene";
+    SceneCopy copied{(to / std::filesystem::path(scene).filename()).string(), {}};
+    for (const std::string& file : named) {
+        const std::filesystem::path copy =
+            (to / std::filesystem::path(file).lexically_relative(from)).lexically_normal();
+        std::error_code error;
+        std::filesystem::create_directories(copy.parent_path(), error);
+        std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing, error);
+        copied.files.insert(copy.string());
+        if (error) throw Error({file}, "cannot be copied for a program: " + error.message());
+    }
+    return copied;
 }
 
 }  // namespace raytracer

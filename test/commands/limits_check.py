@@ -130,7 +130,8 @@ def check_files(folder):
         check(f"{command} /dev/zero", "/dev/zero: cannot read: it is a device\n", *command, "/dev/zero", out,
               *([] if command else [8]))
         check(f"{command} an endless pipe",
-              "/dev/stdin: cannot read: it has no size, as a pipe, and no end within 1 GiB: save it as a file\n",
+              "/dev/stdin: cannot read: it has no size, as a pipe, and no end within 1 GiB: "
+              "save it as a file\n",
               *command, "/dev/stdin", out, *([] if command else [8]), script='yes | "$@"')
         sparse = folder / "sparse.json"
         os.truncate(os.open(sparse, os.O_CREAT | os.O_WRONLY), 1 << 40)

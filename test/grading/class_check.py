@@ -45,14 +45,15 @@ PROGRAMS = {
     "forks": ("for i in $(seq 300); do sleep 60 & done; wait",
               "started too many processes|too slow: 0.5 s of processor time"),
     "daemon": ('{student} "$1" "$2" "$3"; setsid sh -c \'echo $$ > {pid}; exec sleep 60\' & sleep 0.2', ""),
-    "elsewhere": ('{student} "$1" ./elsewhere.png "$3"', "wrote no picture"),
+    "elsewhere": ('{student} "$1" ./elsewhere.png "$3"',
+                  "wrote no picture, but elsewhere.png is there"),
     "copies": ('cp "$(dirname "$1")/$(basename "$1" .json).png" "$2" || cp references/*.png "$2"',
                "exit status 1, wrote no picture"),
     "fifo": ('mkfifo "$2"', "wrote no picture"),
     "link": ('ln -s {reference} "$2"', "out.png is a symbolic link, not a file"),
     "input": ('read line; {student} "$1" "$2" "$3"', ""),
     "nothing": ("true", "wrote no picture"),
-    "size": ('{student} "$1" "$2" 20', "the pictures' sizes differ: 20 x 20 and 48 x 48"),
+    "size": ('{student} "$1" "$2" 20', "expected 48 x 48 pixels, as the reference has, found 20 x 20"),
     "none": ("", "could not be started, wrote no picture"),
 }
 

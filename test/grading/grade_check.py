@@ -70,11 +70,11 @@ ENDINGS = {
     "huge":
     ("printf '\\211PNG\\r\\n\\032\\n\\0\\0\\0\\rIHDR\\0\\0\\050\\0\\0\\0\\050\\0\\010\\2\\0\\0\\0' > \"$2\"",
      "0",
-     "the pictures' sizes differ: 10240 x 10240 and 60 x 40"),
+     "expected 60 x 40 pixels, as the reference has, found 10240 x 10240"),
     "pipe": ("mkfifo \"$2\"", "0", "wrote no picture"),
     "endless": ("ln -s /dev/zero \"$2\"", "0", "out.png is a symbolic link, not a file"),
     "folder": ("mkdir \"$2\"; printf '\\033[2J\\rred \\377\\302\\233'", "0", "wrote no picture"),
-    "size": ("", "0", "the pictures' sizes differ: 30 x 20 and 60 x 40"),
+    "size": ("", "0", "expected 60 x 40 pixels, as the reference has, found 30 x 20"),
 }
 
 
@@ -128,6 +128,7 @@ def check_cli(program, folder):
     check_changed_inputs(program, folder)
     check_looping_link(program, folder)
     check_links(program, folder)
+    check_elsewhere(program, folder)
     check_deep_folders(program, folder)
 
 
@@ -505,6 +506,23 @@ def check_links(program, folder):
     for status, said in ((0, ""), (3, "exit status 3, ")):
         done = grade(program, here, "exam", "--program", f"STATUS={status} ./rt")
         check(f"a: {said}out.png is a symbolic link, not a file\n" in done.stdout, f"a link: {done.stdout}")
+
+
+def check_elsewhere(program, folder):
+    """A picture that a program writes under another name is named: of several the nearest to the top. What
+    the scene names is there, too, and is the grader's."""
+    here = folder / "elsewhere"
+    shutil.copytree(folder / "loop/one", here / "exam")
+    shutil.copy(here / "exam/a.png", here / "exam/texture.png")
+    (here / "exam/a.json").write_text(json.dumps(json.loads(LEAST) | {"textures": {"x": "texture.png"}}))
+    for body, there in (("", ""), ("ln -s texture.png b.png; mkdir c.png; touch log", ""),
+                        ("mkdir a; touch a/a.png z.jpg y.PPM", "y.PPM"),
+                        ("mkdir -p a/b; touch a/b/c.png b.png.txt", "a/b/c.png"),
+                        ("touch \"$(printf '\\033[2J\\377\\n.png')\"", r"\x1b[2J\xff\x0a.png")):
+        write_program(here / "rt", body + "\nexit 3\n")
+        done = grade(program, here, "exam", "--program", "./rt")
+        said = "exit status 3, wrote no picture" + (there and f", but {there} is there")
+        check(f"  a: {said}\n" in done.stdout, f"{body}: {done.stdout}{done.stderr}")
 
 
 def check_deep_folders(program, folder):

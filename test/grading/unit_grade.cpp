@@ -140,7 +140,7 @@ TEST_CASE("grade: what is wrong is a result") {
     const auto saying = [](Rendered rendered) {
         return [=](const GradeCase&, int, const std::string&) { return rendered; };
     };
-    CHECK(messageOf(flatRenderer(9, 0)) == "the pictures' sizes differ: 9 x 9 and 10 x 10");
+    CHECK(messageOf(flatRenderer(9, 0)) == "expected 10 x 10 pixels, as the reference has, found 9 x 9");
     CHECK(messageOf(saying({})) == "wrote no picture");
     CHECK(messageOf(saying({false, "exit status 3", ""})) == "exit status 3, wrote no picture");
     CHECK(messageOf(saying({true, "crashed: Aborted", ""})) == "crashed: Aborted");
@@ -448,6 +448,10 @@ TEST_CASE("grade: the mistake of most wrong pictures, counted by its whole name"
     ada.results[0].message = "too slow: 2.1 s of processor time";
     ada.results[1].message = "too slow: 2.2 s of processor time";
     CHECK(ada.fault({}) == "too slow: 2.1 s of processor time");
+    ada.results[0].instead = "cone.png is there";
+    ada.results[1].instead = "cube.png is there";
+    for (GradeResult& result : ada.results) result.message = "wrote no picture" + result.butInstead();
+    CHECK(ada.fault({}) == "wrote no picture, but cone.png is there");
 }
 
 TEST_CASE("grade: a right program's other roundings are told") {

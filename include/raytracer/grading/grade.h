@@ -63,6 +63,9 @@ struct Rendered {
     std::string message;                       // one line; empty if all is well
     std::string output;                        // the end of what the program printed
     double seconds = 0, processorSeconds = 0;  // 0: unknown; processorSeconds is of programs only
+    std::string instead{};  // of a missing picture: "a.jpg is there", "a.png is a symbolic link"
+
+    std::string butInstead() const;  // ", but a.jpg is there"; empty if `instead` is
 };
 
 // Renders the case's picture, `longEdge` pixels on its longer side, to the PNG file `out`. Throws Error if
@@ -101,7 +104,6 @@ struct GradeResult : Rendered {
     std::string path;                      // of a picture that was handed in
     std::string note;                      // what is odd about the name of a picture that counts
     bool isMissing = false;                // whether no picture was handed in
-    std::string instead;                   // if it is missing: "a.jpg is there", "a.png is a symbolic link"
     bool isUnreadable = false;             // whether there is a file that cannot be compared
     std::string referencePng, ourPng, differencePng;  // the files' bytes; empty if there is no file
     struct {
@@ -115,7 +117,6 @@ struct GradeResult : Rendered {
     std::array<std::uint8_t, 3> ourWorst{}, referenceWorst{};
 
     int score() const { return comparison ? comparison->score : 0; }
-    std::string butInstead() const;  // ", but a.jpg is there"; empty if `instead` is
 };
 
 // A reference picture, read from a file. Throws Error.

@@ -1,6 +1,7 @@
 // Reads a scene file: from JSON text to a SceneDescription.
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,14 @@ struct LoadedScene {
 LoadedScene loadScene(const std::string& path, std::span<const std::string> edits = {},
                       std::vector<std::string>* named = nullptr, FileKind kind = FileKind::Any,
                       int threads = 0);
+
+// Copies the scene, and the files that it names, into a folder, so that its relative paths lead to the
+// copies. A file that it names by an absolute path is found where it is. Throws Error.
+struct SceneCopy {
+    std::string path;
+    std::set<std::string> files;  // all copies
+};
+SceneCopy copyScene(const std::string& scene, const std::string& folder);
 
 // Turns remarks about values of a scene, "/json/pointer: ...", into Errors about the file. An Error has a
 // line and a column where the file can be read again and the value is not one of the edits'. A remark without
