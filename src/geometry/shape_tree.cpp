@@ -49,14 +49,14 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const BuildOptions& options)
 }
 
 DirectionBuffer ShapeTree::fromEye(const Vec3& eye) const {
-    if (few_.empty()) return {};
-    const Real slack = slackFactor_ * (maxComponent(abs(eye)) + extent_);
-    return {eye, few_, unbounded_, std::numeric_limits<Real>::max(), slack};
+    const Real extent = maxComponent(abs(eye)) + extent_;
+    if (few_.empty() || !(extent <= widestRange)) return {};
+    return {eye, few_, unbounded_, std::numeric_limits<Real>::max(), slackFactor_ * extent};
 }
 
 DirectionBuffer ShapeTree::toLight(const Vec3& light) const {
-    if (few_.empty()) return {};
     const Real extent = maxComponent(abs(light)) + extent_, reach = farAway * extent;
+    if (few_.empty() || !(extent <= widestRange)) return {};
     return {light, few_, unbounded_, reach, slackFactor_ * (extent + reach)};
 }
 

@@ -1,4 +1,7 @@
 // A direction buffer discards no hit: the answers are those of a list of all shapes.
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -34,9 +37,12 @@ struct RandomScene {
             placeOn(shapes[i].type(), &mesh, random.below(2) ? Place::Edge : Place::Anywhere, random)));
     }
 
-    // Anywhere, within a shape, or far from all.
+    // Anywhere, within a shape, or far from all: as far as there are buffers.
     Vec3 point(Random& random) const {
+        const double decades = std::min(300.0, std::log10(static_cast<double>(widestRange / 2)));
         if (random.below(4) == 0) return shapes[0].transform().translation();
+        if (random.below(4) == 0)
+            return Vec3(random.direction() * std::pow(10, random.between(2, random.below(2) ? 5 : decades)));
         return Vec3(random.box() * random.magnitude(2));
     }
 };
@@ -103,8 +109,8 @@ TEST_CASE("rays to a light hit with a direction buffer what they hit in a list")
                 buffer = tree.toLight(light);
                 REQUIRE(!buffer.empty());
             }
-            // Through the target, from a point behind it; sometimes from very far away.
-            const double behind = random.below(8) == 0 ? 1e6 : random.uniform();
+            // From the target, or through it from a point behind it; sometimes from very far away.
+            const double behind = random.below(8) == 0 ? 1e6 : random.below(2) * random.uniform();
             const Vec3 origin = target + static_cast<Real>(behind) * (target - light);
             const bool any = random.below(2) == 0;
             HitQuery some(light, any), all(light, any);
@@ -116,4 +122,14 @@ TEST_CASE("rays to a light hit with a direction buffer what they hit in a list")
         });
     CHECK(counts.hits > 100000 / slowness);
     CHECK(counts.wrong == 0);
+}
+
+TEST_CASE("there is no direction buffer of a point so far away that its numbers could overflow") {
+    const Material material;
+    const std::vector<Shape> shapes{*makeShape(Kind::Sphere, Affine(), material, nullptr, 0)};
+    const ShapeTree tree(shapes, {});
+    for (const Real far : {2 * widestRange, std::numeric_limits<Real>::max(), infinity}) {
+        CHECK(tree.fromEye(Vec3(0, far, 0)).empty());
+        CHECK(tree.toLight(Vec3(0, far, 0)).empty());
+    }
 }

@@ -30,7 +30,8 @@ class DirectionBuffer {
     DirectionBuffer() = default;
 
     // Of at most mostShapes shapes, with their boxes and without. The rays begin or end at the point, and
-    // have directions whose components add up to at most `reach`. For them `slack` is as BvhRay::slack.
+    // have directions whose components add up to at most `reach`, which is finite. For them `slack` is as
+    // BvhRay::slack. The point and the boxes are within widestRange.
     DirectionBuffer(const Vec3& point, std::span<const BoxedShape> boxed,
                     std::span<const Shape* const> unbounded, Real reach, Real slack);
 

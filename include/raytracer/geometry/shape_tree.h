@@ -21,7 +21,7 @@ class ShapeTree {
     void meet(const RayT<T>& ray, HitQueryT<T>& query) const;
 
     // For the rays from a perspective camera's eye, and for those to a light. Empty where there are many
-    // shapes, or no tree is wanted.
+    // shapes, or no tree is wanted, or the point is so far away that the buffer's numbers could overflow.
     DirectionBuffer fromEye(const Vec3& eye) const;
     DirectionBuffer toLight(const Vec3& light) const;
 
