@@ -107,36 +107,39 @@ class Window {
               std::uint64_t* cells) const {
         const Vec3 w = negative_ ? -unit(axis_) : unit(axis_), column = face.columns * unit(across_),
                    row = face.rows * unit(along_);
-        const auto isSeen = [&](const Vec3& n, Real low, Real high) {
-            return outline.isSeen(n, {low - rounding, high + rounding}, w);
-        };
-        struct Cells {
+        struct Strips {
             int first, last;
         };
-        const auto seen = [&](const Vec3& n, int side, Real scale, Real offset) {
-            const Range range = outline.range(side, axis_, negative_);
-            const auto cell = [&](Real place) { return static_cast<int>(place * scale + offset); };
-            Cells result{cell(range.low) - 1, cell(range.high) + 1};
-            if (range.low > range.high) return Cells{1, 0};
-            result = {std::max(result.first, 1), std::min(result.last, resolution - 2)};
+        // Without the strips at both ends that the outline is not seen through. It may be seen through
+        // those between. In strip k, offset + n . d / w . d is from k to k + width.
+        const auto seen = [&](Strips strips, const Vec3& n, Real offset, int width) {
             const auto isSeenThrough = [&](int k) {
-                return isSeen(n, Real(k) - offset, Real(k + 1) - offset);
+                const Range range{Real(k) - offset - rounding, Real(k + width) - offset + rounding};
+                return outline.isSeen(n, range, w);
             };
-            while (result.first <= result.last && !isSeenThrough(result.first)) ++result.first;
-            while (result.first <= result.last && !isSeenThrough(result.last)) --result.last;
-            return result;
+            while (strips.first <= strips.last && !isSeenThrough(strips.first)) ++strips.first;
+            while (strips.first < strips.last && !isSeenThrough(strips.last)) --strips.last;
+            return strips;
         };
-        const Cells columns = seen(column, across_, face.columns, face.firstColumn),
-                    rows = seen(row, along_, face.rows, face.firstRow);
-        const Real sum = face.firstColumn + face.firstRow, difference = face.firstColumn - face.firstRow;
-        bool falling[2 * resolution], rising[2 * resolution];
-        for (int k = columns.first + rows.first; k <= columns.last + rows.last; ++k)
-            falling[k] = isSeen(column + row, Real(k) - sum, Real(k + 2) - sum);
-        for (int k = columns.first - rows.last; k <= columns.last - rows.first; ++k)
-            rising[resolution + k] = isSeen(column - row, Real(k - 1) - difference, Real(k + 1) - difference);
-        for (int y = rows.first; y <= rows.last; ++y)
-            for (int x = columns.first; x <= columns.last; ++x)
-                if (falling[x + y] && rising[resolution + x - y]) cells[y * resolution + x] |= bit;
+        const auto sideBySide = [&](const Vec3& n, int side, Real scale, Real offset) {
+            const Range range = outline.range(side, axis_, negative_);
+            if (range.low > range.high) return Strips{1, 0};
+            const auto strip = [&](Real place) { return static_cast<int>(place * scale + offset); };
+            return seen({std::max(strip(range.low) - 1, 1), std::min(strip(range.high) + 1, resolution - 2)},
+                        n, offset, 1);
+        };
+        const Strips columns = sideBySide(column, across_, face.columns, face.firstColumn),
+                     rows = sideBySide(row, along_, face.rows, face.firstRow);
+        if (columns.first > columns.last || rows.first > rows.last) return;
+        const Strips falling = seen({columns.first + rows.first, columns.last + rows.last}, column + row,
+                                    face.firstColumn + face.firstRow, 2),
+                     rising = seen({columns.first - rows.last, columns.last - rows.first}, column - row,
+                                   face.firstColumn - face.firstRow + 1, 2);
+        for (int y = rows.first; y <= rows.last; ++y) {
+            const int last = std::min({columns.last, falling.last - y, rising.last + y});
+            for (int x = std::max({columns.first, falling.first - y, rising.first + y}); x <= last; ++x)
+                cells[y * resolution + x] |= bit;
+        }
     }
 
   private:
@@ -166,6 +169,7 @@ DirectionBuffer::DirectionBuffer(const Vec3& point, std::span<const BoxedShape> 
     outlines.erase(outlines.begin(), inFront);
     everywhere_ = around == 0 ? 0 : ~std::uint64_t{0} >> (mostShapes - around);
 
+    cells_.reserve(1 + 6 * resolution * resolution);  // what is not used takes no memory
     for (int number = 0; number < 6; ++number) {
         const Window window(number / 2, number % 2 == 1, outlines);
         if (window.empty()) continue;
