@@ -67,3 +67,31 @@ TEST_CASE("re-intersection: shapes of 10^+-30, 10^+-30 from the origin") {
         CHECK(result.metAgain + result.neverOut + result.stuck + result.oddCrossings == 0);
     }
 }
+
+// As in a file of coordinates on a map: the error of a point is far less than a triangle, but not than the
+// square of one.
+TEST_CASE("re-intersection: a mesh that is small beside its distance from its own origin") {
+    const double size = hasFewDigits ? 0x1p-8 : 0x1p-20;
+    auto mesh = std::make_shared<MeshData>(*roundMesh());
+    for (glm::dvec3& position : mesh->positions) position = size * position + glm::dvec3(1, 0.7, 0.4);
+    mesh->findBounds();
+    const Material material;
+    const auto shape = makeShape(Kind::Mesh, Affine{}, material, mesh);
+    Random random(9);
+    int entered = 0, neverOut = 0, metAgain = 0;
+    for (int i = 0; i < 20000 / slowness; ++i) {
+        const Wide target = placeOn(Kind::Mesh, mesh.get(), static_cast<Place>(random.below(3)), random);
+        const Vec3 eye(target + Wide(size * random.magnitude(1) * random.direction()));
+        const Ray ray{eye, Vec3(target) - eye, {}};
+        const Intersection hit = shape->rayIntersect(ray);
+        if (!hit.valid || !hit.entering) continue;
+        const ShadingPoint point(ray, hit, false);
+        const Vec3 any(random.direction()), out = glm::dot(any, point.N) < 0 ? -any : any;
+        ++entered;
+        neverOut += !shape->rayIntersect(point.leave(-out, ShadingPoint::Side::Far)).valid;
+        metAgain += shape->rayIntersect(point.leave(out, ShadingPoint::Side::Near)).valid;
+    }
+    CHECK(entered > 5000 / slowness);
+    CHECK(neverOut == 0);
+    CHECK(metAgain == 0);
+}
