@@ -96,8 +96,8 @@ struct LanesOf {
         using Integers [[gnu::vector_size(partLanes * sizeof(std::int32_t))]] = std::int32_t;
         std::array<std::int32_t, laneCount> result;
         for (int i = 0; i < parts; ++i) {
-            const Integers part = __builtin_convertvector(x.part[i], Integers);
-            std::memcpy(&result[i * partLanes], &part, sizeof part);
+            const Integers whole = __builtin_convertvector(x.part[i], Integers);
+            std::memcpy(&result[i * partLanes], &whole, sizeof whole);
         }
         return result;
     }
