@@ -27,7 +27,7 @@ class Outline {
             high_[axis] = static_cast<Real>(boxed.box.high[axis]) - point[axis] + slack;
             nearest_ = std::max({nearest_, low_[axis], -high_[axis]});
         }
-        nearest_ *= 1 - Real(0x1p-18);
+        nearest_ *= 1 - Real(0x1p-18);  // more than the roundings above and those of a ray's t
         if (shape_->type() == ShapeType::Mesh) {
             center_ = (low_ + high_) / Real(2);
             margin_ = (high_ - low_) / Real(2);
@@ -169,7 +169,7 @@ DirectionBuffer::DirectionBuffer(const Vec3& point, std::span<const BoxedShape> 
     outlines.erase(outlines.begin(), inFront);
     everywhere_ = around == 0 ? 0 : ~std::uint64_t{0} >> (mostShapes - around);
 
-    cells_.reserve(1 + 6 * resolution * resolution);  // what is not used takes no memory
+    cells_.reserve(1 + 6 * resolution * resolution);  // moved never; pages of unused faces stay untouched
     for (int number = 0; number < 6; ++number) {
         const Window window(number / 2, number % 2 == 1, outlines);
         if (window.empty()) continue;

@@ -109,7 +109,7 @@ SceneCopy copyScene(const std::string& scene, const std::string& folder) {
         std::filesystem::create_directories(copy.parent_path(), error);
         std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing, error);
         copied.files.insert(copy.string());
-        if (error) throw Error({file}, "cannot be copied for a program: " + error.message());
+        if (error) throw Error({file}, "cannot be copied: " + error.message());
     }
     return copied;
 }

@@ -88,8 +88,8 @@ template <class T>
 ColorT<T> Scene::lightColor(const ShadingPointT<T>& point, LaneBits active,
                             const RenderContext& context) const {
     ColorT<T> color(T(0));
-    for (const Light& light : lights) {
-        const DirectLightT<T> direct = directLight(point, light);
+    for (std::size_t light = 0; light < lights.size(); ++light) {
+        const DirectLightT<T> direct = directLight(point, lights[light]);
         const ColorT<T> lit = direct.lit();
         ColorT<T> sum = direct.ambient;
         const LaneBits unlit = bits((lit.x == T(0)) & (lit.y == T(0)) & (lit.z == T(0)));
@@ -105,15 +105,14 @@ ColorT<T> Scene::lightColor(const ShadingPointT<T>& point, LaneBits active,
 // S_L, from the closest hit before the light. Where no shape is refractive any hit gives 0, so the search
 // stops at the first one found, unless an observer asks which shape it is.
 template <class T>
-ColorT<T> Scene::shadow(const ShadingPointT<T>& point, const Vec3T<T>& toLight, const Light& light,
+ColorT<T> Scene::shadow(const ShadingPointT<T>& point, const Vec3T<T>& toLight, std::size_t light,
                         LaneBits active, const RenderContext& context) const {
     context.counts->shadow += countLanes<T>(active);
     const Observer* observer = context.samples->observer;
-    HitQueryT<T> query(light.position, !hasRefractiveShape && !(observer && observer->asksWhatShadows()),
-                       active);
-    const auto number = static_cast<std::size_t>(&light - lights.data());
+    HitQueryT<T> query(lights[light].position,
+                       !hasRefractiveShape && !(observer && observer->asksWhatShadows()), active);
     closestHits(point.leave(toLight, ShadingPointT<T>::Side::Near), query,
-                number < toLights.size() ? &toLights[number] : nullptr, context);
+                light < toLights.size() ? &toLights[light] : nullptr, context);
     ColorT<T> factor = select(maskOf<T>(query.found()), ColorT<T>(T(0)), ColorT<T>(T(1)));
     if (hasRefractiveShape)
         forEach<T>(query.found(), [&](int lane) {

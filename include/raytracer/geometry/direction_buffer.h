@@ -58,8 +58,8 @@ class DirectionBuffer {
     template <class T>
     std::uint64_t along(const Vec3T<T>& direction, T& depth) const;
 
-    // The shape of a bit. `nearest` is a bound on the largest component of the differences between the
-    // shape's points and this point.
+    // The shape of a bit. Of the difference between any point of the shape and this point, the largest
+    // component is at least `nearest`.
     struct Candidate {
         Real nearest;
         const Shape* shape;
@@ -97,7 +97,7 @@ std::uint64_t DirectionBuffer::along(const Vec3T<T>& direction, T& depth) const 
     const LaneBits negative = bits(direction[axis] < T(0));
     const bool together = all(size[axis] == depth) && (negative == 0 || negative == allLanesOf<T>);
     std::uint64_t seen = everywhere_;
-    if constexpr (laneCountOf < T >> 1)
+    if constexpr (laneCountOf<T> != 1)
         if (!together) {
             Real ignored;
             for (int lane = 0; lane < laneCountOf<T>; ++lane) seen |= along(laneOf(direction, lane), ignored);

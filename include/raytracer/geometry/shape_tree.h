@@ -37,9 +37,11 @@ class ShapeTree {
     }
 
     const Shape* shapes_ = nullptr;
-    std::vector<BoxedShape> few_;  // for direction buffers: all with a box, and all without
+    // For direction buffers, where there are few shapes: those with a box, and those without; and a bound on
+    // the coordinates of the boxes.
+    std::vector<BoxedShape> few_;
     std::vector<const Shape*> unbounded_;
-    Real extent_ = 0;                   // of few_: no coordinate of a box is larger
+    Real extent_ = 0;
     std::vector<const Shape*> list_;    // tested first: their hits shorten the ray for the tree
     std::vector<std::uint32_t> boxed_;  // indices in shapes_ of the others: their names in the tree
     Bvh bvh_;

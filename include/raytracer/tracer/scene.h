@@ -104,7 +104,7 @@ struct Scene {
     template <class T>
     ColorT<T> lightColor(const ShadingPointT<T>& point, LaneBits active, const RenderContext& context) const;
     template <class T>
-    ColorT<T> shadow(const ShadingPointT<T>& point, const Vec3T<T>& toLight, const Light& light,
+    ColorT<T> shadow(const ShadingPointT<T>& point, const Vec3T<T>& toLight, std::size_t light,
                      LaneBits active, const RenderContext& context) const;
     template <class T>
     ColorT<T> reflectedColor(const ShadingPointT<T>& point, LaneBits active, const RayPath& path,

@@ -18,9 +18,10 @@ inline Error unreadable(const std::filesystem::path& path, std::error_code error
 // the walk.
 template <class Take>
 void walkBeneath(const std::string& folder, Take take) {
-    constexpr int deepest =
-        100;  // folders: the walk holds each one open, and 1024 files are what it may hold
-    constexpr std::size_t longest = 3840;  // of a path, bytes: the system's limit is 4096, that of a name 255
+    // Folders. The walk holds each one open, and a process may usually hold 1024 files open.
+    constexpr int deepest = 100;
+    // Of a path, bytes. The system's limit is 4096, that of a name 255.
+    constexpr std::size_t longest = 3840;
     std::filesystem::path path = folder;
     std::error_code error;
     for (std::filesystem::recursive_directory_iterator entry(path, error), end; !error && entry != end;) {
