@@ -10,7 +10,6 @@
 #include "raytracer/pictures/picture.h"
 #include "raytracer/util/error.h"
 #include "raytracer/util/memory.h"
-#include "raytracer/util/text.h"
 
 namespace raytracer {
 
@@ -129,12 +128,6 @@ Picture readPicture(const std::string& path) {
     const FileBytes file(path);
     if (isPfm(file)) return readPfm(file);
     return readImage(file);
-}
-
-bool isPicture(const std::string& file) {
-    static constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".pfm", ".ppm",
-                                              ".bmp", ".gif", ".tif",  ".tiff"};
-    return std::ranges::any_of(endings, [&](const char* ending) { return endsIn(file, ending); });
 }
 
 ImageSize sizeOf(const Picture& picture) {

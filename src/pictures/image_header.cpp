@@ -1,5 +1,7 @@
 // Reads the header of a picture before it is decoded. This does not use stb: to find a JPEG's size, stb
 // parses tables that have not been checked yet.
+#include <algorithm>
+
 #include "jpeg_check.h"
 #include "png_chunks.h"
 #include "png_format.h"
@@ -21,6 +23,12 @@ std::optional<ImageSize> sizeInHeader(const FileBytes& file) {
 
 std::string inWords(const ImageSize& size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+bool isPicture(const std::string& file) {
+    static constexpr const char* endings[] = {".png", ".jpg", ".jpeg", ".pfm", ".ppm",
+                                              ".bmp", ".gif", ".tif",  ".tiff"};
+    return std::ranges::any_of(endings, [&](const char* ending) { return endsIn(file, ending); });
 }
 
 std::string rgbInWords(const std::uint8_t* pixel) {

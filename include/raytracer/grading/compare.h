@@ -23,9 +23,6 @@ using Picture = std::variant<ByteImage, FloatImage>;
 Picture readPicture(const std::string& path);
 ImageSize sizeOf(const Picture& picture);
 
-// Whether the file's name ends as a picture's, of a format that need not be read here.
-bool isPicture(const std::string& file);
-
 // The picture's bytes, for a comparison with `other`, which has the same size. A NaN has no byte: it gets the
 // one that is farthest from other's, or 0 if that is NaN, too.
 ByteImage toBytes(const Picture& picture, const Picture& other);

@@ -49,6 +49,9 @@ inline int largestDifference(const std::uint8_t* a, const std::uint8_t* b) {
     return largest;
 }
 
+// Whether the file's name ends as a picture's, of a format that need not be read here.
+bool isPicture(const std::string& file);
+
 // These read PNG and JPEG as RGB, readPfm a PFM: alpha is dropped, grey becomes three equal channels. They
 // throw Error if the file is missing, unreadable or not such a picture.
 Texture readTexture(const std::string& path);  // throws unless it is a regular file
